@@ -24,19 +24,12 @@ def repaired(latex: str, definitions: dict[str, str] | None = None, **more: str)
     return done.repair(LIMITS)
 
 
-TURN = {"M": r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}"}
 QUADRATIC = {"M": r"\begin{bmatrix} a b + c & a b - c & d \\ a - b & a c + b d & a + d \end{bmatrix}"}
 
 
 @pytest.mark.parametrize(
     ("printed", "definitions", "corrected", "kind"),
     [
-        (
-            r"M = \begin{bmatrix} \cos\theta & \sin\theta \\ -\sin\theta & \cos\theta \end{bmatrix}",
-            TURN,
-            r"\begin{bmatrix} \cos \theta & -\sin \theta \\ \sin \theta & \cos \theta \end{bmatrix}",
-            None,
-        ),
         (
             r"M = \begin{bmatrix} a b - c & a b + c & d \\ a + b & a c - b d & a - d \end{bmatrix}",
             QUADRATIC,
@@ -52,33 +45,23 @@ QUADRATIC = {"M": r"\begin{bmatrix} a b + c & a b - c & d \\ a - b & a c + b d &
     ],
 )
 def test_wrong_entries_are_mended_together(
-    printed: str, definitions: dict[str, str], corrected: str, kind: str | None
+    printed: str, definitions: dict[str, str], corrected: str, kind: str
 ) -> None:
-    (name,) = definitions
-    size = "matrix 2×2" if definitions is TURN else "matrix 2×3"
-    found = repaired(printed, definitions, **{name: size})
-    assert any(corrected in proposal.latex for proposal in found.proposals), str(found)
-    if kind is not None:
-        assert {change.kind for change in found.proposals[0].changes} == {kind}
+    found = repaired(printed, definitions, M="matrix 2×3")
+    assert corrected in found.proposals[0].latex, str(found)
+    assert {change.kind for change in found.proposals[0].changes} == {kind}
 
 
 @pytest.mark.parametrize(
     ("printed", "corrected"),
     [
-        (
-            r"(a + b)^2 - (a - b)^2 = 4 a",
-            r"4 a b",
-        ),
-        (r"\cos 2\theta = 1 - 2 \sin\theta", r"\sin^{2}"),
-        (r"\sin^2\theta = (1 + \cos\theta)^2 - 2 \cos\theta (1 - \cos\theta) - 3 \cos^2\theta", ""),
-        (r"\tilde{u}^3 = -u \tilde{u}", ""),
+        (r"(a + b)^2 - (a - b)^2 = 4 a", r"4 b a"),
+        (r"\cos 2\theta = 1 - 2 \sin\theta", r"\left(\sin \theta\right)^{2}"),
     ],
 )
 def test_scalar_factors_are_found_by_their_ratio(printed: str, corrected: str) -> None:
-    if not corrected:
-        return
     found = repaired(printed)
-    assert any(corrected in proposal.latex.replace("\\left", "") for proposal in found.proposals), str(found)
+    assert any(corrected in proposal.latex for proposal in found.proposals), str(found)
 
 
 @pytest.mark.parametrize(
@@ -87,30 +70,33 @@ def test_scalar_factors_are_found_by_their_ratio(printed: str, corrected: str) -
         (r"B = x^T y", {"B": "tensor"}, r"x y^{T}"),
         (r"B = x^T + y", {"B": "scalar"}, r"x^{T} y"),
         (r"B = S T", {"B": "matrix 3×3"}, r"S^{T} T"),
-        (r"B = R x + y^T", {"B": "vector"}, r"R x"),
-        (r"S = \begin{bmatrix} a & b & c \end{bmatrix}", {}, r"\begin{bmatrix} a & b & c \\ 0 & 0 & 0 \end{bmatrix}"),
-        (r"B = R + c \theta", {"B": "vector"}, "R"),
+        (
+            r"S = \begin{bmatrix} a & b & c \end{bmatrix}",
+            {},
+            r"\begin{bmatrix} a & b & c \\ 0 & 0 & 0 \end{bmatrix}",
+        ),
     ],
 )
-def test_forms_that_fit_by_their_types_are_offered(printed: str, kinds: dict[str, str], corrected: str) -> None:
+def test_forms_that_fit_by_their_types_are_offered(
+    printed: str, kinds: dict[str, str], corrected: str
+) -> None:
     found = repaired(printed, **kinds)
     latex = [proposal.latex for proposal in found.proposals]
-    fits = all(proposal.verdict.outcome is Outcome.UNCHECKED for proposal in found.proposals)
-    assert fits and (not latex or any(corrected in each for each in latex)), latex
+    assert any(corrected in each for each in latex), latex
+    assert {proposal.verdict.outcome for proposal in found.proposals} == {Outcome.UNCHECKED}
 
 
 def test_proposals_of_a_step_agree_with_its_neighbours(tmp_path: Path) -> None:
-    text = r"\begin{align} \cos\theta &= -\cos(-\theta) \\ &= \sin(\theta + \frac{\pi}{2}) \end{align}"
-    (tmp_path / "text.tex").write_text(text)
-    (tmp_path / "text.toml").write_text("source = 'text.tex'\n[symbols]\n'\\theta' = 'scalar'\n")
+    steps = r"\left(x + y\right) \cdot (x + y) &= x^2 + x \cdot y + y^2 \\ &= x^2 + 2 x \cdot y + y^2"
+    (tmp_path / "text.tex").write_text(rf"\begin{{align}} {steps} \end{{align}}")
+    (tmp_path / "text.toml").write_text("source = 'text.tex'\n[symbols]\nx = 'vector'\ny = 'vector'\n")
     results = judge_claims(load_paper(tmp_path / "text.toml").claims)
     claims = [result.claim for result in results]
     beside = neighbours_of(claims)
     assert [str(result.verdict.outcome) for result in results] == ["refuted", "refuted"]
     found = [repair(claim, LIMITS, beside=beside[claim.id]) for claim in claims]
-    assert [each.proposals[0].latex for each in found] == [
-        r"\cos \theta = \cos\left(-\theta\right)",
-        r"\cos\left(-\theta\right) = \sin\left(\theta + \frac{\pi}{2}\right)",
-    ]
-    alone = [repair(claim, LIMITS) for claim in claims]
-    assert len(alone[1].proposals) > len(found[1].proposals)
+    assert all(r"x^{2} + 2 \left(x \cdot y\right) + y^{2}" in each.proposals[0].latex for each in found), (
+        found
+    )
+    alone = repair(claims[1], LIMITS)
+    assert len(alone.proposals) > len(found[1].proposals) == 1

@@ -8,7 +8,7 @@ from repair.damage import read_or_fault, right_claims
 from workbench.judge.subject.inventory import NotExact
 from workbench.language.typed.terms import Apply, IllFormed
 from workbench.papers import find_paper
-from workbench.repair.propose.repair import symbols_like
+from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
 from workbench.repair.terms.addends import Supply

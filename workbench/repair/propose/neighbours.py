@@ -27,15 +27,16 @@ class Neighbours:
         return f"{self.before_latex}\n{self.behind_latex}"
 
     def agree_with(self, candidate: Statement, printed: Statement, screen: Screen) -> bool:
-        """Whether the neighbours of a step hold at the points with the sides that the candidate changes. One
-        that says what a free symbol is holds with any."""
+        """Whether the neighbours of a step hold at the points with the sides of the candidate. One that says
+        what a free symbol is holds with any."""
         if not (isinstance(candidate, Relation) and isinstance(printed, Relation)):
             return True
         before, behind = self.before, self.behind
-        if candidate.left != printed.left and isinstance(before, Relation) and before.right == printed.left:
+        if isinstance(before, Relation) and before.right == printed.left:
             is_said = isinstance(before.left, Symbol) and not _holds(before, printed, True, screen)
-            return is_said or _holds(before, candidate, True, screen)
-        if candidate.right != printed.right and isinstance(behind, Relation) and behind.left == printed.right:
+            if not is_said and not _holds(before, candidate, True, screen):
+                return False
+        if isinstance(behind, Relation) and behind.left == printed.right:
             return _holds(behind, candidate, False, screen)
         return True
 

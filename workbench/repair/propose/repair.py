@@ -7,21 +7,17 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import islice, product
+from itertools import islice
 from time import monotonic
 
 from workbench.budget import OutOfBudget
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.authors import in_the_hand_of
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import symbol
 from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, Statement, Symbol, Term
-from workbench.language.typed.types import Declaration
+from workbench.language.typed.terms import Apply, Statement, Symbol
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.propose.fitting import FITS, fitting, says_what
@@ -29,10 +25,12 @@ from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.repair.propose.neighbours import ALONE, Neighbours
 from workbench.repair.propose.proposed import Proposed
+from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
 from workbench.repair.terms.changes import Candidate, Change
+from workbench.repair.terms.divisors import divisors
 from workbench.repair.terms.edits import Edit, edits
 from workbench.repair.terms.members import membership, other_members
 from workbench.repair.terms.places import places
@@ -312,7 +310,7 @@ class _Bench:
         whose types do not fit put none in."""
         printed = self.claim.printed.statement
         is_conditional = verdict.outcome is Outcome.CONDITIONAL
-        return is_conditional and (printed is None or _denominators(statement) <= _denominators(printed))
+        return is_conditional and (printed is None or divisors(statement) <= divisors(printed))
 
     def _rank(self, candidate: Candidate) -> tuple:
         """Few changes first; of as many, likely misprints, and what does not make the formula longer."""
@@ -382,47 +380,6 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
             yield replace(candidate, changes=(*printed.changes, *candidate.changes))
 
 
-def _denominators(statement: Statement) -> set[Term]:
-    """What it divides by, and what it takes the inverse of."""
-    parts = (term for _, term in places(statement))
-    return {
-        each.arguments[-1] for each in parts if isinstance(each, Apply) and each.head in ("div", "inverse")
-    }
-
-
 def _size(statement: Statement) -> int:
     """How many terms are printed in it, signs left out."""
     return sum(not (isinstance(term, Apply) and term.head == "neg") for _, term in places(statement))
-
-
-def symbols_like(
-    statement: Statement, table: SymbolTable, integers: Sequence[str] = ()
-) -> tuple[list[Term], list[Term]]:
-    """What of a paper may have stood in a statement, likely and less likely: symbols without index and
-    members of families whose indices occur in the statement; members with other small indices."""
-    terms = [term for _, term in places(statement)]
-    occurring = dict.fromkeys(t.index for t in terms if isinstance(t, Symbol) and t.index)
-    named = {t.declaration for t in terms if isinstance(t, Symbol)}
-    variables = [Linear.variable(name) for name in integers]
-    entries = dict.fromkeys((*(i for index in occurring for i in index), *variables, Linear(1)))
-    small = [*map(Linear, range(7)), *(v + k for v in variables for k in (1, -1, 2, -2))]
-    near: dict[Term, None] = {}
-    far: dict[Term, None] = {}
-    for declaration in table.symbols.values():
-        if declaration.parameters:
-            continue
-        if not declaration.indices:
-            near[symbol(declaration)] = None
-            continue
-        likely = [*occurring, *product(entries, repeat=declaration.indices)]
-        if declaration in named:
-            likely += [(v + k,) for v in variables for k in (1, -1)]
-        for family, indices in ((near, likely), (far, [(i,) for i in small])):
-            for index in indices:
-                if len(index) == declaration.indices and _is_known(declaration, index, table):
-                    family[symbol(declaration, index)] = None
-    return list(near), [term for term in far if term not in near]
-
-
-def _is_known(declaration: Declaration, index: tuple[Linear, ...], table: SymbolTable) -> bool:
-    return not declaration.introduced or table.defines(declaration.name, index)

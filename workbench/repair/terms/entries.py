@@ -8,12 +8,12 @@ from itertools import combinations
 
 from workbench.judge.second.rings import PRIME
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import block
-from workbench.language.typed.terms import Apply, Block, IllFormed, Relation, Term
+from workbench.language.typed.construct import block, number, zero
+from workbench.language.typed.terms import Apply, Block, IllFormed, Number, Relation, Term, Zero
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.arithmetic import times
 from workbench.repair.terms.changes import Candidate, Change, rescaled
-from workbench.repair.terms.coefficients import Vector, contributions, fewest_changes
+from workbench.repair.terms.coefficients import Vector, contributions, fewest_changes, rational
 from workbench.repair.terms.edits import Edit, edits
 from workbench.repair.terms.linear import addend_places
 from workbench.repair.terms.places import Place, replaced, subterm
@@ -21,6 +21,7 @@ from workbench.repair.terms.places import Place, replaced, subterm
 #: No misprint is looked for where more entries than this are wrong.
 MOST_WRONG = 9
 _MOST_OPTIONS = 6
+_LARGEST_NUMBER = 12
 
 #: An entry's new term, and what was changed in it.
 _Option = tuple[Term, tuple[Change, ...]]
@@ -111,7 +112,7 @@ def _options(
 ) -> list[_Option]:
     place, entry = printed.entries[number]
     target = printed.targets[number]
-    found = list(_rescaled_entries(entry, target, screen))
+    found = [*_rescaled_entries(entry, target, screen), *_number(entry, target)]
     for edit in edits(relation, replacements, within=place):
         if len(found) >= _MOST_OPTIONS:
             break
@@ -145,6 +146,15 @@ def _rescaled_entries(entry: Term, target: Vector, screen: Screen) -> Iterator[_
                 new = _replaced_within(new, at, times(factor, subterm(equation, (0, *at))))
             if new is not None:
                 yield new, tuple(changes)
+
+
+def _number(entry: Term, target: Vector) -> Iterator[_Option]:
+    """A number in the place of one."""
+    value = rational(target[0], _LARGEST_NUMBER) if len(set(target)) == 1 else None
+    if value is not None and isinstance(entry, Number | Zero):
+        new = number(value) if value else zero()
+        shown = f"the entry ${to_latex(entry)}$ should be ${to_latex(new)}$"
+        yield new, (Change("coefficient", shown),)
 
 
 def _replaced_within(entry: Term, at: Place, new: Term) -> Term | None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import chain
 
 from workbench.judge.second.rings import PRIME
 from workbench.language.printing.printer import to_latex
@@ -64,7 +65,7 @@ def other_factors(relation: Relation, screen: Screen, replacements: Sequence[Ter
         goal = None if isinstance(side, Zero) else screen.components(other, side)
         if goal is None:
             continue
-        for chosen in addend_places(side):
+        for chosen in chain([((),)], addend_places(side)):
             columns = contributions(side, chosen, screen)
             if columns is None or len(columns[0]) != len(goal):
                 continue
@@ -102,7 +103,8 @@ def _table(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> 
         for t in scalars
         if isinstance(t, Apply) and t.head in ("sin", "cos")
     ]
-    small = sorted(dict.fromkeys(scalars), key=_size)
+    whole = (relation.left, relation.right)  # a side that stands on the other one says nothing
+    small = sorted((term for term in dict.fromkeys(scalars) if term not in whole), key=_size)
     for term in [t for t in small if _size(t) <= _LARGEST][:_MOST_TERMS]:
         table.add(term)
     for term in list(table.terms.values()):
@@ -137,7 +139,8 @@ def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> 
         except IllFormed:
             continue
         kind = "coefficient" if factor is None else "symbol"
-        yield Candidate(changed, (Change(kind, said),), None, (1 if factor is None else 3, _size(new)))
+        likely = 1 if factor is None else 0 if is_below else 3
+        yield Candidate(changed, (Change(kind, said),), None, (likely, _size(new)))
 
 
 def _multiplied(factor: Term, addend: Term) -> Term:
@@ -148,6 +151,8 @@ def _multiplied(factor: Term, addend: Term) -> Term:
             return apply("div", factor, below)
         case Apply(head="div", arguments=(above, below)):
             return apply("div", apply("mul", factor, above), below)
+        case Apply(head="mul", arguments=(Number() as first, rest)):
+            return apply("mul", apply("mul", first, factor), rest)
         case Apply(head="mul", arguments=(first, rest)) if first.type.kind == "scalar":
             return apply("mul", _multiplied(factor, first), rest)
         case Number(value=one) if one == 1:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
+from itertools import combinations
 
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import (
     apply,
     big_sum,
+    block,
     counting,
     derivative,
     integer,
@@ -22,6 +24,7 @@ from workbench.language.typed.operators import OPERATORS, PRODUCTS
 from workbench.language.typed.terms import (
     Apply,
     BigSum,
+    Block,
     Counting,
     Derivative,
     Identity,
@@ -44,6 +47,7 @@ Said = tuple
 Variant = tuple[str, Said, Callable[[], Term]]
 
 _FACTORS = tuple(Fraction(text) for text in ("2", "1/2", "3", "1/3", "3/2", "2/3", "4", "1/4"))
+_MOST_ENTRIES = 9
 _PRODUCT_SIGNS = {head: OPERATORS[head].sign or "juxtaposition" for head in PRODUCTS}
 #: Besides letters, what may stand in brackets or bars with an exponent.
 _SQUARED = frozenset(("skew", "dot", "outer", "triple", "det", "trace", "norm"))
@@ -77,6 +81,8 @@ def variants(
             yield from _exponents(term)
         case BigSum():
             yield from _bounds(term)
+        case Block():
+            yield from _entries_exchanged(term)
         case Apply(head="add"):
             yield from _sums(term)
         case Apply():
@@ -142,6 +148,19 @@ def _bounds(term: BigSum) -> Iterator[Variant]:
             lower = term.lower + step
             said = ("replace the lower bound {} of the sum by {}", term.lower, lower)
             yield "bound", said, partial(big_sum, term.variables, lower, term.upper, term.body)
+
+
+def _entries_exchanged(matrix: Block) -> Iterator[Variant]:
+    """Two entries in the places of each other; of a large matrix none."""
+    entries, width = matrix.children, len(matrix.entries[0])
+    for one, other in combinations(range(len(entries)), 2) if len(entries) <= _MOST_ENTRIES else ():
+        if entries[one] == entries[other]:
+            continue
+        changed = list(entries)
+        changed[one], changed[other] = changed[other], changed[one]
+        rows = [changed[start : start + width] for start in range(0, len(changed), width)]
+        said = ("{} and {} change places", entries[one], entries[other])
+        yield "swap", said, partial(block, rows)
 
 
 # indices, exponents, dots

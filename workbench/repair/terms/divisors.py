@@ -1,0 +1,14 @@
+"""What a statement divides by."""
+
+from __future__ import annotations
+
+from workbench.language.typed.terms import Apply, Statement, Term
+from workbench.repair.terms.arithmetic import factors_of
+from workbench.repair.terms.places import places
+
+
+def divisors(statement: Statement) -> set[Term]:
+    """The factors of all denominators, and what inverses are taken of."""
+    parts = (term for _, term in places(statement) if isinstance(term, Apply))
+    below = (each.arguments[-1] for each in parts if each.head in ("div", "inverse"))
+    return {factor for each in below for factor in factors_of(each)}

@@ -153,7 +153,7 @@ def _number(entry: Term, target: Vector) -> Iterator[_Option]:
     value = rational(target[0], _LARGEST_NUMBER) if len(set(target)) == 1 else None
     if value is not None and isinstance(entry, Number | Zero):
         new = number(value) if value else zero()
-        shown = f"the entry ${to_latex(entry)}$ should be ${to_latex(new)}$"
+        shown = f"change the entry ${to_latex(entry)}$ to ${to_latex(new)}$"
         yield new, (Change("coefficient", shown),)
 
 
@@ -193,16 +193,16 @@ def _exchanged(relation: Relation, printed: _Printed, values: Sequence[Vector | 
     plain = [[width * i + j for j in range(width)] for i in range(height)]
     for a, b in combinations(range(height), 2):
         order = [b if i == a else a if i == b else i for i in range(height)]
-        ways.append((f"rows {a + 1} and {b + 1} change places", [plain[i] for i in order]))
+        ways.append((f"exchange rows {a + 1} and {b + 1}", [plain[i] for i in order]))
     for a, b in combinations(range(width), 2):
         columns = [b if j == a else a if j == b else j for j in range(width)]
-        ways.append((f"columns {a + 1} and {b + 1} change places", [[r[j] for j in columns] for r in plain]))
+        ways.append((f"exchange columns {a + 1} and {b + 1}", [[r[j] for j in columns] for r in plain]))
     if height == width:
-        ways.append(("the matrix is transposed", [list(column) for column in zip(*plain, strict=True)]))
+        ways.append(("transpose the matrix", [list(column) for column in zip(*plain, strict=True)]))
     for said, places in ways:
         flat = [number for row in places for number in row]
         if all(values[number] == target for number, target in zip(flat, printed.targets, strict=True)):
             entries = printed.matrix.children
             new = block([[entries[number] for number in row] for row in places])
-            shown = f"{said} in ${to_latex(printed.matrix)}$"
+            shown = f"{said} of ${to_latex(printed.matrix)}$"
             yield Candidate(replaced(relation, printed.place, new), (Change("swap", shown),))

@@ -132,10 +132,10 @@ def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> 
         try:
             if factor is None:
                 changed = replaced(relation, place, _multiplied(new, addend))
-                said = f"the factor ${to_latex(new)}$ of ${to_latex(addend)}$ is missing"
+                said = f"insert the factor ${to_latex(new)}$ of ${to_latex(addend)}$"
             else:
                 changed = replaced(relation, (*place, *at), new)
-                said = f"${to_latex(factor)}$ should be ${to_latex(new)}$"
+                said = f"change ${to_latex(factor)}$ to ${to_latex(new)}$"
         except IllFormed:
             continue
         kind = "coefficient" if factor is None else "symbol"

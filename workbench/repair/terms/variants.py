@@ -159,7 +159,7 @@ def _entries_exchanged(matrix: Block) -> Iterator[Variant]:
         changed = list(entries)
         changed[one], changed[other] = changed[other], changed[one]
         rows = [changed[start : start + width] for start in range(0, len(changed), width)]
-        said = ("{} and {} change places", entries[one], entries[other])
+        said = ("exchange {} and {}", entries[one], entries[other])
         yield "swap", said, partial(block, rows)
 
 

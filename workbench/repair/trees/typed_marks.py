@@ -102,7 +102,7 @@ def _moved_transposes(product: Product) -> Iterator[Mark]:
             continue
         changed = list(items)
         changed[one], changed[other] = first, second
-        said = f"the transpose of ${latex_of(items[one])}$ belongs to ${latex_of(items[other])}$"
+        said = f"move the transpose of ${latex_of(items[one])}$ to ${latex_of(items[other])}$"
         yield Mark(product, Product(product.at, tuple(changed)), 1, "transpose", said)
 
 
@@ -111,9 +111,9 @@ def _transposes(part: Node) -> Iterator[Mark]:
     for place, item in enumerate(items):
         new = _with_transpose(item) if _is_factor(item) else None
         if new is not None:
-            verb = "does not belong there" if _has_transpose(item) else "is missing"
+            verb = "remove" if _has_transpose(item) else "insert"
             nucleus = item.nucleus if _has_transpose(item) and isinstance(item, Scripted) else item
-            said = f"the transpose of ${latex_of(nucleus)}$ {verb}"
+            said = f"{verb} the transpose of ${latex_of(nucleus)}$"
             row = Product(part.at, (*items[:place], new, *items[place + 1 :]))
             yield Mark(part, row, 1, "transpose", said)
 
@@ -130,7 +130,7 @@ def _products_for_sums(part: Sum) -> Iterator[Mark]:
         row = Product(at, (*_factors(left), *_factors(right)))
         addends = (*part.addends[:place], (sign, at, row), *part.addends[place + 2 :])
         new: Node = Sum(part.at, addends) if len(addends) > 1 or sign else row
-        said = f"the sign $+$ between ${latex_of(left)}$ and ${latex_of(right)}$ should not be there"
+        said = f"remove $+$ between ${latex_of(left)}$ and ${latex_of(right)}$"
         yield Mark(part, new, 1, "product", said)
 
 
@@ -150,7 +150,7 @@ def stray_relations(chain: Chain) -> Iterator[Mark]:
             (*sides[:place], row, *sides[place + 2 :]),
             (*relations[:place], *relations[place + 1 :]),
         )
-        said = f"the sign $=$ before ${latex_of(right)}$ should not be there"
+        said = f"remove $=$ before ${latex_of(right)}$"
         yield Mark(chain, new, 1, "relation", said)
 
 
@@ -166,7 +166,7 @@ def _missing_factors(part: Sum | Chain, letters: list[Node]) -> Iterator[Mark]:
             continue
         for letter in letters:
             for row in ((*_factors(addend), letter), (letter, *_factors(addend))):
-                said = f"the factor ${latex_of(letter)}$ of ${latex_of(addend)}$ is missing"
+                said = f"insert the factor ${latex_of(letter)}$ of ${latex_of(addend)}$"
                 yield Mark(addend, in_a_row(addend.at, row), 1, "factor", said)
 
 
@@ -182,15 +182,15 @@ def _rows_and_columns(matrix: Matrix) -> Iterator[Mark]:
 
     for at in range(len(rows), -1, -1):
         if width == 1:
-            yield made((*rows[:at], (_ONE,), *rows[at:]), 1, f"an entry 1 is missing before row {at + 1}")
+            yield made((*rows[:at], (_ONE,), *rows[at:]), 1, f"insert an entry 1 before row {at + 1}")
         yield made(
-            (*rows[:at], (_ZERO,) * width, *rows[at:]), 1, f"a row of zeros is missing before row {at + 1}"
+            (*rows[:at], (_ZERO,) * width, *rows[at:]), 1, f"insert a row of zeros before row {at + 1}"
         )
     for at in range(width + 1):
         wide = [(*row[:at], _ZERO, *row[at:]) for row in rows]
-        yield made(wide, 1, f"a column of zeros is missing before column {at + 1}")
+        yield made(wide, 1, f"insert a column of zeros before column {at + 1}")
     for at in range(len(rows)) if len(rows) > 1 else ():
-        yield made((*rows[:at], *rows[at + 1 :]), _SURPLUS, f"one row too many, row {at + 1}")
+        yield made((*rows[:at], *rows[at + 1 :]), _SURPLUS, f"remove row {at + 1}")
     for at in range(width) if width > 1 else ():
         narrow = [(*row[:at], *row[at + 1 :]) for row in rows]
-        yield made(narrow, _SURPLUS, f"one column too many, column {at + 1}")
+        yield made(narrow, _SURPLUS, f"remove column {at + 1}")

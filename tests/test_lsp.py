@@ -170,9 +170,9 @@ async def typed(folder: Path) -> dict[str, object]:
     await client.shutdown_async(None)
     client.exit(None)
     await client.stop()
-    return {"title": action.title, "new": edit.new_text, "after": after, "on disk": path.read_text()}
+    return {"title": action.title, "new": edit.new_text, "after": tuple(after), "on disk": path.read_text()}
 
 
 def test_quick_fix_edits_what_is_typed_and_it_is_judged_unsaved(tmp_path: Path) -> None:
     found = asyncio.run(typed(tmp_path))
-    assert found == {"title": "Change the sign of b × a", "new": "-", "after": [], "on disk": TYPED}
+    assert found == {"title": "Change the sign of b × a", "new": "-", "after": (), "on disk": TYPED}

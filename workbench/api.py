@@ -96,7 +96,7 @@ def repair(claim: Claim | ClaimResult, seconds: float = 25.0) -> Repair:
     >>> from workbench import judge, load, repair
     >>> found = repair(judge(load(), ["70.div"])[0])
     >>> found.proposals[0].edit
-    'the sign of $\\\\omega^{4}$ is wrong'
+    'change the sign of $\\\\omega^{4}$'
     """
     from workbench.repair.propose.limits import Limits
     from workbench.repair.propose.repair import repair as search
@@ -122,7 +122,7 @@ def report(paper: Paper, results: Sequence[ClaimResult], out: Path | str = "repo
     >>> paper = load()
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     sorted(path.name for path in report(paper, judge(paper, ["58.det"]), folder))
-    ['erratum.tex', 'report.html', 'report.json', 'report.md']
+    ['errata.json', 'erratum.tex', 'report.html', 'report.json', 'report.md']
     """
     from workbench.certificates.certify import with_certificates
     from workbench.report.render import write_report

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from workbench import papers
 from workbench.budget import Budget
+from workbench.core.code_labels import suffix
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
@@ -85,7 +86,7 @@ class Checked:
         if verdict.scope:
             parts[-1] += f" ({verdict.scope})"
         if verdict.reason:
-            parts.append(_as_text(verdict.reason))
+            parts.append(_as_text(f"{verdict.reason}{suffix(verdict.reason)}"))
         if verdict.hypothesis:
             parts.append(f"if $ {verdict.hypothesis} $")
         if verdict.read_back and one_line(verdict.read_back) != one_line(self.latex):

@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 
 from workbench.cli.command_table import COMMANDS
+from workbench.core.code_labels import label
 from workbench.core.schema import SCHEMA
 from workbench.guide.api_page import FUNCTIONS, function_of
-from workbench.guide.message_page import all_codes, entries, label
+from workbench.guide.message_page import all_codes, entries
 from workbench.guide.pages import FOLDER
 
 ROOT = FOLDER.parents[1]

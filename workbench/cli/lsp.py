@@ -15,6 +15,7 @@ import click
 
 from workbench.cli.options import Unusable
 from workbench.cli.warm import Judged, judged_file, with_corrections
+from workbench.core.code_labels import suffix
 
 if TYPE_CHECKING:
     from lsprotocol.types import CodeAction, Diagnostic, Range
@@ -249,7 +250,7 @@ def _told(result: ClaimResult) -> str:
     """Verdict, reading and evidence."""
     verdict = result.verdict
     lines = [f"**{verdict.outcome}**" + (f" ({verdict.scope})" if verdict.scope else "")]
-    lines += [verdict.reason] if verdict.reason else []
+    lines += [f"{verdict.reason}{suffix(verdict.reason)}"] if verdict.reason else []
     lines += [f"unless {'; '.join(verdict.unless)}"] if verdict.unless else []
     lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
     if example := verdict.counterexample:

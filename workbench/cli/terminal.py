@@ -12,6 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
+from workbench.core.code_labels import coded
 from workbench.report.counterexamples import told
 from workbench.report.counts import summary, witness_counts
 from workbench.report.kinds import STATES, VERDICTS
@@ -106,14 +107,14 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
     yield Text.assemble(f"{'verdict':>15}  ", outcome_text(verdict.outcome))
     yield from _field("scope", verdict.scope)
     if claim.reading is None or not claim.note:  # else the note says what the machine would guess
-        yield from _field("because", verdict.reason)
+        yield from _field("because", coded(verdict.reason))
     yield from _field("unless", "; ".join(verdict.unless))
     yield from _field("hypothesis", result.hypothesis)
     for form in ("reading", "corrected"):
         if own := result.verdicts.get(form):
             yield from _field(form, getattr(claim, form).latex)
             yield Text.assemble(" " * 17, outcome_text(own.outcome))
-            yield from _field("because", own.reason)
+            yield from _field("because", coded(own.reason))
     if result.counterexample:
         said = claim.our_formula or claim.shown or ""
         yield from _field("counterexample", str(told(result.counterexample, said)))

@@ -12,6 +12,7 @@ import click
 from rich.text import Text
 
 from workbench.cli.options import Unusable, json_flag, print_json, reports_faults
+from workbench.core.code_labels import suffix
 from workbench.judge.verdict import Outcome, Verdict
 
 if TYPE_CHECKING:
@@ -127,7 +128,7 @@ def _verdict_lines(checked: Checked, proposals: bool) -> Iterator[Text]:
 def _in_words(verdict: Verdict) -> str:
     from workbench.typeset.plain_text import in_plain_text, plain_text
 
-    reason = in_plain_text(str(verdict.reason or ""))
+    reason = in_plain_text(str(verdict.reason or "")) + suffix(verdict.reason)
     match verdict.outcome:
         case Outcome.PROVED:
             return f"holds for {verdict.scope}" if verdict.scope else "holds"

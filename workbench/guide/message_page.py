@@ -11,6 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from workbench import core
+from workbench.core.code_labels import label
 from workbench.core.reasons import Code
 
 _DATA = Path(__file__).parent / "messages.toml"
@@ -55,11 +56,6 @@ def all_codes() -> Mapping[str, Code]:
         if module.name.endswith("_codes"):
             import_module(module.name)
     return {label(code): code for table in Code.__subclasses__() for code in table}
-
-
-def label(code: Code) -> str:
-    """Returns the code as messages end with it, in brackets: WB-UNKNOWN-SYMBOL."""
-    return f"WB-{code.name.replace('_', '-')}"
 
 
 def known_codes() -> list[str]:

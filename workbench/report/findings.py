@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from workbench.core.code_labels import suffix
 from workbench.judge.verdict import Grade, Outcome
 from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
@@ -97,7 +98,7 @@ def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
             ": the first step that does not follow" if is_first else ": does not follow from the step before"
         )
     if verdict.reason:
-        parts[0] += f": {verdict.reason}"
+        parts[0] += f": {verdict.reason}{suffix(verdict.reason)}"
     if verdict.unless:
         parts[0] += f", unless {'; '.join(verdict.unless)}"
     if verdict.hypothesis:

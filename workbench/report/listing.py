@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from workbench.core.code_labels import suffix
 from workbench.judge.verdict import Grade, Outcome
 from workbench.papers.model import Span
 from workbench.papers.text_claims.text_paper import TextPaper
@@ -219,7 +220,8 @@ def _open(groups: Sequence[tuple[Display | None, list[ClaimResult]]]) -> Iterato
     for display, own in groups:
         for result in own:
             if result.shown is Grade.NOT_JUDGED:
-                reason = in_plain_text(str(result.verdict.reason or "no reason is known"))
+                why = result.verdict.reason
+                reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
                 found.setdefault(reason, {})[display_name(display, result)] = result.claim.printed.at
     for reason, names in sorted(found.items(), key=lambda each: -len(each[1])):
         yield Open(tuple(names), reason, tuple(place for place in names.values() if place is not None))

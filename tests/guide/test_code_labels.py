@@ -1,0 +1,39 @@
+"""Messages end with their code, and the code leads to its page."""
+
+from __future__ import annotations
+
+from click.testing import CliRunner
+
+from workbench import check
+from workbench.cli.commands import main
+from workbench.core.code_labels import coded, label, suffix, telling_code
+from workbench.core.reasons import Reason
+from workbench.core.verdict_codes import VerdictCode
+
+SAME = VerdictCode.SAME_TERM()
+
+
+def test_message_ends_with_its_code() -> None:
+    assert suffix(SAME) == " [WB-SAME-TERM]" and coded(SAME) == f"{SAME} [WB-SAME-TERM]"
+
+
+def test_plain_text_and_no_reason_have_no_code() -> None:
+    assert (suffix("plain"), coded("plain"), suffix(None), coded(None)) == ("", "plain", "", None)
+
+
+def test_reason_around_one_reason_has_the_code_of_that_one() -> None:
+    outer = Reason(VerdictCode.AT_ONE_INSTANT, {"why": SAME})
+    assert telling_code(outer) is VerdictCode.SAME_TERM
+
+
+def test_show_try_and_notebook_show_the_code() -> None:
+    tried = CliRunner().invoke(main, ["try", "a = a", "-s", "a=vector"]).output
+    checked = check("a = a", symbols={"a": "vector"})
+    mark = f"[{label(VerdictCode.SAME_TERM)}]"
+    assert mark in tried and mark in str(checked)
+    assert "WB-SAME-TERM" in checked._repr_markdown_().replace("\\", "")
+
+
+def test_code_of_a_message_leads_to_its_page() -> None:
+    shown = CliRunner().invoke(main, ["help", label(VerdictCode.SAME_TERM)]).output
+    assert "What to do:" in shown

@@ -135,6 +135,6 @@ def rewritten(text: str) -> str:
 if __name__ == "__main__":
     for name in sys.argv[1:]:
         page = Path(name).resolve()
-        with tempfile.TemporaryDirectory() as place, folder_of(Path(place)):
+        with tempfile.TemporaryDirectory() as place, folder_of(ROOT if page.parent == ROOT else Path(place)):
             told = rewritten(page.read_text(encoding="utf-8"))
         page.write_text(told, encoding="utf-8")

@@ -16,7 +16,7 @@ from workbench.core.code_labels import suffix
 from workbench.judge.verdict import Outcome, Verdict
 
 if TYPE_CHECKING:
-    from workbench.checked import Checked
+    from workbench import Checked
 
 
 @click.command("try")
@@ -41,8 +41,7 @@ def try_formula(
 
     `$…$`, an equation environment and signs such as × are understood. Exit status: 0 if it holds, 1 if not,
     2 if it cannot be read or was not decided."""
-    from workbench import check
-    from workbench.checked import Checked
+    from workbench import Checked, check
     from workbench.papers.respell.typed_by_hand import as_typed
     from workbench.verify.results import HOLDS
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 from workbench import core
 from workbench.core.code_labels import label
@@ -63,7 +64,7 @@ def known_codes() -> list[str]:
 
 
 @cache
-def entries() -> Mapping[str, Mapping[str, str]]:
+def entries() -> Mapping[str, Mapping[str, Any]]:
     """Returns what messages.toml says of each code, by its label: meaning, example, way_out."""
     with _DATA.open("rb") as file:
         return {f"WB-{slug.upper()}": entry for slug, entry in tomllib.load(file).items()}
@@ -92,7 +93,7 @@ def message_page() -> str:
     return "\n\n".join(part.rstrip() for part in parts) + "\n"
 
 
-def meaning_of(code: Code) -> Mapping[str, str]:
+def meaning_of(code: Code) -> Mapping[str, Any]:
     """Returns the entry of the code: its own, or the general one of its form or its table."""
     own = entries().get(label(code), {})
     if "meaning" in own:
@@ -110,10 +111,15 @@ def _entry(code: Code, level: str) -> str:
     if meaning := said.get("meaning"):
         lines += [meaning, ""]
     if example := said.get("example"):
-        lines += [f"Example: {example}", ""]
+        lines += [f"Example: `{example}`{_where(said.get('symbols', {}))}", ""]
     if way_out := said.get("way_out"):
         lines += [f"What to do: {way_out}", ""]
     return "\n".join(lines)
+
+
+def _where(symbols: Mapping[str, str]) -> str:
+    kinds = ", ".join(f"`{name}` a {kind}" for name, kind in symbols.items())
+    return f" with {kinds}" if kinds else ""
 
 
 def _template(code: Code) -> str:

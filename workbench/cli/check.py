@@ -56,6 +56,13 @@ FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
 @click.option("--watch", is_flag=True, help="Stay, and judge again what changes.")
 @engine_options
 @proposals_flag
+@click.option(
+    "--repair-seconds",
+    type=click.FloatRange(min=0, min_open=True),
+    default=5.0,
+    show_default=True,
+    help="The limit on time for the search for one correction; the verdicts do not wait for it.",
+)
 @click.option("--fix", is_flag=True, help="Make the proved corrections in the texts, if you agree.")
 @click.option("--diff", is_flag=True, help="Print the proved corrections for `patch`, and nothing else.")
 @click.option("--quiet", "-q", is_flag=True, help="Print errors only, one line each.")
@@ -73,6 +80,7 @@ def check(
     watch: bool,
     proposals: bool,
     ask: bool,
+    repair_seconds: float,
     strict: bool,
     fix: bool,
     diff: bool,
@@ -130,7 +138,10 @@ def check(
         for draft in drafts.values():
             click.echo(draft.summary)
     wanted, cache = proposals or fix or diff, engines["cache"]
-    judged = [(paper, with_proposals(results, wanted, cache, False, paper)) for paper, results in judged]
+    judged = [
+        (paper, with_proposals(results, wanted, cache, False, paper, repair_seconds))
+        for paper, results in judged
+    ]
     if report_out is not None and judged:
         _write_report(*judged[0], report_out)
     edits = proved_edits([result for _, results in judged for result in results])

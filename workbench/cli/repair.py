@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -161,16 +161,17 @@ def with_proposals(
     cache: bool = True,
     beside_right: bool = True,
     paper: Paper | None = None,
+    seconds: float = STANDARD.seconds,
 ) -> list[ClaimResult]:
     """The results with what the machine proposes where a printed form is refuted or ill-formed, and perhaps
     where a right form is proved; with nothing if that is not wanted.   paper: if it is a text, its own
-    characters are edited."""
+    characters are edited.   seconds: of the search for one claim."""
     from workbench.cli.terminal import progress_bar
     from workbench.papers.text_claims.text_paper import TextPaper
     from workbench.verify.author_edits import with_author_edits
     from workbench.verify.proposals import with_proposals
 
-    limits = STANDARD if wanted else None
+    limits = replace(STANDARD, seconds=seconds) if wanted else None
     with memory_of_verdicts(cache) as memory, progress_bar(len(results) * wanted, "repairing") as advance:
         found = with_proposals(results, limits, advance, memory, beside_right)
     return with_author_edits(found, paper.text if isinstance(paper, TextPaper) else None)

@@ -133,7 +133,11 @@ def transposes(lines: Lines) -> Iterator[Swap]:
 def inverses(lines: Lines) -> Iterator[Swap]:
     """An inverse that is lost."""
     for node in below(lines):
-        if isinstance(node, Scripted) and isinstance(sup := core(node.sup), Sum) and latex_of(sup) == "-1":
+        if (
+            isinstance(node, Scripted)
+            and isinstance(sup := core(node.sup), Sum)
+            and latex_of(sup).replace(" ", "") == "-1"
+        ):
             yield node, replace(node, sup=None) if node.sub else node.nucleus
 
 

@@ -13,6 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 from workbench.cli.commands import main
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.memory import ground, objects
 from workbench.memory.store import Store
@@ -138,7 +139,7 @@ def test_a_damaged_file_is_not_believed(tmp_path, damage):
 def test_a_verdict_comes_back_as_it_was(outcome):
     evidence = (Evidence("m", "o", {"samples": 3, "bound": ["w_WB"], "scale": 0.1}),)
     against = Counterexample({"a": ("1", "1/2", "0")}, ("1",), ("2",))
-    whole = Verdict(outcome, "a", "all n", "r", "h", against, evidence)
+    whole = Verdict(outcome, "a", "all n", VerdictCode.FOR(values="n = 1"), "h", against, evidence)
     for verdict in (whole, Verdict(outcome)):
         assert Verdict.from_dict(verdict.to_dict()) == verdict
 

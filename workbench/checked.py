@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 from workbench import papers
 from workbench.budget import Budget
 from workbench.core.code_labels import suffix
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
@@ -26,7 +28,7 @@ from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
 from workbench.papers.respell.in_models import with_rows
-from workbench.papers.said import SAID_BEFORE, free_in, introduced, introduces, terms_of
+from workbench.papers.said import free_in, introduced, introduces, terms_of
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.counterexamples import told
@@ -151,12 +153,12 @@ def _claims(
         formula, values = _formula(line, known, given)
         terms = [] if formula.statement is None else terms_of(formula.statement)
         names = said & {each.name for each in free_in(terms, known.definitions)}
-        before = SAID_BEFORE.format(min(names, key=str)) if names else None
+        before = VerdictCode.SAID_BEFORE(symbol=min(names, key=str)) if names else None
         if (definition := introduced(formula, known)) is not None:
             known = replace(known, definitions=Definitions([*known.definitions, definition]))
         else:
             said |= introduces(formula, known)
-        supposed = tuple(_formula(whole_line(text), known, values, "assume: ")[0] for text in conditions)
+        supposed = tuple(_formula(whole_line(text), known, values, "assume")[0] for text in conditions)
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
@@ -243,7 +245,8 @@ def _formula(
     except IllFormedAt as error:
         return Formula(line.latex, ill_formed=why_ill_formed(error)), orders
     except ReadError as error:
-        raise ReadError(what + error.message, *line.place(error.line, error.column)) from None
+        message = SyntaxCode.FAULT_OF_KEY(key=what, message=error.message) if what else error.message
+        raise ReadError(message, *line.place(error.line, error.column)) from None
     return Formula(line.latex, statement), orders_within(orders, ranges)
 
 

@@ -9,6 +9,9 @@ from click.testing import CliRunner
 from judge.motion_papers import HEAD, MOTION, judged, motions, paper
 
 from workbench.cli.commands import main
+from workbench.core.motion_codes import MotionCode
+from workbench.core.reasons import code_of
+from workbench.core.verdict_codes import VerdictCode
 from workbench.drake.sampled_motions import six_revolute_motion
 from workbench.drake.special_motions import special_motion
 from workbench.judge.evidence.motion_check import Subject, witness
@@ -22,7 +25,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.papers.model import PaperError
 from workbench.verify import witnesses
 from workbench.verify.claims import judge_paper
-from workbench.verify.witnesses import EXISTENCE, VETO, Witnesses
+from workbench.verify.witnesses import Witnesses
 
 # --- goals
 
@@ -77,8 +80,8 @@ def seen(folder, outcome: Outcome, goal: str) -> Verdict:
 
 def test_numbers_veto_a_goal_if_one_of_its_equations_is_false(tmp_path):
     goal = r"\forall r \in V_3 : \dot{R} r = \omega \times (R r) ; \forall r \in V_3 : \dot{R} r = R r"
-    assert seen(tmp_path, Outcome.PROVED, goal).reason == VETO
-    assert seen(tmp_path, Outcome.ARGUED, goal).reason == VETO
+    assert seen(tmp_path, Outcome.PROVED, goal).code is VerdictCode.MOTIONS_CONTRADICT
+    assert seen(tmp_path, Outcome.ARGUED, goal).code is VerdictCode.MOTIONS_CONTRADICT
     refuted = seen(tmp_path, Outcome.REFUTED, goal)
     assert refuted.outcome == Outcome.REFUTED and refuted.evidence[-1].outcome == "the sides part"
 
@@ -86,15 +89,18 @@ def test_numbers_veto_a_goal_if_one_of_its_equations_is_false(tmp_path):
 @pytest.mark.parametrize(
     "goal, reason",
     [
-        (r"\exists! w \in V_3 : w = v", EXISTENCE),
-        (r"\exists! w \in V_3 : w = x", "no motion: algebra"),
-        (r"\forall b, c \in V_3 : b \times c = -c \times b ; \exists w \in V_3 : w = \ddot{p}", EXISTENCE),
-        (r"\forall b, c \in V_3 : b \times c = -c \times b", "no motion: algebra"),
+        (r"\exists! w \in V_3 : w = v", MotionCode.EXISTENCE),
+        (r"\exists! w \in V_3 : w = x", MotionCode.ALGEBRA),
+        (
+            r"\forall b, c \in V_3 : b \times c = -c \times b ; \exists w \in V_3 : w = \ddot{p}",
+            MotionCode.EXISTENCE,
+        ),
+        (r"\forall b, c \in V_3 : b \times c = -c \times b", MotionCode.ALGEBRA),
     ],
 )
 def test_a_goal_that_is_not_evaluated_says_why(tmp_path, goal, reason):
     verdict = seen(tmp_path, Outcome.PROVED, goal)
-    assert verdict.outcome == Outcome.PROVED and verdict.no_motion == reason
+    assert verdict.outcome == Outcome.PROVED and code_of(verdict.no_motion) is reason
 
 
 # --- [motion.claims]
@@ -142,13 +148,13 @@ def test_a_special_motion_shows_what_the_general_ones_do_not(tmp_path):
         for lines in ((holds, 'on = "translation"'), (holds,))
     )
     assert rest["passed"] and motions(rest)[0]["motions"] == ["translation"]
-    assert not moving["passed"] and moving["reason"] == VETO
+    assert not moving["passed"] and moving["reason_code"] == VerdictCode.MOTIONS_CONTRADICT.slug
 
 
 def test_a_printed_form_that_holds_is_refused(tmp_path):
     motion = with_ours(r"printed = '\dot{p} = v'", r"holds = '\ddot{p} = \dot{v}'")
     (claim,) = judged(tmp_path, "printed = 'p = 0 p'\ncorrected = 'p = p'", motion=motion)
-    assert not claim["passed"] and claim["reason"] == VETO
+    assert not claim["passed"] and claim["reason_code"] == VerdictCode.MOTIONS_CONTRADICT.slug
 
 
 @pytest.mark.parametrize(
@@ -216,7 +222,7 @@ def test_a_corrected_form_above_its_error_fails_the_run(tmp_path, monkeypatch, n
     """
     (result,) = judge_paper(paper(tmp_path, printed))
     assert not result.passed and "the correction: expected proved, got unchecked" in result.why_not
-    assert VETO in result.why_not
+    assert VerdictCode.MOTIONS_CONTRADICT in result.why_not.codes
 
 
 def test_the_same_run_without_the_planted_sign_passes(tmp_path):

@@ -5,12 +5,13 @@ from pathlib import Path
 import pytest
 from judge.motion_papers import MOTION, judged, motions, paper
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.papers import find_paper
 from workbench.papers.model import PaperError
 from workbench.report.to_json import report_json
 from workbench.verify.claims import judge_paper
-from workbench.verify.witnesses import VETO, Witnesses
+from workbench.verify.witnesses import Witnesses
 
 
 def test_what_holds_is_seen_on_every_motion(tmp_path):
@@ -93,7 +94,7 @@ def test_numbers_veto_a_proof(tmp_path):
     (claim,) = loaded.claims
     proved = Verdict(Outcome.PROVED, evidence=(Evidence("planted", "residual is 0"),))
     seen = Witnesses().seen(proved, claim, claim.printed, None)
-    assert seen.outcome == Outcome.UNCHECKED and seen.reason == VETO
+    assert seen.outcome == Outcome.UNCHECKED and seen.code is VerdictCode.MOTIONS_CONTRADICT
 
 
 def test_premises_are_satisfied_or_nothing_is_said(tmp_path):

@@ -243,7 +243,7 @@ def test_sets_and_maps(latex: str, expected: str) -> None:
         return
     (naming,) = read_formula(latex, TABLE).statements
     parts, given = ("; ".join(map(to_latex, each)) for each in (naming.parts, naming.given))
-    assert f"{naming.said} | parts {parts} | given {given} | {naming.undecided}" == expected
+    assert f"{naming.said} | parts {parts} | given {given} | {naming.undecided or ''}" == expected
 
 
 @pytest.mark.parametrize(

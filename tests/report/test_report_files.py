@@ -13,6 +13,7 @@ from itertools import pairwise
 import pytest
 from sample_report import CLAIMS, claim, report_of, sample
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.judge.verdict import Outcome
 from workbench.papers.model import Edit, Mend
 from workbench.repair.propose.proposed import Proposed
@@ -236,7 +237,8 @@ def test_a_counterexample_tells_what_definitions_make_of_it_and_leaves_out_what_
 
 @pytest.mark.parametrize("verdict", ["unchecked", "ill-formed"])
 def test_no_place_in_the_source_is_told_as_a_reason(verdict):
-    reason = "cannot be read: line 1, column 25: unknown symbol x; known and close: y"
+    unknown = SyntaxCode.UNKNOWN_SYMBOL_CLOSE(text="x", close="y").at(1, 25)
+    reason = SyntaxCode.CANNOT_BE_READ(why=unknown)
     texts = render.render(*report_of([claim("1", "1", "1", verdict, printed="a", reason=reason)]))
     for name in ("report.html", "report.md", "erratum.tex"):
         assert "column 25" not in texts[name].split("<body>")[-1]

@@ -7,6 +7,8 @@ import subprocess
 import pytest
 from judge.motion_papers import paper
 
+from workbench.core.motion_codes import MotionCode
+from workbench.core.reasons import Reason
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.papers.model import Claim, Formula
 from workbench.report import render
@@ -15,8 +17,10 @@ from workbench.verify.claims import judge_paper
 from workbench.verify.on_motions import ALGEBRA, METHOD
 from workbench.verify.results import ClaimResult
 
+NONE = MotionCode.ALGEBRA()
 
-def result(name: str, no_motion: str = "") -> ClaimResult:
+
+def result(name: str, no_motion: Reason | None = None) -> ClaimResult:
     seen = (
         () if no_motion else (Evidence(METHOD, "the sides part", {"residual": 1, "motion": "", "time": 0}),)
     )
@@ -27,7 +31,12 @@ def result(name: str, no_motion: str = "") -> ClaimResult:
 
 def test_claims_without_a_motion_are_listed_by_their_reasons():
     places = {"a": ("Eq. (1)", "a"), "b": ("Eq. (1)", "b"), "c": ("Eq. (2)", "c"), "d": ("Eq. (3)", "d")}
-    results = [result("a", ALGEBRA), result("b", ALGEBRA), result("c"), result("d", "a word")]
+    results = [
+        result("a", NONE),
+        result("b", NONE),
+        result("c"),
+        result("d", MotionCode.AS_STATED(why="a word")),
+    ]
     found = motions_of(results, places)
     assert (found.seen, found.claims) == (1, 4)
     assert found.unseen == (

@@ -115,7 +115,7 @@ def written(form: Form, verdict: Verdict) -> Certified:
             with in_the_hand_of(form.claim.notation.hand):  # the counterexample names symbols as it does
                 made = refutation(form, verdict)
             return Certified(form, verdict.outcome, made, misread=made.misread)
-        made = certificate(form, every=(verdict.scope or "").startswith("all"))
+        made = certificate(form, every=verdict.scope is not None and verdict.is_for_all)
     except OneInstant as obstacle:
         try:
             made = of_one_instant(form)

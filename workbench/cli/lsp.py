@@ -16,6 +16,9 @@ import click
 from workbench.cli.options import Unusable
 from workbench.cli.warm import Judged, judged_file, with_corrections
 from workbench.core.code_labels import suffix
+from workbench.core.reasons import Code
+from workbench.core.syntax_codes import UNKNOWN_SYMBOLS
+from workbench.core.verdict_codes import WAITS_FOR_ITS_AUTHOR
 
 if TYPE_CHECKING:
     from lsprotocol.types import CodeAction, Diagnostic, Range
@@ -184,7 +187,7 @@ def _publish(server: LanguageServer, file: Path, diagnostics: list[Diagnostic]) 
 
 
 #: What is no fault and waits for its author.
-_HINTS = ("states a law", "which nothing defines", "a definition makes it", "unknown symbol")
+_HINTS: frozenset[Code] = WAITS_FOR_ITS_AUTHOR | UNKNOWN_SYMBOLS
 
 
 def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | None) -> Diagnostic:
@@ -192,14 +195,19 @@ def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | 
 
     levels = {"error": DiagnosticSeverity.Error, "warning": DiagnosticSeverity.Warning}
     severity = levels.get(finding.level, DiagnosticSeverity.Information)
-    message = finding.message
-    if finding.level == "note" and any(words in message for words in _HINTS):
+    reason = result.verdict.reason if result is not None else None
+    if finding.level == "note" and reason is not None and not reason.codes.isdisjoint(_HINTS):
         severity = DiagnosticSeverity.Hint
     data: dict[str, Any] = {"claim": finding.claim}
     if result is not None:
         data |= _quick_fix(server, result)
     return Diagnostic(
-        _range(server, finding.span), message, severity, code=finding.code, source="workbench", data=data
+        _range(server, finding.span),
+        finding.message,
+        severity,
+        code=finding.code,
+        source="workbench",
+        data=data,
     )
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from enum import StrEnum
+from enum import Enum
 from typing import Any, Self
 
 
@@ -19,8 +19,8 @@ class Position:
         return f"line {self.line}, column {self.column}"
 
 
-class Code(StrEnum):
-    """The base of the tables of codes. A member is `NAME = value, template[, meaning[, example[, way_out]]]`.
+class Code(Enum):
+    """The base of the tables of codes. A member is `NAME = template[, meaning[, example[, way_out]]]`.
 
     template: the message, with the arguments in braces.   meaning, example, way_out: columns of the guide's
     catalogue."""
@@ -30,13 +30,16 @@ class Code(StrEnum):
     example: str
     way_out: str
 
-    def __new__(
-        cls, value: str, template: str, meaning: str = "", example: str = "", way_out: str = ""
-    ) -> Self:
-        code = str.__new__(cls, value)
-        code._value_ = value
+    def __new__(cls, template: str, meaning: str = "", example: str = "", way_out: str = "") -> Self:
+        code = object.__new__(cls)
+        code._value_ = template
         code.template, code.meaning, code.example, code.way_out = template, meaning, example, way_out
         return code
+
+    @property
+    def slug(self) -> str:
+        """The code as JSON and the guide have it."""
+        return self.name.lower().replace("_", "-")
 
     def __call__(self, **arguments: object) -> Reason:
         """The reason with this code. An argument is kept as a reason if it is one, else as its text."""
@@ -67,10 +70,17 @@ class Reason(str):
         """The reason with its position, from which its message then begins."""
         return Reason(self.code, self.arguments, Position(line, column))
 
+    def parts(self) -> Iterator[Reason]:
+        """The reason, and those among its arguments."""
+        yield self
+        for value in self.arguments.values():
+            if isinstance(value, Reason):
+                yield from value.parts()
+
     @property
-    def unplaced(self) -> Reason:
-        """The reason without any position, inside its arguments too."""
-        return Reason(self.code, {name: _unplaced(value) for name, value in self.arguments.items()})
+    def codes(self) -> frozenset[Code]:
+        """The codes of its parts."""
+        return frozenset(part.code for part in self.parts())
 
     def to_dict(self) -> dict[str, Any]:
         """JSON values: the code, the arguments and the position."""
@@ -79,7 +89,7 @@ class Reason(str):
             for name, value in self.arguments.items()
         }
         place = [self.position.line, self.position.column] if self.position else None
-        return {"code": self.code.value, "arguments": arguments, "position": place}
+        return {"code": self.code.slug, "arguments": arguments, "position": place}
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Reason:
@@ -97,18 +107,26 @@ def code_of(reason: str | None) -> Code | None:
     return reason.code if isinstance(reason, Reason) else None
 
 
-def code_named(value: str) -> Code:
-    """The code with this value, from any table that is loaded. Raises ValueError for an unknown one."""
+def reason_of(error: Exception) -> Reason:
+    """The reason that an error carries, or else its message as one."""
+    carried = error.args[0] if error.args else None
+    return carried if isinstance(carried, Reason) else ErrorCode.ERROR(what=error)
+
+
+def code_named(slug: str) -> Code:
+    """The code with this slug, from any table that is loaded. Raises ValueError for an unknown one."""
     for table in Code.__subclasses__():
         for code in table:
-            if code == value:
+            if code.slug == slug:
                 return code
-    raise ValueError(f"unknown code of a reason: {value!r}")
+    raise ValueError(f"unknown code of a reason: {slug!r}")
 
 
 def _kept(argument: object) -> str:
     return argument if isinstance(argument, Reason) else str(argument)
 
 
-def _unplaced(value: str) -> str:
-    return value.unplaced if isinstance(value, Reason) else value
+class ErrorCode(Code):
+    """The code of an error that carries no reason of its own."""
+
+    ERROR = "{what}"

@@ -4,18 +4,25 @@ from __future__ import annotations
 
 import re
 
-_BY_MESSAGE = (
-    (r"the integer variable", "indices without a range"),
-    (r"unexpected character '/'", "slashes"),
-    (r"a subscript on an expression", "subscripts on brackets"),
-    (r".*words in a formula", "words"),
-    (r"& outside", "alignment marks inside of brackets"),
-    (r".*got an expression alone", "a formula without a relation"),
-    (
-        r".*differ in type|expected a (?:vector|tensor|scalar|quaternion)\b|juxtaposition of|the transpose",
-        "kinds that do not fit as guessed",
-    ),
-)
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import UNFIT_KINDS, TypeCode
+
+_FEATURES = {
+    SyntaxCode.INTEGER_WITHOUT_RANGE: "indices without a range",
+    SyntaxCode.SUBSCRIPT_ON_EXPRESSION: "subscripts on brackets",
+    SyntaxCode.UNKNOWN_FUNCTION: "words",
+    SyntaxCode.WORDS_IN_FORMULA: "words",
+    SyntaxCode.ALIGNMENT_MARK: "alignment marks inside of brackets",
+    SyntaxCode.ALONE: "a formula without a relation",
+    SyntaxCode.OPAQUE_MACROS: "macros that only TeX can follow",
+}
+_KINDS = "kinds that do not fit as guessed"
+#: Faults of the reader that other kinds of the symbols would mend.
+_OF_KINDS = UNFIT_KINDS | {
+    *(TypeCode.EXPECTED_ARGUMENT, TypeCode.TENSOR_UNDER_TILDE),
+    *(SyntaxCode.CROSS_OF, SyntaxCode.COMPOSITION_OF, SyntaxCode.STAR_OF),
+}
 _BY_LATEX = (
     (r"\\(?:i*int|oint)(?![A-Za-z])", "integrals"),
     (r"\\lim(?![A-Za-z])|\\limsup|\\sup(?![A-Za-z])", "limits"),
@@ -47,18 +54,26 @@ _BY_LATEX = (
 )
 
 
-def feature_of(latex: str, message: str) -> str:
+def is_of_kinds(reason: Reason) -> bool:
+    """Whether other kinds of the symbols may mend the fault."""
+    return not reason.codes.isdisjoint(_OF_KINDS)
+
+
+def feature_of(latex: str, reason: Reason | None) -> str:
     """What the reader says, without the particulars; else the first that the formula shows signs of."""
-    if message.startswith("the macro "):
-        return "macros that only TeX can follow"
-    if match := re.search(r"unknown command (\\\S+)", message):
-        return f"the command {match[1]}"
-    for pattern, name in _BY_MESSAGE:
-        if re.match(pattern, message):
-            return name
+    for part in reason.parts() if reason is not None else ():
+        if part.code is SyntaxCode.UNKNOWN_COMMAND:
+            return f"the command {part.arguments['text']}"
+        if part.code is SyntaxCode.UNEXPECTED_CHARACTER and part.arguments["text"] == "'/'":
+            return "slashes"
+        if part.code in _FEATURES:
+            return _FEATURES[part.code]
+    if reason is not None and is_of_kinds(reason):
+        return _KINDS
     for pattern, name in _BY_LATEX:
         if re.search(pattern, latex):
             return name
-    if "says nothing" in message or not re.search(r"=", latex):
+    says_nothing = reason is not None and SyntaxCode.SAYS_NOTHING in reason.codes
+    if says_nothing or not re.search(r"=", latex):
         return "a formula without a relation"
-    return "kinds that do not fit as guessed" if "expected" in message else "another spelling"
+    return _KINDS if reason is not None and isinstance(reason.code, TypeCode) else "another spelling"

@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.ingest.definitions import (
     Formula,
     Proposed,
@@ -71,7 +72,7 @@ class Ingested:
         if not own:
             return "a formula without a relation"
         unread = (each for each in own if each.outcome.statements is None)
-        return next((feature_of(each.latex, each.outcome.message) for each in unread), None)
+        return next((feature_of(each.latex, each.outcome.reason) for each in unread), None)
 
     def to_dict(self) -> dict[str, Any]:
         """Returns every display: where it is, and whether it is read."""
@@ -303,4 +304,4 @@ def _opaque(display: Display, latex: str) -> list[str]:
 
 def _blocked(display: Display, latex: str) -> Outcome:
     names = ", ".join(f"\\{name}" for name in _opaque(display, latex))
-    return Outcome(message=f"the macro {names} could not be expanded")
+    return Outcome(reason=SyntaxCode.OPAQUE_MACROS(names=names))

@@ -8,6 +8,8 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.ingest.typefaces import ADJOINT, LABELLED, Guess, bare_name, flat
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.symbols import SymbolTable
@@ -16,7 +18,6 @@ from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.terms import Statement, Symbol
 from workbench.papers.said import terms_of
 
-_UNKNOWN = re.compile(r"unknown symbol (.+)", re.DOTALL)
 #: e with an exponent, which is no transpose and no number.
 EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")
 _MOST_SYMBOLS = 60
@@ -24,17 +25,17 @@ _MOST_SYMBOLS = 60
 
 @dataclass
 class Outcome:
-    """What came of reading one formula: statements, or a message, and whether its kinds do not fit."""
+    """What came of reading one formula: statements, or a reason, and whether its kinds do not fit."""
 
     statements: tuple[Statement, ...] | None = None
-    message: str = ""
+    reason: Reason | None = None
     ill_formed: bool = False
     symbols: set[str] = field(default_factory=set)
 
     @property
-    def progress(self) -> tuple[bool, str]:
+    def progress(self) -> tuple[bool, Reason | None]:
         """Whether the formula is read, and what keeps it from it."""
-        return self.statements is not None, self.message
+        return self.statements is not None, self.reason
 
 
 class Reader:
@@ -50,7 +51,7 @@ class Reader:
     ) -> None:
         self.ground, self.has_exponentials, self._by_face = ground, has_exponentials, by_face
         self.guesses: dict[str, Guess] = {}
-        self.refused: dict[str, str] = {}
+        self.refused: dict[str, Reason] = {}
         self._table = replace(ground, names_close=False)
         self._declare(guesses.values())
 
@@ -60,13 +61,13 @@ class Reader:
             outcome = self._attempt(latex)
             if outcome.statements is not None or outcome.ill_formed:
                 break
-            unknown = _UNKNOWN.search(outcome.message)
-            name = self._labelled(latex) if unknown is None else bare_name(unknown[1])
+            unknown = _unknown_symbol(outcome.reason)
+            name = self._labelled(latex) if unknown is None else bare_name(unknown)
             if name is None or (name == "e" and self.has_exponentials):
                 break
             name = self._without_accent(name)
             if name in self.refused:
-                outcome = Outcome(message=self.refused[name])
+                outcome = Outcome(reason=self.refused[name])
                 break
             if name in self.guesses:  # declared, and unknown still
                 break
@@ -90,7 +91,7 @@ class Reader:
                 return
             except SpecError as refused:
                 key = refused.key if refused.key in specs else next(reversed(specs))
-                self.refused[key] = str(refused)
+                self.refused[key] = refused.reason
                 del specs[key], self.guesses[key]
 
     def _used(self, latex: str, statements: tuple[Statement, ...] | None) -> set[str]:
@@ -127,6 +128,14 @@ class Reader:
                 unclaimed(error, latex, self._table)
                 return Outcome(())
         except IllFormedAt as error:
-            return Outcome(message=error.message, ill_formed=True)
+            return Outcome(reason=error.message, ill_formed=True)
         except ReadError as error:
-            return Outcome(message=error.message)
+            return Outcome(reason=error.message)
+
+
+def _unknown_symbol(reason: Reason | None) -> str | None:
+    """The symbol that the reader does not know, if that is what keeps it from reading."""
+    for part in reason.parts() if reason is not None else ():
+        if part.code is SyntaxCode.UNKNOWN_SYMBOL:
+            return part.arguments["text"]
+    return None

@@ -126,7 +126,7 @@ class Verdict:
     read_back: canonical LaTeX of the term that was judged.
     reason: why, for ill-formed (with line and column), unchecked and conditional.
     hypothesis: canonical LaTeX of the condition that the text does not state, for conditional.
-    no_motion: why no motion is among the evidence; empty where one is.
+    no_motion: why no motion is among the evidence; None where one is.
     basis: the strength of the weakest fact that it rests on.
     unless: the facts that nobody has confirmed under which it would be another one.
     """
@@ -138,7 +138,7 @@ class Verdict:
     hypothesis: str | None = None
     counterexample: Counterexample | None = None
     evidence: tuple[Evidence, ...] = ()
-    no_motion: str = ""
+    no_motion: Reason | None = None
     basis: Strength = Strength.DECLARED
     unless: tuple[str, ...] = ()
 
@@ -151,21 +151,28 @@ class Verdict:
         """The code of the reason; None where there is no reason."""
         return code_of(self.reason)
 
+    @property
+    def is_for_all(self) -> bool:
+        """Whether it is for all values of the integers, of which there may be none."""
+        return self.scope is None or self.scope.startswith("all")
+
     def to_dict(self) -> dict[str, Any]:
         own = {field.name: getattr(self, field.name) for field in fields(self)}
-        own["reason"] = self.reason.to_dict() if isinstance(self.reason, Reason) else self.reason
+        for name in ("reason", "no_motion"):
+            own[name] = own[name].to_dict() if own[name] is not None else None
         against = self.counterexample.to_dict() if self.counterexample else None
         return own | {"counterexample": against, "evidence": [e.to_dict() for e in self.evidence]}
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Verdict:
         """What `to_dict` gives, back. Raises KeyError, ValueError or TypeError for anything else."""
-        against, reason = data["counterexample"], data["reason"]
+        against = data["counterexample"]
+        reasons = {name: data[name] and Reason.from_dict(data[name]) for name in ("reason", "no_motion")}
         return Verdict(
             **{
                 **data,
                 "outcome": Outcome(data["outcome"]),
-                "reason": Reason.from_dict(reason) if isinstance(reason, Mapping) else reason,
+                **reasons,
                 "counterexample": Counterexample.from_dict(against) if against else None,
                 "evidence": tuple(Evidence.from_dict(entry) for entry in data["evidence"]),
                 "basis": Strength(data["basis"]),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from workbench.core.declaration_codes import DeclarationCode
 from workbench.language.definitions import solve
 from workbench.language.naming.spelling import Named
 from workbench.language.naming.symbols import SymbolTable
@@ -12,8 +13,6 @@ from workbench.language.typed.errors import SpecError
 from workbench.language.typed.integers import Linear, as_linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Definition, Symbol, Term
-
-USED_ABOVE = "this symbol is used above its definition"
 
 
 def entered(key: str, definition: Definition, table: SymbolTable) -> SymbolTable:
@@ -41,7 +40,7 @@ def _refuse_overlap(key: str, definition: Definition, table: SymbolTable) -> Non
         if None not in common:
             both, known = (name.shown(index) for index in (tuple(map(as_linear, common)), other))
             raise SpecError(
-                f"defines {both}, and so does {known}; each member needs one definition",
+                DeclarationCode.DEFINES_SO_DOES_EACH(both=both, known=known),
                 key,
             )
 
@@ -57,13 +56,13 @@ def _refuse_circle(key: str, definition: Definition, table: SymbolTable) -> None
     name = definition.declaration.name
     for used, index in table.primitive:
         if used == name and solve(definition.index, index) is not None:
-            raise SpecError(USED_ABOVE, key)
+            raise SpecError(DeclarationCode.USED_ABOVE(), key)
     own = definition.index
     members = [term.index for term in _symbols(definition.body) if term.declaration.name == name]
     exact = [place for place in table.defined.get(name, ()) if all(i.is_number for i in place)]
     descending = [m for m in members if m not in exact or not _may_be_base(m, own)]
     if descending and not _all_lower(descending, own):
-        raise SpecError("its definition uses the symbol itself", key)
+        raise SpecError(DeclarationCode.DEFINITION_USES_SYMBOL_ITSELF(), key)
 
 
 def _may_be_base(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:

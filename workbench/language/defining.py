@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.circles import entered
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.parser import parse
@@ -86,24 +88,24 @@ def _head(key: str, table: SymbolTable, labels: Collection[str] = ()) -> _Head:
     try:
         lines = parse(key).lines
     except Fault as fault:
-        raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
+        raise SpecError(DeclarationCode.FAULT_AT_COLUMN(value=fault.at + 1, fault=fault), key) from None
     if len(lines) != 1 or len(lines[0]) != 1:
-        raise SpecError("expected one symbol", key)
+        raise SpecError(DeclarationCode.EXPECTED_ONE_SYMBOL(), key)
     node, formals = lines[0][0], ()
     match node:
         case Product(items=(*name, Bracket(kind="(", parts=parts))):
             formals = tuple(_formal(part, table, key) for part in parts)
             node = in_a_row(node.at, name)
     if len(set(formals)) != len(formals):
-        raise SpecError("the formal arguments must differ", key)
+        raise SpecError(DeclarationCode.FORMAL_ARGUMENTS_MUST_DIFFER(), key)
     spelling = key_spelling(node, key, labels)
     own = spelling.declared()
     for place in own[1]:
         if len(place.coefficients) != 1 or place.coefficients[0][1] != 1:
-            raise SpecError(f"the index {place}; expected a number, or one letter plus a number", key)
+            raise SpecError(DeclarationCode.INDEX_EXPECTED_NUMBER_OR(place=place), key)
     letters = [name for place in own[1] for name in place.variables]
     if any(letters.count(name) > 1 for name in {*letters}.difference(table.frames)):
-        raise SpecError("each index place needs a letter of its own", key)
+        raise SpecError(DeclarationCode.EACH_INDEX_PLACE_NEEDS(), key)
     return _Head(key, (*spelling.candidates(), own), formals)
 
 
@@ -113,7 +115,7 @@ def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
     except SpecError:
         found = None
     if found is None or found[1] or (isinstance(node, Scripted) and node.sup is not None):
-        raise SpecError("a formal argument must be a symbol that is declared, without an index", key)
+        raise SpecError(DeclarationCode.FORMAL_ARGUMENT_MUST_SYMBOL(), key)
     return found[0]
 
 
@@ -138,7 +140,7 @@ def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, 
         declaration = known.get(name)
         if declaration is not None:
             if index in table.defined.get(declaration.name, ()):
-                raise SpecError("this symbol is defined already", head.key)
+                raise SpecError(DeclarationCode.THIS_SYMBOL_DEFINED_ALREADY(), head.key)
             return declaration, index
     return None
 
@@ -163,16 +165,16 @@ def _defined(
     declaration, index = known
     for flag in ("constant", "unit", "rotation", "transform", "symmetric", "diagonal", "coordinate", "free"):
         if getattr(declaration, flag):
-            raise SpecError(f"declared as {flag}, which a definition need not keep", head.key)
+            raise SpecError(DeclarationCode.DECLARED_DEFINITION_NEED_NOT(flag=flag), head.key)
     term = read_term(body, table, head.variables)
     formals = [construct.symbol(formal) for formal in head.formals]
     try:
         relation = construct.relation("=", construct.symbol(declaration, index, formals), term)
         if relation.right.type.dual and not declaration.type.dual:
-            raise IllFormed(f"{head.key} is real, its definition is dual")
+            raise IllFormed(TypeCode.DUAL_DEFINITION_OF_REAL(key=head.key))
         kind, defined = declaration.type.kind, relation.right.type.kind
         if defined != kind != "operator":
-            raise IllFormed(f"{head.key} is a {kind}, its definition is a {defined}")
+            raise IllFormed(TypeCode.DEFINITION_OF_ANOTHER_TYPE(key=head.key, kind=kind, defined=defined))
     except IllFormed as fault:
         raise IllFormedAt(fault, 1, 1) from None
     return Definition(declaration, index, head.formals, relation.right)
@@ -215,7 +217,7 @@ def _recurrence(
     declared = {name: symbols[name] for name in bases}
     free = [name for name, declaration in declared.items() if not declaration.introduced]
     if free or len(head.own[1]) != 1:
-        raise SpecError("declare the whole family in [symbols]: kind, and weight in its index", head.key)
+        raise SpecError(DeclarationCode.DECLARE_WHOLE_FAMILY_SYMBOLS(), head.key)
     rest = {name: d for name, d in symbols.items() if name not in bases}
     outer = replace(table, **{"functions" if head.formals else "symbols": rest})
     step = _Step(head, body, outer, {bases[name]: d for name, d in declared.items()})
@@ -232,7 +234,7 @@ def _recurrence(
         raise step.faults[0]
     if len(found) > 1:
         kinds = " or ".join(str(definition.declaration.type) for definition, _ in found)
-        raise SpecError(f"the family may be {kinds}; declare it in [symbols]", head.key)
+        raise SpecError(DeclarationCode.FAMILY_MAY_DECLARE_SYMBOLS(kinds=kinds), head.key)
     return found[0]
 
 

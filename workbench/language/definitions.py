@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
+from workbench.core.type_codes import TypeCode
 from workbench.language.naming.spelling import Named
 from workbench.language.typed.construct import apply, number, power, rebuild, relation, zero
 from workbench.language.typed.instances import free_integers, instantiate
@@ -126,7 +127,7 @@ class Definitions:
             known = [str(name) for name in self._exact if family.index_of(name) is not None]
             known += [family.shown(definition.index) for definition in own]
             known = ", ".join(dict.fromkeys(known))
-            raise IllFormed(f"{family.shown(symbol.index)} is not defined; defined: {known}")
+            raise IllFormed(TypeCode.UNDEFINED_MEMBER(shown=family.shown(symbol.index), known=known))
         return None
 
 

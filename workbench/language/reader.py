@@ -10,7 +10,8 @@ from functools import partial
 from itertools import chain, starmap
 from typing import TypeVar
 
-from workbench.language.elaboration.arguments import OR_A_PRODUCT
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import Range, names_a_set
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
@@ -19,7 +20,7 @@ from workbench.language.grammar.syntax import Lines, Node
 from workbench.language.grammar.vocabulary import BY_HAND, EXPECTED
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct
-from workbench.language.typed.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
+from workbench.language.typed.errors import Fault, IllFormedAt, Misfit, ReadError, place
 from workbench.language.typed.terms import Relation, Statement, Term
 from workbench.language.typed.types import SCALAR
 
@@ -93,30 +94,30 @@ def meaning_of(node: Node, table: SymbolTable) -> Term | None:
         return None
 
 
-def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> str:
+def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Reason:
     """What a formula is that states nothing. Raises `error` for one that cannot be read as a statement, and
     as `read` where it is an expression that cannot be read."""
-    if error.message == SAYS_NOTHING:
-        return "says only what its symbols are declared to be"
-    if error.message != ALONE:
+    if error.code is SyntaxCode.SAYS_NOTHING:
+        return SyntaxCode.DECLARES_ONLY()
+    if error.code is not SyntaxCode.ALONE:
         raise error
     try:
         read_term(latex, table, integers)
     except ReadError:
         if not _placed(latex, table, lambda lines, table: names_a_set(lines)):
             raise
-    return "an expression, which claims nothing"
+    return SyntaxCode.AN_EXPRESSION()
 
 
 #: What is asked where nothing fits unless it is read so, and what a paper says that does not mean it.
 _LOOSELY = {
-    "dyads": 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so',
-    "unit": 'is the number beside tensors one of unit tensors? [conventions] one = "unit" says so',
-    "arguments": OR_A_PRODUCT,
-    "brackets": "square brackets as the paper's [notation] has them, or mere brackets? round ones are",
-    "reach": "how far does × reach to its left? bracket it",
-    "rows": "a row of numbers, or the column of them? ^T makes a row a column",
-    "signs": "⊗ of vectors is read as their dyad; [notation] can say what it is",
+    "dyads": SyntaxCode.OR_DYADS(),
+    "unit": SyntaxCode.OR_UNIT_TENSORS(),
+    "arguments": SyntaxCode.OR_A_PRODUCT(),
+    "brackets": SyntaxCode.OR_MERE_BRACKETS(),
+    "reach": SyntaxCode.REACH_OF_CROSS(),
+    "rows": SyntaxCode.ROW_OR_COLUMN(),
+    "signs": SyntaxCode.OR_A_DYAD(),
 }
 _STRICTLY = {"dyads": "matrices", "unit": "scalar"}
 
@@ -134,21 +135,21 @@ class _Watched(frozenset[str]):
 
 def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
     if (number := BY_HAND.search(latex)) is not None:
-        raise ReadError("the number of the formula, or a factor? leave it out", *place(latex, number.start()))
+        raise ReadError(SyntaxCode.NUMBER_FORMULA_OR_FACTOR(), *place(latex, number.start()))
     try:
         return make(parse(latex), table)
     except Fault as fault:
-        raise ReadError(_short(str(fault)), *place(latex, fault.at)) from None
+        raise ReadError(_short(fault.reason), *place(latex, fault.at)) from None
     except Misfit as misfit:
         at = place(latex, misfit.at)
         if (question := _question(lambda loose: make(parse(latex), loose), table)) is not None:
             raise ReadError(question, *at) from None
         raise IllFormedAt(misfit.fault, *at) from None
     except RecursionError:
-        raise ReadError("its notation leads back to itself, or nests too deep", 1, 1) from None
+        raise ReadError(SyntaxCode.NOTATION_LEADS_BACK_ITSELF(), 1, 1) from None
 
 
-def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> str | None:
+def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reason | None:
     """What to ask of a formula that does not fit together as read, but does where it is read loosely."""
     watched = _Watched(table.loose)
     with suppress(Fault, Misfit):
@@ -160,9 +161,14 @@ def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> str 
             continue
         with suppress(Fault, Misfit):
             make(replace(table, loose=table.loose.union(several)))
-            return "; ".join(_LOOSELY[each] for each in several if each not in table.loose)
+            questions = [_LOOSELY[each] for each in several if each not in table.loose]
+            return (
+                questions[0]
+                if len(questions) == 1
+                else SyntaxCode.TWO_QUESTIONS(first=questions[0], second=questions[1])
+            )
     return None
 
 
-def _short(message: str) -> str:
-    return message if len(message) <= 200 else f"{message[:199]}…"
+def _short(reason: Reason) -> Reason:
+    return reason if len(reason) <= 200 else SyntaxCode.SHORTENED(shortened=f"{reason[:199]}…", reason=reason)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.core.model_codes import ModelCode
 from workbench.core.schema import key_names
 from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers
 from workbench.judge.theorems.proofs import Proven
@@ -230,7 +231,7 @@ class ClaimTable:
     def _required(self, key: str) -> str:
         text = self._text(key)
         if text is None:
-            raise self.toml.error_at_key(self.path, f"missing key {key!r}")
+            raise self.toml.error_at_key(self.path, ModelCode.MISSING_KEY(key=key))
         return text
 
 

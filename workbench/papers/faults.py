@@ -7,6 +7,8 @@ from collections.abc import Callable
 from difflib import get_close_matches
 from typing import TypeVar
 
+from workbench.core.model_codes import ModelCode
+from workbench.core.reasons import code_of
 from workbench.papers.model import PaperError, PaperErrors
 
 T = TypeVar("T")
@@ -74,8 +76,9 @@ def _follows(error: PaperError, aside: PaperError) -> bool:
         path = path[:-1]
     *table, key = path
     if error.toml is aside.toml and list(error.path[: len(table)]) == table:
-        missing = len(error.path) == len(table) and re.findall(r"\w+", error.message)
-        if key in _GROUNDS or error.message == aside.message or get_close_matches(key, missing or (), 1):
+        is_of_table = len(error.path) == len(table) and isinstance(code_of(error.message), ModelCode)
+        missing = error.message.arguments.values() if is_of_table else ()
+        if key in _GROUNDS or error.message == aside.message or get_close_matches(key, missing, 1):
             return True
     is_notation = any(get_close_matches(str(part), _NOTATION, 1, cutoff=0.8) for part in path[:3:2])
     if error.latex is None or not is_notation:

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.reader import Range, read_formula
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
@@ -42,7 +44,7 @@ class FormulaReader:
             return Formula(line.latex, ill_formed=why_ill_formed(error)), self
         except ReadError as error:
             if excused and _is_latex(line.latex):
-                return Formula(line.latex, ill_formed=f"cannot be read: {error}"), self
+                return Formula(line.latex, ill_formed=SyntaxCode.CANNOT_BE_READ(why=error.reason)), self
             self._fail(("printed",), line, error)
         return Formula(line.latex, statement), self._within("printed", ranges)
 
@@ -106,7 +108,7 @@ class FormulaReader:
 
     def _fail(self, place: KeyPath, within: Line, error: ReadError | IllFormedAt) -> NoReturn:
         inside = within.place(error.line, error.column)
-        message = f"{place[0]}: {error.message}"
+        message = SyntaxCode.FAULT_OF_KEY(key=place[0], message=error.message)
         raise self.toml.error_in_string((*self.path, *place), *inside, message) from None
 
 
@@ -121,8 +123,13 @@ def _is_latex(latex: str) -> bool:
     return depth == 0
 
 
-def why_ill_formed(error: IllFormedAt) -> str:
-    return f"{error}; likely meant: {error.intent}" if error.intent else str(error)
+def why_ill_formed(error: IllFormedAt) -> Reason:
+    """Why it is ill-formed, with the meaning that it is likely to have, if there is one."""
+    return with_intent(error.reason, error)
+
+
+def with_intent(reason: Reason, error: IllFormedAt) -> Reason:
+    return SyntaxCode.LIKELY_MEANT(fault=reason, intent=error.intent) if error.intent else reason
 
 
 def read_statement(

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from workbench.budget import Budget, Workers
+from workbench.core.model_codes import ModelCode
 from workbench.core.schema import key_names
 from workbench.judge.theorems.proofs import Proven
 from workbench.memory.store import Store
@@ -231,7 +232,7 @@ class _PaperFile:
         past(lambda: toml.allow_keys((), _PAPER_KEYS))
         claims = past(lambda: toml.tables(("claim",)))
         if not claims:
-            faults.tell(toml.error_at_key((), "no claims; expected at least one [[claim]]"))
+            faults.tell(toml.error_at_key((), ModelCode.NO_CLAIMS(claim="claim")))
         past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
         citation = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
         chain = past(lambda: notation_chain(toml)) or [toml]
@@ -240,7 +241,7 @@ class _PaperFile:
             for read in (lambda file: file.text(("title",)), lambda file: file.text(("doi",)), budget_of)
         )
         if title is None:
-            faults.tell(toml.error_at_key((), "missing key 'title'"))
+            faults.tell(toml.error_at_key((), ModelCode.MISSING_KEY(key="title")))
         section, key = past(lambda: toml.text(("section",))), kept.key("claims", chain)
         sections = past(lambda: _section_names(toml)) or {}
         before: _Read | None = kept.get(key)

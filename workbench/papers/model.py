@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import Budget
+from workbench.core.reasons import Reason
 from workbench.core.schema import key_names
 from workbench.judge.verdict import Outcome
 from workbench.papers.orders import Orders
@@ -100,8 +101,8 @@ class Formula:
 
     latex: str
     statement: Statement | None = None
-    ill_formed: str | None = None
-    unread: str | None = None
+    ill_formed: Reason | None = None
+    unread: Reason | None = None
     at: Span | None = field(default=None, repr=False)
 
     def __str__(self) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from workbench.core.model_codes import ModelCode
 from workbench.core.schema import key_names
 from workbench.drake.bindings import Bound, alternatives
 from workbench.drake.special_motions import NAMES
@@ -39,7 +40,7 @@ def robot(file: TomlFile) -> Robot | None:
             raise file.error_at_key((*path, key), f"motion.robot: expected urdf and body, got {key}")
     urdf, body = (file.text((*path, key)) for key in ("urdf", "body"))
     if urdf is None or body is None:
-        raise file.error_at_key(path, "motion.robot: expected both urdf and body")
+        raise file.error_at_key(path, ModelCode.ROBOT_INCOMPLETE(urdf="urdf", body="body"))
     place = file.path.parent / urdf
     if not place.is_file():
         raise file.error_at_value((*path, "urdf"), f"motion.robot: no URDF file at {place}")
@@ -64,7 +65,7 @@ def formulas(file: TomlFile, notation: Notation) -> Iterator[tuple[str, OnMotion
             raise file.error_at_value((*path, "on"), f"motion: expected one of {', '.join(NAMES)}, got {on}")
         holds, printed = (_formula(file, (*path, key), notation, orders) for key in ("holds", "printed"))
         if (holds is None) == (none is None):
-            raise file.error_at_key(path, "motion: expected holds, or none and why no motion shows it")
+            raise file.error_at_key(path, ModelCode.MOTION_INCOMPLETE(holds="holds", none="none"))
         yield claim, OnMotions(holds, printed, orders, on, none)
 
 

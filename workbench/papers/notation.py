@@ -8,8 +8,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
+from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import UNKNOWN_SYMBOLS, SyntaxCode
 from workbench.core.schema import choices
-from workbench.language.circles import USED_ABOVE
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key
@@ -96,7 +98,7 @@ class _Order:
                 try:
                     definition, known = _read(*each[1:], self.table)
                 except (ReadError, IllFormedAt, SpecError) as error:
-                    if isinstance(error, SpecError) and error.message == USED_ABOVE:
+                    if isinstance(error, SpecError) and error.code is DeclarationCode.USED_ABOVE:
                         return self._with_users_behind(each)
                     continue
                 self.made.append((each, definition, self.table))
@@ -169,8 +171,12 @@ def _definitions(
         more, table = _definitions(waiting, scopes, table)
         return [*found, *more], table
     if refused:  # what is unknown may only follow from another fault
-        raise min(refused, key=lambda error: "unknown symbol" in error.message)
+        raise min(refused, key=_is_of_unknown_symbol)
     return found, table
+
+
+def _is_of_unknown_symbol(error: PaperError) -> bool:
+    return isinstance(error.message, Reason) and bool(error.message.codes & UNKNOWN_SYMBOLS)
 
 
 def _refuse_circle(entries: Sequence[_Entry], found: Sequence[Definition], known: Definitions) -> None:
@@ -196,7 +202,7 @@ def _spellings(files: Sequence[TomlFile], table: SymbolTable) -> SymbolTable:
     try:
         return table.with_notations(specs) if specs else table
     except SpecError as error:
-        raise owners[error.key].error_at_key(("notation", error.key), str(error)) from None
+        raise owners[error.key].error_at_key(("notation", error.key), error.reason) from None
 
 
 def extended(notation: Notation, specs: Mapping[str, Any]) -> Notation:
@@ -228,7 +234,7 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> tuple[Symbo
         plain, promises = without_promises(specs, bodies, anew)
         return SymbolTable.build(plain, frame_labels((*files, *scopes)), bodies), promises
     except SpecError as error:
-        raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None
+        raise owners[error.key].error_at_key(("symbols", error.key), error.reason) from None
 
 
 def _says_hamilton(file: TomlFile) -> bool:
@@ -305,9 +311,9 @@ def _definition(file: TomlFile, key: str, body: str, table: SymbolTable) -> tupl
     try:
         return _read(key, body, table)
     except SpecError as error:
-        raise file.error_at_key(path, str(error)) from None
+        raise file.error_at_key(path, error.reason) from None
     except (ReadError, IllFormedAt) as error:
-        message = f"{key}: {error.message}"
+        message = SyntaxCode.FAULT_OF_KEY(key=key, message=error.message)
         raise file.error_in_string(path, error.line, error.column, message) from None
 
 

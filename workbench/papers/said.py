@@ -38,10 +38,6 @@ _EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="
 _DEFINES = re.compile(rf":=|\\(?:{'|'.join(_EQUALS)}|stackrel|overset)(?![A-Za-z])")
 _ASSIGNS = re.compile(r":=|\\coloneqq?(?![A-Za-z])")
 
-#: Why an equation with a symbol that nothing defines is not refuted.
-SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
-SAID_BEFORE = "a line before it says what {0} is; a definition of {0} makes it a claim"
-
 
 def terms_of(statement: Statement) -> Iterator[Term]:
     for side in sides_of(statement):

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.judge.verdict import Outcome
 from workbench.papers.model import FAULTS
 from workbench.report.counterexamples import Against, against
@@ -16,7 +17,6 @@ from workbench.typeset.differences import difference
 from workbench.verify.on_motions import percent
 from workbench.verify.results import ClaimResult
 
-_PLACE_IN_SOURCE = re.compile(r"(?:cannot be read: )?line \d+, column \d+: ")
 _OTHERS = "Others."
 #: A longer sentence is not quoted where it is corrected.
 _LONG_QUOTE = 400
@@ -212,7 +212,12 @@ def reason_for_readers(result: ClaimResult) -> str:
 
 def without_place(reason: str) -> str:
     """A reason without the line and column at which the reader of formulas stood."""
-    return _PLACE_IN_SOURCE.sub("", reason)
+    if not isinstance(reason, Reason):
+        return reason
+    why = reason.arguments.get("why")
+    if reason.code is SyntaxCode.CANNOT_BE_READ and isinstance(why, Reason) and why.position:
+        return without_place(why)
+    return Reason(reason.code, {name: without_place(value) for name, value in reason.arguments.items()})
 
 
 def _changes(result: ClaimResult) -> Iterator[Change]:

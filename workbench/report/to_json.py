@@ -48,6 +48,7 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "unless": list(verdict.unless),
         "scope": verdict.scope,
         "reason": verdict.reason,
+        "reason_code": verdict.code.slug if verdict.code else None,
         "fault": result.fault,
         "mend": _mend(claim),
         "reading": _form(claim.reading, result.reading),
@@ -58,7 +59,7 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "counterexample": _values(against) if against else None,
         "evidence": [evidence.to_dict() for evidence in verdict.evidence],
         "motion": asdict(result.on_motions),
-        "no_motion": verdict.no_motion or None,
+        "no_motion": verdict.no_motion,
         "inherits": list(claim.inherits),
         "note": claim.note,
         "expected": result.expected,
@@ -84,8 +85,9 @@ def _form(formula: Formula | None, verdict: Verdict | None) -> dict[str, Any] | 
         "read_back": verdict.read_back,
         "scope": verdict.scope,
         "reason": verdict.reason,
+        "reason_code": verdict.code.slug if verdict.code else None,
         "evidence": [evidence.to_dict() for evidence in verdict.evidence],
-        "no_motion": verdict.no_motion or None,
+        "no_motion": verdict.no_motion,
     }
 
 

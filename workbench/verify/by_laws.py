@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Definition
@@ -33,8 +34,10 @@ def by_laws(under: Under, claim: Claim, bare: Verdict) -> Verdict | None:
         if found.outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
             used = (*defined, *said)
             places = ", ".join(dict.fromkeys(each.place for each in used))
-            why = [f"the text says so elsewhere ({places})", *([found.reason] if found.reason else [])]
-            return conditional(found, [to_latex(each.statement) for each in used], "; ".join(why), bare)
+            why = VerdictCode.SAID_ELSEWHERE(places=places)
+            if found.reason:
+                why = VerdictCode.SAID_ELSEWHERE_BECAUSE(places=places, reason=found.reason)
+            return conditional(found, [to_latex(each.statement) for each in used], why, bare)
     return None
 
 

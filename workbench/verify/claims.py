@@ -11,6 +11,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
+from workbench.core.reasons import reason_of
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.loading import load_engines
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.theorems.proofs import Proven
@@ -130,7 +132,7 @@ class ClaimJudge:
     def _remember(self, claim: Claim, form: str, answer: Verdict | OutOfBudget) -> Verdict:
         """The answer as a verdict; kept if it does not hang on how fast this machine is."""
         if isinstance(answer, OutOfBudget):
-            return Verdict(Outcome.UNCHECKED, reason=str(answer))
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.OUT_OF_BUDGET(limit=answer))
         if self._memory:
             self._memory.remember(self._keys.of(claim, form), answer)
         return answer
@@ -169,14 +171,14 @@ class ClaimJudge:
             except _DEFECTS as error:
                 if claim.span is None:
                     raise
-                return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench: {error!r}")
+                return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DEFECT(error=repr(error)))
 
     def _printed(self, claim: Claim) -> Verdict:
         if claim.goal is not None:
             verdict = undisturbed(lambda: self._of_theorems.verdict(claim))
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
-            return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.LEFT_OUT(why=claim.skip))
         return in_both_readings(claim, self._in_one_reading(claim), self._in_one_reading)
 
     def _in_one_reading(self, claim: Claim) -> Verdict:
@@ -189,7 +191,7 @@ class ClaimJudge:
                 return alone
         bare = self._verdict(claim, claim.printed, claim.hypothesis)
         if (served := served_by(claim, bare, self._under)) is not None:
-            reason = f"may be the condition of {served}, which stands before it and is false without it"
+            reason = VerdictCode.MAY_BE_CONDITION(formula=served)
             return Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
         verdict = self._meant.verdict(*with_what_stands_beside(claim, bare, self._under))
         return _as_given(verdict, claim) if claim.given else verdict
@@ -219,9 +221,9 @@ class ClaimJudge:
             )
         except Unsatisfiable as error:
             if claim.span is not None:
-                return Verdict(Outcome.UNCHECKED, reason=str(error))
+                return Verdict(Outcome.UNCHECKED, reason=reason_of(error))
             raise PaperError(None, None, None, str(error)) from None
-        if verdict.outcome is Outcome.PROVED and not (verdict.scope or "all").startswith("all"):
+        if verdict.outcome is Outcome.PROVED and not verdict.is_for_all:
             verdict = undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
         return self._seen(verdict, claim, formula, hypothesis)
 
@@ -253,8 +255,9 @@ def _placed(error: PaperError, claim: Claim) -> PaperError:
 def _as_given(verdict: Verdict, claim: Claim) -> Verdict:
     given = ", ".join(map(str, claim.given))
     evidence = (*verdict.evidence, Evidence("given", "holds always", {"formula": given}))
-    is_open = verdict.outcome is Outcome.UNCHECKED and verdict.reason is not None
-    reason = f"{verdict.reason}; given is {given}" if is_open else verdict.reason
+    reason = verdict.reason
+    if verdict.outcome is Outcome.UNCHECKED and reason is not None:
+        reason = VerdictCode.GIVEN_IS(reason=reason, given=given)
     return replace(verdict, reason=reason, evidence=evidence)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
+from workbench.core.reasons import Reason
 from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.closed import is_of_numbers
 from workbench.judge.subject.angles import sum_of_products
@@ -19,7 +20,6 @@ from workbench.language.typed.terms import Apply, Definition, Implication, Relat
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Formula, Said
 from workbench.papers.said import (
-    SAYS,
     assigns,
     constrains,
     free_in,
@@ -40,7 +40,6 @@ _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDIT
 
 _OR_ALONE = "makes it a claim, or `given = []`, if it needs none"
 
-_CONTRADICTS = "the condition contradicts what defines its symbols"
 
 _REACH = "how far does d/dt reach? bracket what it differentiates"
 
@@ -85,7 +84,9 @@ class Meant:
                 judged = self.verdict(as_claim, judged)
             if judged.outcome is Outcome.REFUTED:
                 hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
-                why = _CONTRADICTS if contradicts else f"{formula.latex} is given, and false by itself"
+                why = VerdictCode.CONTRADICTS_DEFINITIONS()
+                if not contradicts:
+                    why = VerdictCode.GIVEN_IS_FALSE(formula=formula.latex)
                 return conditional(proved, hypotheses, why, judged)
         return proved
 
@@ -96,18 +97,18 @@ class Meant:
 
     def _why_open(self, claim: Claim, verdict: Verdict) -> str | None:
         if claim.states is not None and not self._under.is_impossible(claim):
-            return SAYS.format(claim.states)
+            return VerdictCode.SAYS_WHAT_IT_IS(symbol=claim.states)
         if assigns(claim.printed):
-            return "an assignment is no equation: left of := is a value after the one on its right"
+            return VerdictCode.ASSIGNMENT()
         if introduces(claim.printed, claim.notation):
-            return "says what stands left of its sign of definition, where something is free"
+            return VerdictCode.INTRODUCES()
         if claim.corrected is not None:
             return None
         if is_rounded(claim.printed.latex, verdict.counterexample):
             return ROUNDED
         statement = claim.printed.statement
         if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
-            return "the sides are equal in places: are they said to differ always, or in general?"
+            return VerdictCode.EQUAL_IN_PLACES()
         return (
             _of_two_indices(claim)
             or claim.unsettled
@@ -145,8 +146,7 @@ class Meant:
         if verdict.outcome is not Outcome.REFUTED:
             return verdict
         places = ", ".join(law.place for law in said)
-        why = f"false for any motion, and the text states a law of it ({places})"
-        return _open(f"{why}; `given` says what it follows from", refuted)
+        return _open(VerdictCode.FALSE_FOR_ANY_MOTION(places=places), refuted)
 
     def _is_false_anyway(self, claim: Claim, laws: Sequence[Said]) -> bool:
         """Whether the text says no more of its symbols than these laws, and it is false under each."""
@@ -184,10 +184,9 @@ class Meant:
             alone = self._under.verdict(claim, (), known).outcome is Outcome.PROVED
             hypotheses = [to_latex(said.statement) for said in rests]
             hypotheses += [] if alone else [aside.latex for aside in _premises(claim)]
-            return conditional(under, hypotheses, f"the text says elsewhere of {shown} what it is", refuted)
+            return conditional(under, hypotheses, VerdictCode.SYMBOLS_SAID_ELSEWHERE(symbols=shown), refuted)
         if under.outcome is not Outcome.REFUTED or len(definitions) < len(rests):
-            why = f"false for a free {shown}, of which the text says something; a definition {_OR_ALONE}"
-            return _open(why, refuted)
+            return _open(VerdictCode.FALSE_FOR_FREE(symbols=shown), refuted)
         says = None if _is_said_beside(claim) else claim.says
         if says and str(claim.says_of) in definitions:
             is_free = free_in((each.body for each in known), claim.notation.definitions)
@@ -214,9 +213,8 @@ class Meant:
         if verdict.outcome is Outcome.REFUTED and is_allowed:
             return verdict
         shown = list(dict.fromkeys(map(str, claim.beside)))[:5]
-        what = f"false without what the text says beside it, {', '.join(shown)}"
-        by = "an `assume` of it" if premises else "a declaration"
-        return _open(f"{what}; {by} {_OR_ALONE}", refuted)
+        code = VerdictCode.FALSE_WITHOUT_PREMISE if premises else VerdictCode.FALSE_WITHOUT_DECLARATION
+        return _open(code(conditions=", ".join(shown)), refuted)
 
     def _with_asides(self, claim: Claim, refuted: Verdict) -> Verdict | None:
         """What is proved with them is conditional on those that the proof needs."""
@@ -226,7 +224,7 @@ class Meant:
             return None
         alone = ([aside] for aside in premises if len(premises) > 1)
         needed = next((e for e in alone if self._under.verdict(claim, e).outcome is Outcome.PROVED), premises)
-        reason = f"the text says the condition beside it, {', '.join(dict.fromkeys(map(str, needed)))}"
+        reason = VerdictCode.CONDITION_BESIDE(conditions=", ".join(dict.fromkeys(map(str, needed))))
         return conditional(verdict, [aside.latex for aside in needed], reason, refuted)
 
 
@@ -273,10 +271,11 @@ def _of_two_indices(claim: Claim) -> str | None:
     return None
 
 
-def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:
+def _as_guessed(verdict: Verdict, names: Sequence[str]) -> Reason:
     shown = ", ".join(names[:5]) + (", …" if len(names) > 5 else "")
-    why = f" ({verdict.reason})" if verdict.reason else ""
-    return f"{verdict.outcome} if {shown} are as guessed{why}; confirm them, and it is judged"
+    if verdict.reason:
+        return VerdictCode.AS_GUESSED_BECAUSE(outcome=verdict.outcome, symbols=shown, reason=verdict.reason)
+    return VerdictCode.AS_GUESSED(outcome=verdict.outcome, symbols=shown)
 
 
 def _is_said_beside(claim: Claim) -> bool:
@@ -300,4 +299,5 @@ def _premises(claim: Claim) -> list[Aside]:
 
 
 def _open(why: str, verdict: Verdict) -> Verdict:
-    return Verdict(Outcome.UNCHECKED, reason=why, read_back=verdict.read_back)
+    reason = why if isinstance(why, Reason) else VerdictCode.MEANT_OTHERWISE(meant=why)
+    return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)

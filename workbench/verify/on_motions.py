@@ -6,10 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from workbench.core.motion_codes import MotionCode
 from workbench.judge.verdict import Evidence, Verdict
 
 METHOD = "Drake reference motions"
-ALGEBRA = "no motion: algebra"
+ALGEBRA = MotionCode.ALGEBRA.template
 
 #: By the names of a claim's forms.
 Verdicts: TypeAlias = Mapping[str, Verdict]
@@ -52,8 +53,8 @@ def witnessed(verdicts: Verdicts) -> Witnessed:
     error = _cost(verdicts)
     if found:
         return Witnessed("Drake", None, error, _line(found, error))
-    reason = next((v.no_motion for v in reversed(verdicts.values()) if v.no_motion), "not judged")
-    return Witnessed(ALGEBRA if reason == ALGEBRA else "none", reason, error, reason)
+    reason = next((v.no_motion for v in reversed(verdicts.values()) if v.no_motion), MotionCode.NOT_JUDGED())
+    return Witnessed(ALGEBRA if reason.code is MotionCode.ALGEBRA else "none", reason, error, reason)
 
 
 def _cost(verdicts: Verdicts) -> Cost | None:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 
-from workbench.core.verdict_codes import VerdictCode
+from workbench.core.reasons import Reason
+from workbench.core.verdict_codes import ResultCode, VerdictCode
 from workbench.judge.verdict import Counterexample, Grade, Outcome, Verdict
 from workbench.papers.model import Claim, Formula
 from workbench.repair.propose.proposed import Proposed
@@ -73,7 +74,12 @@ class ClaimResult:
     @cached_property
     def why_not(self) -> str:
         """If the claim did not pass, which verdict was expected and which one came."""
-        return "; ".join(_unexpected(self))
+        found = list(_unexpected(self))
+        return (
+            reduce(lambda first, second: ResultCode.SEVERAL(first=first, second=second), found)
+            if found
+            else ""
+        )
 
     @property
     def verdicts(self) -> dict[str, Verdict]:
@@ -129,7 +135,7 @@ def _only_marks_differ(claim: Claim) -> bool:
     return bool(found and found.changes and all(change.kind == "mark" for change in found.changes))
 
 
-def _unexpected(result: ClaimResult) -> Iterator[str]:
+def _unexpected(result: ClaimResult) -> Iterator[Reason]:
     claim = result.claim
     is_idle = result.verdict.code is VerdictCode.SAME_TERM and result.expected is Outcome.PROVED
     if claim.span is not None and is_idle:  # a step of a chain that says x = x
@@ -147,11 +153,13 @@ def _unexpected(result: ClaimResult) -> Iterator[str]:
         yield from _differs("the correction", Outcome.PROVED, result.corrected)
 
 
-def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterator[str]:
+def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterator[Reason]:
     got = verdict.outcome
     if got == Outcome.PROVED and not verdict.evidence:
-        yield f"{what}: proved without evidence"
+        yield ResultCode.WITHOUT_EVIDENCE(form=what)
     if got == expected or (expected == Outcome.PROVED and got in HOLDS):
         return
-    reason = f" ({verdict.reason})" if verdict.reason else ""
-    yield f"{what}: expected {expected}, got {got}{reason}"
+    if verdict.reason:
+        yield ResultCode.UNEXPECTED_BECAUSE(form=what, expected=expected, got=got, reason=verdict.reason)
+    else:
+        yield ResultCode.UNEXPECTED(form=what, expected=expected, got=got)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.theorems.defined import is_defined_everywhere
 from workbench.judge.theorems.goals import AllFrom, Atom, Goal, GoalError, Implies, Scope, equations
@@ -33,7 +34,9 @@ class TheoremJudge:
         verdict = self._shown(claim, claim.goal.goal, proven, bare)
         if claim.argued is None or verdict.outcome is not Outcome.PROVED:
             return verdict
-        return replace(verdict, outcome=Outcome.ARGUED, scope=None, reason=claim.argued)
+        return replace(
+            verdict, outcome=Outcome.ARGUED, scope=None, reason=VerdictCode.ARGUED(how=claim.argued)
+        )
 
     def _shown(self, claim: Claim, goal: Goal, proven: Proven, bare: Goal | None = None) -> Verdict:
         notation = claim.notation

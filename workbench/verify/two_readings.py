@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import replace
 from math import isqrt
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.subject.assumptions import lasting
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
@@ -30,7 +31,11 @@ def in_both_readings(claim: Claim, printed: Verdict, judged: Callable[[Claim], V
     `otherwise` are one reading together: all of them must hold, and one that is false makes it false."""
     if claim.question is None:
         return printed
-    asked = Verdict(Outcome.UNCHECKED, reason=claim.question, read_back=printed.read_back)
+    asked = Verdict(
+        Outcome.UNCHECKED,
+        reason=VerdictCode.TWO_READINGS(question=claim.question),
+        read_back=printed.read_back,
+    )
     if not claim.otherwise or printed.outcome not in _TRUE | _FALSE:
         return asked
     others = ((formula, judged(_as_printed(claim, formula))) for formula in claim.otherwise)
@@ -84,7 +89,7 @@ def with_what_stands_beside(claim: Claim, bare: Verdict, under: Under) -> tuple[
     if len(readable) == len(claim.perhaps) and _meets(bare, readable, claim, under):
         return claim, bare
     named = ", ".join(map(str, claim.perhaps))
-    reason = f"false without {named}, which stands beside it; an `assume` of it makes it a condition"
+    reason = VerdictCode.FALSE_WITHOUT_NEIGHBOUR(formulas=named)
     return claim, Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
 
 
@@ -99,7 +104,7 @@ def _suppositions(claim: Claim, beside: Sequence[Formula]) -> Iterator[tuple[Cla
 
 def _conditional(verdict: Verdict, conditions: Sequence[Formula], bare: Verdict) -> Verdict:
     latex = [formula.latex for formula in conditions]
-    reason = f"holds if {', '.join(latex)}, which stands beside it"
+    reason = VerdictCode.HOLDS_WITH_NEIGHBOUR(formulas=", ".join(latex))
     witness = Evidence("witness against the bare statement", "a point where it fails")
     found = conditional(verdict, latex, reason, bare)
     return replace(found, evidence=(*found.evidence, witness))

@@ -7,6 +7,8 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from workbench.core.reasons import Reason, reason_of
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Strength, Verdict
@@ -78,8 +80,7 @@ class Under:
                 verdict = undisturbed(
                     lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
                 )
-            is_for_all = (verdict.scope or "all").startswith("all")
-            self._known[key] = verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) and is_for_all
+            self._known[key] = verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) and verdict.is_for_all
         return self._known[key]
 
 
@@ -88,7 +89,7 @@ def with_asides(claim: Claim, asides: Sequence[Aside]) -> Claim:
     return replace(claim, assume=(*claim.assume, *premises))
 
 
-def conditional(under: Verdict, hypotheses: Sequence[str], reason: str, bare: Verdict) -> Verdict:
+def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare: Verdict) -> Verdict:
     """The verdict on what is proved under hypotheses and refuted without them."""
     return replace(
         under,
@@ -106,8 +107,8 @@ def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
     try:
         return judge()
     except NotExact as outside:
-        return Verdict(Outcome.UNCHECKED, reason=str(outside))
+        return Verdict(Outcome.UNCHECKED, reason=reason_of(outside))
     except EngineDisagreement as error:
-        return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.ENGINES_DISAGREE(error=error))
     except RecursionError:
-        return Verdict(Outcome.UNCHECKED, reason="what it is made of nests too deep for the engines")
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NESTS_TOO_DEEP())

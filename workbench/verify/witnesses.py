@@ -7,6 +7,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, TypeAlias
 
+from workbench.core.motion_codes import MotionCode
+from workbench.core.reasons import Reason, code_of
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.typed.terms import Relation, Statement
 from workbench.papers.model import Claim, Formula, Notation, OnMotions, PaperError
@@ -25,16 +28,8 @@ Saying: TypeAlias = "tuple[Statement, tuple[Statement, ...], Ranges | None]"
 #: What bound symbols are on motions, and the motions.
 References: TypeAlias = "tuple[tuple[Bindings, ...], tuple[Motion, ...]]"
 
-VETO = "proved, but Drake's motions contradict it: a binding or the workbench is wrong"
-
-TIED = "it holds on Drake's motions, where the bound symbols are tied as they are not here"
-
 #: Verdicts that a motion can contradict.
 _TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outcome.ARGUED})
-
-#: Why a claim without equations has no witness, unless `none` of [motion.claims] says more.
-WORDS = "a sentence, with no formula to evaluate"
-EXISTENCE = "what it says of a motion is that something exists, or is the only one"
 
 
 class Witnesses:
@@ -57,12 +52,18 @@ class Witnesses:
         if verdict.outcome not in _TRUE | {Outcome.REFUTED}:
             return verdict
         if not claim.notation.motion:
-            return replace(verdict, no_motion=_algebra())
+            return replace(verdict, no_motion=MotionCode.ALGEBRA())
         found = self._witness(claim, list(_sayings(claim, form, under)), claim.corrected is not None)
         if found.vetoed and verdict.outcome in _TRUE:
-            return Verdict(Outcome.UNCHECKED, reason=VETO, evidence=(*verdict.evidence, found.evidence))
+            return Verdict(
+                Outcome.UNCHECKED,
+                reason=VerdictCode.MOTIONS_CONTRADICT(),
+                evidence=(*verdict.evidence, found.evidence),
+            )
         if verdict.outcome == Outcome.REFUTED and _only_tied(form, claim, found):
-            return Verdict(Outcome.UNCHECKED, reason=TIED, evidence=(found.evidence,))
+            return Verdict(
+                Outcome.UNCHECKED, reason=VerdictCode.TIED_ON_MOTIONS(), evidence=(found.evidence,)
+            )
         seen = verdict.evidence if found.evidence is None else (*verdict.evidence, found.evidence)
         ours = claim.notation.on_motions.get(claim.id)
         if ours is None or (form is not claim.printed and form is not claim.reading):
@@ -72,7 +73,7 @@ class Witnesses:
     def _ours(self, verdict: Verdict, claim: Claim, ours: OnMotions) -> Verdict:
         """With our formulas for the claim: one that must hold, one that is false if what is printed is."""
         if ours.none is not None:
-            return replace(verdict, no_motion=_algebra() if ours.none == "algebra" else ours.none)
+            return replace(verdict, no_motion=_no_motion(ours.none))
         if ours.printed is not None:  # the false form and the right one, evaluated alike
             told = tuple(e for e in verdict.evidence if e.method != METHOD)
             verdict = replace(verdict, evidence=told)
@@ -86,7 +87,9 @@ class Witnesses:
             shown = replace(found.evidence, figures={"formula": form.latex, **found.evidence.figures})
             verdict = replace(verdict, evidence=(*verdict.evidence, shown))
             if found.vetoed != (form is ours.printed):
-                return Verdict(Outcome.UNCHECKED, reason=VETO, evidence=verdict.evidence)
+                return Verdict(
+                    Outcome.UNCHECKED, reason=VerdictCode.MOTIONS_CONTRADICT(), evidence=verdict.evidence
+                )
         return verdict
 
     def _witness(
@@ -96,14 +99,14 @@ class Witnesses:
         from workbench.judge.evidence.motion_check import Subject, Witness, witness
 
         if not sayings and claim.goal is None:
-            return Witness(None, WORDS)
+            return Witness(None, MotionCode.WORDS())
         bindings, motions = self._known(claim)
         if on is not None:
             motions = (_special(on),)
         known = claim.notation.definitions
         found = witness(*(Subject(*saying, known, bindings, motions) for saying in sayings), course=course)
-        if claim.goal is not None and found.reason == _algebra() and _of_motion(claim):
-            return Witness(None, EXISTENCE)
+        if claim.goal is not None and code_of(found.reason) is MotionCode.ALGEBRA and _of_motion(claim):
+            return Witness(None, MotionCode.EXISTENCE())
         return found
 
     def prepare(self, claim: Claim) -> None:
@@ -236,7 +239,6 @@ def _general() -> tuple[Motion, ...]:
     return (*reference_motions(), *sampled_motions())
 
 
-def _algebra() -> str:
-    from workbench.judge.evidence.motion_check import ALGEBRA
-
-    return ALGEBRA
+def _no_motion(why: str) -> Reason:
+    """Why no motion shows a claim, as [motion.claims] has it."""
+    return MotionCode.ALGEBRA() if why == "algebra" else MotionCode.AS_STATED(why=why)

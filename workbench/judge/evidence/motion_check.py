@@ -9,6 +9,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from workbench.core.motion_codes import MotionCode
+from workbench.core.reasons import Reason, reason_of
 from workbench.judge.evidence.motion_source import Bindings, BoundFirst, Motion, Stage
 from workbench.judge.evidence.truth import Evaluation, Truth
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_inventory
@@ -30,7 +32,6 @@ from workbench.language.typed.terms import (
 
 METHOD = "Drake reference motions"
 HOLDS, PARTS = "residual within the error", "the sides part"
-ALGEBRA = "no motion: algebra"
 
 #: Derivatives in all, those of the bindings counted: beyond it Drake's Expressions and errors grow too large.
 HIGHEST_ORDER = 5
@@ -61,7 +62,7 @@ class Witness:
     instance does not hold."""
 
     evidence: Evidence | None
-    reason: str = ""
+    reason: Reason | None = None
     vetoed: bool = False
 
 
@@ -70,18 +71,20 @@ def witness(*subjects: Subject, course: bool = False) -> Witness:
 
     course: also tell the residual over time, on the first of the motions.
     """
-    reasons: list[str] = []
+    reasons: list[Reason] = []
     seen: list[_Seen] = []
     for subject in subjects:
         found = list(_instances(subject))
         seen += [instance for instance in found if isinstance(instance, _Seen)]
-        reasons += [reason for reason in found if isinstance(reason, str)]
+        reasons += [reason for reason in found if isinstance(reason, Reason)]
     if not seen:
-        return Witness(None, next((r for r in reasons if r != ALGEBRA), ALGEBRA))
+        return Witness(
+            None, next((r for r in reasons if r.code is not MotionCode.ALGEBRA), MotionCode.ALGEBRA())
+        )
     return _told(seen, course)
 
 
-def _instances(subject: Subject) -> Iterator[_Seen | str]:
+def _instances(subject: Subject) -> Iterator[_Seen | Reason]:
     """The lowest instances that can be told, or why one cannot."""
     told = failed = 0
     try:
@@ -89,11 +92,11 @@ def _instances(subject: Subject) -> Iterator[_Seen | str]:
             found = _instance(subject, values)
             yield found
             told += isinstance(found, _Seen)
-            failed += isinstance(found, str)
+            failed += isinstance(found, Reason)
             if told == INSTANCES or failed > 2 * INSTANCES:
                 return
     except (NotExact, IllFormed) as outside:
-        yield str(outside)
+        yield reason_of(outside)
 
 
 def _spread(orders: Ranges | None) -> list[dict[str, int]]:
@@ -145,32 +148,32 @@ class _Case:
         return truth, held & truth.told
 
 
-def _instance(subject: Subject, values: dict[str, int]) -> _Seen | str:
+def _instance(subject: Subject, values: dict[str, int]) -> _Seen | Reason:
     """What the motions say of one instance, or why they say nothing."""
     try:
         statement, *premises = (instantiate(s, values) for s in (subject.statement, *subject.premises))
     except (NotExact, IllFormed) as outside:
-        return str(outside)
+        return reason_of(outside)
     given, statement = _split(statement)
-    reason = ALGEBRA
+    reason = MotionCode.ALGEBRA()
     for bindings in subject.bindings:
         case = _case(statement, (*premises, *given), subject.definitions, bindings)
         used = [(s, k) for s, k in case.inventory.orders.items() if bindings.find(s) is not None]
         if not used:
             continue
         if _same(case):
-            return "a definition of what Drake has no quantity for"
+            return MotionCode.NO_QUANTITY()
         if max(_order(bindings, s, k) for s, k in used) > HIGHEST_ORDER:
-            return "derivatives of too high an order"
+            return MotionCode.TOO_HIGH_AN_ORDER()
         needed = {name for s, _ in used for name in bindings.find(s)[0].needs}
         motions = tuple(m for m in subject.motions if needed <= set(m.available_bindings()))
         if not motions:
-            return f"no motion has {', '.join(sorted(needed))}"
+            return MotionCode.NO_MOTION_HAS(quantities=", ".join(sorted(needed)))
         stage = _stage(motions)
         truth, seen = case.on(stage)
         if seen.any():
             return _Seen(values, stage, truth, seen, case)
-        reason = "nowhere on the motions is met what it supposes, so they test nothing of it"
+        reason = MotionCode.PREMISES_NOT_MET()
     return reason
 
 

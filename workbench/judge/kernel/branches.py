@@ -14,6 +14,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
+from workbench.core.reasons import Reason
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.subject import Lookup, NotExact
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Strength, Verdict
 from workbench.language.printing.printer import to_latex
@@ -64,12 +66,12 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
     arc, angle = (right, statement.left) if left is None else (left, statement.right)
     verdict = judge(_without(arc, angle))
     if verdict.outcome == Outcome.REFUTED and arc.head in ("arccos", "arcsin"):
-        return verdict if _in_domain(verdict) else _unchecked("outside of the arc's domain it is undefined")
+        return verdict if _in_domain(verdict) else _unchecked(VerdictCode.OUTSIDE_OF_ARC())
     if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
         return verdict
     branch = _BRANCHES[arc.head].format(to_latex(_divided(angle, arc.factor)))
     if not isinstance(angle, Symbol) or definitions.lookup(angle) is not None:
-        return _unchecked(f"holds up to the branch: where {branch}")
+        return _unchecked(VerdictCode.UP_TO_BRANCH(branch=branch))
     value = _ELSEWHERE * arc.factor
     name = to_latex(angle)
     kinds = {"kinds": {name: str(angle.type)}, "kind": str(angle.type)}
@@ -77,7 +79,7 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
     return replace(
         verdict,
         outcome=Outcome.CONDITIONAL,
-        reason="holds on the principal branch, which the text does not state",
+        reason=VerdictCode.ON_PRINCIPAL_BRANCH(),
         hypothesis=branch,
         counterexample=witness,
         evidence=(*verdict.evidence, Evidence("branch", f"{name} = {value} lies on another one")),
@@ -91,7 +93,7 @@ def _of_two(left: _Arc, right: _Arc, judge: Judge) -> Verdict:
         raise NotExact("two different inverse functions of angles")
     verdict = judge(relation("=", left.arguments[0], right.arguments[0]))
     if verdict.outcome == Outcome.REFUTED and left.head != "arctan" and not _in_domain(verdict):
-        return _unchecked("outside of the arc's domain it is undefined")
+        return _unchecked(VerdictCode.OUTSIDE_OF_ARC())
     return verdict
 
 
@@ -142,5 +144,5 @@ def _in_domain(verdict: Verdict) -> bool:
     return False
 
 
-def _unchecked(reason: str) -> Verdict:
+def _unchecked(reason: Reason) -> Verdict:
     return Verdict(Outcome.UNCHECKED, reason=reason)

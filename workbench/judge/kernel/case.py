@@ -11,6 +11,7 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING
 
 from workbench.algebra.differential_ring import Polynomial
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.evidence.points import Trial, accepted, counterexample, first_trial, trial_at, trials
 from workbench.judge.evidence.reals import real_trials, surely_differ
 from workbench.judge.evidence.solutions import solved_points
@@ -109,7 +110,7 @@ class Case:
         ):
             return
         if impossible(self.exact, self.assumptions):
-            raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+            raise Unsatisfiable(VerdictCode.UNSATISFIABLE())
         if self.find_real(lambda trial: True):
             return
         if not self.measured_angles:

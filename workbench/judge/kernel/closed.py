@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from itertools import chain, islice
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.first.closed_numbers import exactly_equal, surely_apart
 from workbench.judge.subject import Lookup, NotExact
 from workbench.judge.verdict import Counterexample, EngineDisagreement, Evidence, Outcome, Verdict
@@ -28,7 +29,9 @@ def judge_closed(
         return None
     verdict = _of_relation(said, definitions) if isinstance(said, Relation) and said.operator == "=" else None
     if verdict is not None and verdict.outcome is Outcome.PROVED and not second_engine:
-        return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=verdict.evidence[:1])
+        return Verdict(
+            Outcome.PROBABLE, reason=VerdictCode.SECOND_ENGINE_LEFT_OUT(), evidence=verdict.evidence[:1]
+        )
     return verdict
 
 

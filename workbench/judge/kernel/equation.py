@@ -124,21 +124,21 @@ class Equation(Case):
         figures = {"components": len(residuals), "indeterminates": len(self.exact.ring.names)}
         evidence = [*before, Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)]
         if not self.setting.second_engine:
-            return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
+            return Verdict(
+                Outcome.PROBABLE, reason=VerdictCode.SECOND_ENGINE_LEFT_OUT(), evidence=tuple(evidence)
+            )
         if screened:
             evidence.insert(0, Evidence(f"random point modulo {PRIME}", "residual is 0"))
         rechecked = self._recheck()
         if rechecked is None:
-            reason = "the second engine does not see that the equations imply it"
+            reason = VerdictCode.SECOND_ENGINE_OPEN()
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
         evidence += rechecked
         gaps = self.solved.gaps()
         if gaps:
             return case._conditional(gaps, evidence)
         if self.solved.limits():
-            reason = (
-                "under the equations something may be 0 at which a sine or an exponential is a limit here"
-            )
+            reason = VerdictCode.LIMITS()
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
         return Verdict(Outcome.PROVED, evidence=tuple(evidence))
 
@@ -167,14 +167,14 @@ class Equation(Case):
         trial = self.find(lambda t: t.differences(relation) is None)
         gap = Evidence("denominators", "not excluded by the assumptions", {"factors": len(gaps)})
         if trial is None:
-            reason = "a denominator is not seen to be non-zero, and no point was found where it vanishes"
+            reason = VerdictCode.DENOMINATOR_OPEN()
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=(*evidence, gap))
         if self.assumptions.equations and self.find(lambda t: t.holds(relation)) is None:
-            reason = "no point was found where the assumptions hold and no denominator vanishes"
+            reason = VerdictCode.NO_POINT_FOUND()
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=(*evidence, gap))
         return Verdict(
             Outcome.CONDITIONAL,
-            reason="a denominator can vanish, and nothing that the claim assumes excludes it",
+            reason=VerdictCode.DENOMINATOR_NOT_EXCLUDED(),
             counterexample=self.counterexample(trial, relation),
             evidence=(*evidence, gap),
             basis=Strength.HINTED,
@@ -190,9 +190,7 @@ class Equation(Case):
         law = law_for(relation, self.inventory, self.definitions) if may_be_law else None
         if law is not None:
             name = to_latex(law)
-            reason = (
-                f"states a law for {name}, which nothing here defines; to use it, assume or define {name}"
-            )
+            reason = VerdictCode.STATES_A_LAW(name=name)
             return Verdict(Outcome.UNCHECKED, reason=reason)
 
         def fails(trial: Trial) -> bool:
@@ -203,7 +201,7 @@ class Equation(Case):
         if trial is None:
             return Verdict(
                 Outcome.UNCHECKED,
-                reason="the residual is not 0 in the exact ring, but no small counterexample was found",
+                reason=VerdictCode.NO_COUNTEREXAMPLE(),
             )
         self._confirm(trial, residuals)
         return self.refuted(trial, relation)

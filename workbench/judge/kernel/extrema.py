@@ -15,6 +15,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
+from workbench.core.reasons import Reason
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.evidence.points import Trial
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.ideals import has_even_powers
@@ -30,10 +32,8 @@ from workbench.language.typed.terms import Apply, Extremum, Implication, Relatio
 
 Judge = Callable[[Statement, tuple[Statement, ...]], Verdict]
 
-_ANOTHER = "the {} value is another one"
 _HOLDS = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
 _MOST = 6  # unknown components
-_SINGULAR = "shown only where what multiplies the unknowns has the rank that it has in general"
 
 
 def judge_extremum(setting: Setting, said: Extremum, assume: tuple[Statement, ...], judge: Judge) -> Verdict:
@@ -68,9 +68,9 @@ class _Question:
         if beyond is not None:
             return beyond
         if not self.has_norm and not all(map(self._is_nonnegative, self.quadratic.invariants[1:])):
-            return _unchecked("the quadratic form is not seen to have one sign")
+            return _unchecked(VerdictCode.SIGN_OF_FORM_OPEN())
         if self.has_norm and not is_seen_nonnegative(self.value):
-            return _unchecked("a norm is not negative, and the other side is not seen to be ≥ 0")
+            return _unchecked(VerdictCode.SIGN_OF_NORM_OPEN())
         parts = [form, *self._where_regular()]
         if all(part.outcome in _HOLDS for part in parts) and self.rank:
             parts += self._where_singular()
@@ -173,17 +173,16 @@ class _Question:
 
         may_be_negative = self.has_norm and not is_seen_nonnegative(self.value)
         if may_be_negative and (trial := case.find(is_negative, self.value)):
-            return replace(case.refuted(trial, plain), reason="a norm is not negative")
+            return replace(case.refuted(trial, plain), reason=VerdictCode.NEGATIVE_NORM())
         trial = case.find(is_less, minus(self.form, self.wanted))
         if trial is None:
             return None
         found = case.refuted(trial, squares if self.has_norm else plain)
         what = "less" if self.said.least else "more"
-        return self._told(found, f"there it is {what} than what is said to be the {self._word} value")
+        return self._told(found, VerdictCode.BEYOND_THE_VALUE(what=what, word=self._word))
 
-    def _told(self, verdict: Verdict, reason: str) -> Verdict:
-        squares = "; the two sides are given as squares" if self.has_norm else ""
-        return replace(verdict, reason=reason + squares)
+    def _told(self, verdict: Verdict, reason: Reason) -> Verdict:
+        return replace(verdict, reason=VerdictCode.OF_SQUARES(reason=reason) if self.has_norm else reason)
 
     @property
     def _word(self) -> str:
@@ -198,11 +197,11 @@ class _Question:
             slope = total([times(factor, b), *map(times, row, stationary)]) if self.rank else b
             shown = self.judge(relation("=", slope, zero()), supposed)
             if shown.outcome == Outcome.REFUTED:
-                shown = _unchecked("it has no bound")
+                shown = _unchecked(VerdictCode.NO_BOUND())
             yield shown
         shown = self._vanishing(supposed) or self.judge(self._said(self.least), supposed)
         if shown.outcome == Outcome.REFUTED:
-            shown = self._told(shown, _ANOTHER.format(self._word))
+            shown = self._told(shown, VerdictCode.ANOTHER_VALUE(word=self._word))
         yield shown
 
     def _vanishing(self, supposed: tuple[Statement, ...]) -> Verdict | None:
@@ -242,7 +241,7 @@ class _Question:
         if self.rank > 1:
             vanish = Implication(relation("=", factor, zero()), relation("=", trace, zero()))
             if self.judge(vanish, self.assume).outcome != Outcome.PROVED:
-                yield _unchecked(_SINGULAR)
+                yield _unchecked(VerdictCode.SINGULAR_PART())
                 return
         _, slopes, rest = self.quadratic.coefficients
         supposed = (*self.assume, *self.quadratic.vanishing)
@@ -277,7 +276,9 @@ class _Question:
             least, sign = self._least_at(trial), 1 if self.said.least else -1
             left = "none" if least is None else str(sign * least)
             example = replace(found.counterexample, left=(left,), right=(str(sign * wanted(trial)),))
-            return self._told(replace(found, counterexample=example), _ANOTHER.format(self._word))
+            return self._told(
+                replace(found, counterexample=example), VerdictCode.ANOTHER_VALUE(word=self._word)
+            )
         return None if defined else self._elsewhere()
 
     def _least_at(self, trial: Trial) -> Fraction | None:
@@ -301,7 +302,7 @@ class _Question:
         conditional = all(
             said.outcome == Outcome.CONDITIONAL for said in (bare, self.judge(nothing, self.assume))
         )
-        return bare if conditional else _unchecked(_SINGULAR)
+        return bare if conditional else _unchecked(VerdictCode.SINGULAR_PART())
 
     def _is_zero(self, term: Term, supposed: tuple[Statement, ...]) -> bool:
         return self.judge(relation("=", term, zero(term.type)), supposed).outcome == Outcome.PROVED
@@ -312,7 +313,7 @@ class _Question:
                 if part.outcome == outcome:
                     return part
         if any(part.outcome != Outcome.PROVED for part in parts):
-            return _unchecked("not shown")
+            return _unchecked(VerdictCode.NOT_SHOWN())
         evidence = tuple(dict.fromkeys(e.method for part in parts for e in part.evidence))
         outcome = f"the bound for all values, and where it is reached: {len(parts)} equations, residual is 0"
         return Verdict(
@@ -330,5 +331,5 @@ def _number(trial: Trial, term: Term) -> Fraction | None:
     return Fraction(found[0])
 
 
-def _unchecked(reason: str) -> Verdict:
+def _unchecked(reason: Reason) -> Verdict:
     return Verdict(Outcome.UNCHECKED, reason=reason)

@@ -13,6 +13,7 @@ from functools import partial
 from itertools import pairwise
 from typing import Protocol
 
+from workbench.core.reasons import Reason, reason_of
 from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.beyond import OrderRanges, beyond
 from workbench.judge.kernel.generic import judge_addends, ranges_apart
@@ -68,8 +69,6 @@ WORST_FIRST = (
     Outcome.DEFINITION,
 )
 
-_WHY_OPEN = "fails for some sums, which it may say something of, or where two indices are the same"
-
 
 def judge_family(
     judge: InstanceJudge,
@@ -89,17 +88,18 @@ def judge_family(
             found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
             if found and all(each.outcome is Outcome.REFUTED for each in found):
                 return found[0]
-        return _open(orders, _WHY_OPEN)
-    is_open = verdict.scope is not None and not verdict.scope.startswith("all")
-    return _open(orders, f"holds for {orders}") if is_open and (orders.generic or orders.endless) else verdict
+        return _open(orders, VerdictCode.FAILS_FOR_SOME_SUMS())
+    may_go_on = not verdict.is_for_all and bool(orders.generic or orders.endless)
+    return _open(orders, VerdictCode.HOLDS_FOR(orders=orders)) if may_go_on else verdict
 
 
-def _open(orders: OrderRanges, seen: str) -> Verdict:
+def _open(orders: OrderRanges, seen: Reason) -> Verdict:
     """What is seen of some members, of as many as there are numbers."""
-    why = f"no range is stated for {', '.join(orders.generic)}"
-    if not orders.generic:
-        why = f"no proof for all of the endless range of {', '.join(sorted(orders.endless))} was found"
-    return Verdict(Outcome.UNCHECKED, reason=f"{seen}; {why}")
+    if orders.generic:
+        why = VerdictCode.NO_RANGE(variables=", ".join(orders.generic))
+    else:
+        why = VerdictCode.ENDLESS_RANGE(variables=", ".join(sorted(orders.endless)))
+    return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SEEN_OF_SOME(seen=seen, why=why))
 
 
 def _family(
@@ -305,7 +305,9 @@ def _instances(
     if worst is None:
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SAME_TERM())
     if worst.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
-        reason = f"for {place}" + (f": {worst.reason}" if worst.reason else "")
+        reason = VerdictCode.FOR(values=place)
+        if worst.reason:
+            reason = VerdictCode.FOR_BECAUSE(values=place, reason=worst.reason)
         figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}
         fails = Evidence("each instance", f"fails for {place}", figures)
         return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
@@ -313,7 +315,9 @@ def _instances(
         with suppress(Unsatisfiable):  # there, nothing is claimed
             further = _instance_for(judge, statement, assume, hypothesis, values)
             if further.outcome == Outcome.REFUTED:
-                return replace(further, reason=f"for {_shown(values)}, though it holds for {orders}")
+                return replace(
+                    further, reason=VerdictCode.FOR_THOUGH_HOLDS(values=_shown(values), orders=orders)
+                )
     evidence = (*worst.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
     return replace(worst, scope=str(orders), evidence=evidence)
 
@@ -335,7 +339,7 @@ def _instance_for(
         given = None if hypothesis is None else instantiate(hypothesis, values)
         return judge.judge_instance(instantiate(statement, values), supposed, given)
     except (NotExact, IllFormed) as outside:
-        return Verdict(Outcome.UNCHECKED, reason=str(outside))
+        return Verdict(Outcome.UNCHECKED, reason=reason_of(outside))
 
 
 def _variables(statement: Statement) -> set[str]:

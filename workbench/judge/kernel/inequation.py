@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.typed.terms import Relation, Statement
@@ -15,12 +16,14 @@ def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Stateme
         return case.refuted(trial, relation)
     residuals = case.exact.residuals(relation)
     if not any(p.is_constant() and p != 0 for p in residuals):
-        return Verdict(Outcome.UNCHECKED, reason="no zero was found and none was excluded")
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NO_ZERO_FOUND())
     if case.solved.gaps():
-        return Verdict(Outcome.UNCHECKED, reason="a denominator can vanish")
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DENOMINATOR_CAN_VANISH())
     evidence = [Evidence("exact ring over ℚ (FLINT)", "the sides differ by a number that is not 0")]
     if not setting.second_engine:
-        return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
+        return Verdict(
+            Outcome.PROBABLE, reason=VerdictCode.SECOND_ENGINE_LEFT_OUT(), evidence=tuple(evidence)
+        )
     from workbench.judge.second.consequences import recheck_distance
     from workbench.judge.second.sympy_ring import METHOD
 

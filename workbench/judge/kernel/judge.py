@@ -100,7 +100,7 @@ class Judge(Setting):
         values = {} if verdict.counterexample is None else verdict.counterexample.values
         for name in map(to_latex, coordinates):
             if name in values and Fraction(*values[name]) <= 0:
-                return Verdict(Outcome.UNCHECKED, reason=f"not decided where {name} is positive")
+                return Verdict(Outcome.UNCHECKED, reason=VerdictCode.OPEN_WHERE_POSITIVE(name=name))
         return verdict
 
     def _judge_under(
@@ -113,13 +113,11 @@ class Judge(Setting):
         if under.outcome != Outcome.PROVED:
             return under
         if verdict.counterexample is None:
-            return replace(
-                under, outcome=Outcome.UNCHECKED, reason="no witness against the bare statement was found"
-            )
+            return replace(under, outcome=Outcome.UNCHECKED, reason=VerdictCode.NO_WITNESS())
         witness = Evidence("witness against the bare statement", verdict.reason or "a point where it fails")
         return Verdict(
             Outcome.CONDITIONAL,
-            reason="holds under a hypothesis that the text does not state",
+            reason=VerdictCode.UNDER_HYPOTHESIS(),
             hypothesis=to_latex(hypothesis),
             counterexample=verdict.counterexample,
             evidence=(*under.evidence, witness),
@@ -130,7 +128,7 @@ class Judge(Setting):
         try:
             verdict = self._judge_form(statement, assume)
         except ZeroDivisionError:
-            return Verdict(Outcome.UNCHECKED, reason="a denominator is identically zero")
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DENOMINATOR_ZERO())
         except NotExact:
             if (closed := judge_closed(statement, assume, self.definitions, self.second_engine)) is None:
                 raise
@@ -204,7 +202,7 @@ class Judge(Setting):
         if is_definition and verdict.outcome is Outcome.PROVED:
             return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
         if verdict.outcome is Outcome.REFUTED:
-            return Verdict(Outcome.UNCHECKED, reason="does not follow from what derivatives of e^x are")
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_EXPONENTIALS())
         evidence = Evidence("exponentials", "any functions E that are nowhere 0, with the rates of e^x")
         return replace(verdict, evidence=(*verdict.evidence, evidence))
 
@@ -212,7 +210,7 @@ class Judge(Setting):
         compared = to_first_order(said, assume, self.definitions)
         verdict = self._judge(compared.relation, assume)
         if verdict.outcome is Outcome.REFUTED and compared.has_plain_side:
-            return Verdict(Outcome.UNCHECKED, reason="to first order the sides differ; to order 0 is open")
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DIFFERENT_TO_FIRST_ORDER())
         order = f"to first order in {compared.names}"
         evidence = Evidence("dual numbers", f"{order} and their rates, taken together")
         holds = verdict.outcome not in (Outcome.REFUTED, Outcome.UNCHECKED)
@@ -247,11 +245,11 @@ class Judge(Setting):
         try:
             Case(self, terms, (*assume, *said.given)).require_satisfiable()
         except Unsatisfiable:
-            return Verdict(Outcome.UNCHECKED, reason="the set is empty: nothing satisfies its conditions")
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SET())
         for term in terms:  # that it is the same everywhere says that it is defined everywhere
             verdict = self._judge(_difference(term), (*assume, *said.given))
             if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
-                reason = f"{to_latex(term.left)} is not seen to be defined for all of these: {verdict.reason}"
+                reason = VerdictCode.NOT_DEFINED_FOR_ALL(left=to_latex(term.left), reason=verdict.reason)
                 return replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
         return Verdict(Outcome.DEFINITION, evidence=(Evidence("sets and maps", "well-formed"),))
 
@@ -259,7 +257,7 @@ class Judge(Setting):
         try:
             return self._implied(premise, claim, assume)
         except Unsatisfiable:
-            return Verdict(Outcome.UNCHECKED, reason="nothing satisfies one of its sides")
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SIDE())
 
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
         """x ≠ 0 ⇒ y ≠ 0 says that x = 0 where y = 0, and that y is defined where x ≠ 0."""

@@ -94,13 +94,13 @@ def prove(
             raise NotShown("expected what stands against the goal without the hypothesis")
         without = prover.refute(Sequent(bare, scope, given), proven.against)
     except (NotShown, GoalError, ReadError, IllFormedAt, IllFormed) as error:
-        return Verdict(Outcome.UNCHECKED, reason=f"the goal is not shown: {error}")
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.GOAL_NOT_SHOWN(why=error))
     if without.outcome != Outcome.REFUTED:
         return replace(without, outcome=Outcome.UNCHECKED)
     return Verdict(
         Outcome.CONDITIONAL,
         scope=shown.scope,
-        reason="holds under a hypothesis that the text does not state",
+        reason=VerdictCode.UNDER_HYPOTHESIS(),
         counterexample=without.counterexample,
         evidence=(*shown.evidence, *without.evidence),
     )
@@ -172,7 +172,7 @@ class _Prover:
                     return replace(shown, evidence=(*first.evidence, *shown.evidence))
             return verdict
         except Unsatisfiable:
-            reason = "its premises contradict each other, or no example of them was found"
+            reason = VerdictCode.CONTRADICTORY_PREMISES()
             return Verdict(Outcome.UNCHECKED, reason=reason)
 
     def _first_hold(self, obligation: Obligation, used: Mapping[str, int]) -> bool:
@@ -236,12 +236,16 @@ class _Prover:
                 if none.outcome != Outcome.PROVED:
                     return none
                 if absurd.statement == relation("=", number(0), number(1)):
-                    return replace(none, outcome=Outcome.REFUTED, scope=None, reason="there is none")
+                    return replace(
+                        none, outcome=Outcome.REFUTED, scope=None, reason=VerdictCode.NONE_EXISTS()
+                    )
                 return _with(self.refute(sequent.of(absurd), False_()), none)
             case Atom(statement), False_():
                 verdict = self._judge(_obligation(sequent, statement))
                 if verdict.outcome != Outcome.REFUTED:
-                    reason = f"expected {to_latex(statement)} to fail somewhere, got {verdict.outcome}"
+                    reason = VerdictCode.EXPECTED_TO_FAIL(
+                        statement=to_latex(statement), outcome=verdict.outcome
+                    )
                     return Verdict(Outcome.UNCHECKED, reason=reason)
                 return verdict
         raise NotShown(f"{type(against).__name__} does not stand against {type(goal).__name__}")
@@ -262,7 +266,7 @@ class _Prover:
         for variable, one in first.items():
             verdict = self._judge(_obligation(sequent, relation("=", one, second[variable])))
             if verdict.outcome == Outcome.REFUTED:
-                reason = f"both {to_latex(one)} and {to_latex(second[variable])} do"
+                reason = VerdictCode.TWO_OF_THEM(one=to_latex(one), other=to_latex(second[variable]))
                 verdict = replace(verdict, reason=reason, read_back=None)
                 return _with(verdict, *shown)
             reasons.append(f"{variable.name}: {verdict.outcome}")
@@ -347,11 +351,16 @@ def _evidence(obligation: Obligation, verdict: Verdict) -> Evidence:
 
 
 def _not_shown(obligation: Obligation, verdict: Verdict) -> Verdict:
-    why = f": {verdict.reason}" if verdict.reason else ""
-    what = f"{obligation.rule}: {to_latex(obligation.statement)} is {verdict.outcome}{why}"
+    said = {
+        "rule": obligation.rule,
+        "formula": to_latex(obligation.statement),
+        "outcome": verdict.outcome,
+    }
     return Verdict(
         Outcome.UNCHECKED,
-        reason=f"the goal is not shown: {what}",
+        reason=VerdictCode.STEP_NOT_SHOWN_BECAUSE(**said, reason=verdict.reason)
+        if verdict.reason
+        else VerdictCode.STEP_NOT_SHOWN(**said),
         counterexample=verdict.counterexample,
         evidence=verdict.evidence,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.naming.declarations import key_spelling
@@ -26,13 +27,8 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import Declaration
 
-_ASKED = "a function of what is in the bracket, or a product?"
-OR_A_PRODUCT = (
-    f'{_ASKED} [conventions] arguments says the former, square brackets or brackets = "factors" the latter'
-)
 
-
-def _both_readings(function: Term, bracket: Bracket) -> str:
+def _both_readings(function: Term, bracket: Bracket) -> Reason:
     """The question, with both readings and the lines of a model that say which it is."""
     parts = list(map(latex_of, bracket.parts))
     inside, own = ", ".join(parts), to_latex(function)
@@ -40,7 +36,7 @@ def _both_readings(function: Term, bracket: Bracket) -> str:
     is_named = all(map(_is_name, bracket.parts))
     one = f"[conventions] arguments = [{names}]" if is_named else "a symbol for it"
     other = f"{'' if is_named else '[conventions] '}brackets = 'factors'"
-    return f"{_ASKED} {one} says {own} at {inside}, {other} {own} \\cdot ({inside})"
+    return SyntaxCode.AT_OR_TIMES(one=one, own=own, inside=inside, other=other)
 
 
 def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
@@ -56,7 +52,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             return True
         if _is_no_place(scope, bracket, function):
             return False  # u (∇·v)
-        raise Fault("a function at another place than its argument; a product needs no bracket", bracket.at)
+        raise Fault(SyntaxCode.FUNCTION_AT_ANOTHER_PLACE(), bracket.at)
     if "arguments" in scope.table.loose and bracket.parts and is_accented_symbol(_without_sup(term)):
         return all(_is_name(part) or _is_symbol_or_quaternion(scope.term(part)) for part in bracket.parts)
     if len(bracket.parts) > 1:
@@ -207,7 +203,7 @@ def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
     (symbol,) = (each for each in function.walk() if isinstance(each, Symbol))
     own, place = (symbol.declaration.name, symbol.index), latex_of(part)
     if not letters or scope.members.setdefault((own, letters), place) != place:
-        raise Fault("a component or a member, or a factor? write a factor in front", bracket.at)
+        raise Fault(SyntaxCode.COMPONENT_OR_MEMBER_OR(), bracket.at)
 
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
@@ -221,10 +217,10 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     inside = inside.union(*(scope.table.depends.get(name, ()) for name in inside))
     for name, index in _symbols(function):
         if scope.places.setdefault((name, index), place) != place:
-            raise Fault(f"{name} at two places; say what it depends on by a symbol for each", bracket.at)
+            raise Fault(SyntaxCode.AT_TWO_PLACES_SAY(name=name), bracket.at)
         if missing := scope.table.depends.get(name, frozenset()) - inside:
             raise Fault(
-                f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at
+                SyntaxCode.DEFINED_TAKEN_AT_ANOTHER(name=name, min=min(map(str, missing))), bracket.at
             )
 
 
@@ -232,7 +228,7 @@ def _require_once(bracket: Bracket) -> None:
     """Raises Fault for R(x, x): one of two arguments is a misprint, or R is taken on a diagonal."""
     parts = [latex_of(part) for part in bracket.parts]
     if repeated := next((part for place, part in enumerate(parts) if part in parts[:place]), None):
-        raise Fault(f"{repeated} stands twice among the arguments; expected each argument once", bracket.at)
+        raise Fault(SyntaxCode.STANDS_TWICE_AMONG_ARGUMENTS(repeated=repeated), bracket.at)
 
 
 def _require_all_once(scope: Scope, bracket: Bracket, function: Symbol) -> None:
@@ -243,7 +239,7 @@ def _require_all_once(scope: Scope, bracket: Bracket, function: Symbol) -> None:
     if written and missing and all(each in function.declaration.of for each in written):
         names = ", ".join(str(each.declaration.name) for each in missing)
         own = function.declaration.name
-        raise Fault(f"{own} is declared as a function of {names}, too, which this bracket lacks", bracket.at)
+        raise Fault(SyntaxCode.DECLARED_FUNCTION_TOO_THIS(own=own, names=names), bracket.at)
 
 
 def _is_rate_of(part: Node, known: Collection[str]) -> bool:
@@ -256,7 +252,7 @@ def _take_instant(scope: Scope, bracket: Bracket, function: Term) -> None:
     instants = tuple(latex_of(part) for part in bracket.parts if _is_instant(part))
     for name, index in _symbols(function):
         if instants and scope.instants.setdefault((name, index), instants) != instants:
-            raise Fault(f"{name} at two instants; say each by a symbol of its own", bracket.at)
+            raise Fault(SyntaxCode.AT_TWO_INSTANTS_SAY(name=name), bracket.at)
     _refuse_both(scope, bracket, function, is_factor=False)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction as Rational
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import Compared
 from workbench.language.elaboration.empty_cells import entries_of
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.nablas import as_del
@@ -78,7 +80,7 @@ class Elaborator(Scope):
             case Group(parts=(part,)):
                 return self.term(part)
             case Group():
-                raise Fault("expected one expression in the braces", node.at)
+                raise Fault(SyntaxCode.EXPECTED_ONE_EXPRESSION_BRACES(), node.at)
             case Bracket():
                 return self.bracket(node)
             case Fraction():
@@ -88,7 +90,7 @@ class Elaborator(Scope):
             case Binomial():
                 return self.combinations(node.top, node.bottom)
             case Extremal():
-                raise Fault("a minimum or maximum stands alone on a side of an equation", node.at)
+                raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_STANDS(), node.at)
             case Matrix():
                 rows = self.build(node.at, entries_of, self, node)
                 is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
@@ -97,14 +99,16 @@ class Elaborator(Scope):
                 loosely = "unit" in self.table.loose and len({len(row) for row in rows}) == 1
                 return self.build(node.at, construct.block, with_scaled_units(rows) if loosely else rows)
             case Chain(relations=((sign, at), *_)):
-                raise Fault(f"a relation ({sign}) inside an expression", at)
+                raise Fault(SyntaxCode.RELATION_INSIDE_EXPRESSION(sign=sign), at)
             case Chain() | Conditional() | Lines():
-                raise Fault("expected an expression, not a statement", node.at)
-        raise Fault("a sign without its operands", node.at)
+                raise Fault(SyntaxCode.EXPECTED_EXPRESSION_NOT_STATEMENT(), node.at)
+        raise Fault(SyntaxCode.SIGN_WITHOUT_OPERANDS(), node.at)
 
     def number(self, node: Leaf) -> Term:
         if len(node.text) > _LONGEST_NUMBER:
-            raise Fault(f"a number of {len(node.text)} digits; at most {_LONGEST_NUMBER}", node.at)
+            raise Fault(
+                SyntaxCode.NUMBER_DIGITS_AT_MOST(text=len(node.text), LONGEST_NUMBER=_LONGEST_NUMBER), node.at
+            )
         value = Rational(node.text)
         return construct.number(value) if value else construct.zero()
 
@@ -136,7 +140,7 @@ class Elaborator(Scope):
                 return _parts_of_quaternion(addends)
             return construct.apply("add", *self.with_units(addends))
         except Unread as fault:
-            raise Fault(str(fault), places[_first_that_differs(addends)]) from None
+            raise Fault(fault.reason, places[_first_that_differs(addends)]) from None
         except IllFormed as fault:
             raise Misfit(fault, places[_first_that_differs(addends)]) from None
 
@@ -154,7 +158,7 @@ class Elaborator(Scope):
             own = terms[0].type
             is_determinant = node.kind == "|" and own.is_square and own.rows > 1
             if own.columns > 1 and not is_determinant:
-                raise Fault(f"which norm of a {own}? \\|T\\|_F is read", node.at)
+                raise Fault(SyntaxCode.NORM_T_F_READ(own=own), node.at)
             return construct.apply("det" if is_determinant else "norm", terms[0])
         if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]
@@ -166,8 +170,8 @@ class Elaborator(Scope):
             return self.apply(node.at, "quaternion", *parts)
         if len(terms) == 2 and node.kind in ("(", "[") and _are_beside(*terms):
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
-        message = "a triple product has three, in round brackets; a pair (a, T) two of different kinds"
-        raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
+        message = SyntaxCode.TRIPLE_PRODUCT_OR_PAIR()
+        raise Fault(SyntaxCode.EXPRESSIONS_BETWEEN_BRACKETS(terms=len(terms), message=message), node.at)
 
 
 def _times_unit(term: Term) -> Term:
@@ -210,7 +214,7 @@ def _parts_of_quaternion(addends: Sequence[Term]) -> Term:
 def _first_that_differs(addends: Sequence[Term]) -> int:
     for count in range(2, len(addends) + 1):
         try:
-            agree(addends[:count], "the addends")
+            agree(addends[:count], Compared.ADDENDS)
         except IllFormed:
             return count - 1
     return 0

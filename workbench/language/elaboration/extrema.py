@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import set_name
 from workbench.language.elaboration.sets import Members, letter_name, letter_spelling, members_of
@@ -24,12 +25,12 @@ def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
     there must be one. Raises Fault and Misfit."""
     for sign, at in chain.relations:
         if sign != "=":
-            raise Fault(f"a minimum or maximum is said to be equal to something; {sign} is not read here", at)
+            raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_SAID(sign=sign), at)
     values = [side for side in chain.sides if not is_extremal(side)]
     if not values:
-        raise Fault("of a minimum or maximum a formula says what it is: expected such a side", chain.at)
+        raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_FORMULA(), chain.at)
     if len(values) > 1:
-        raise Fault("several sides beside a minimum or maximum; write one equation for each", values[1].at)
+        raise Fault(SyntaxCode.SEVERAL_SIDES_BESIDE_MINIMUM(), values[1].at)
     value = reader.term(values[0])
     return [_extremum(reader, side, value) for side in chain.sides if is_extremal(side)]
 
@@ -37,12 +38,12 @@ def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
 def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:
     operator, *rest = side.items
     if any(isinstance(item, Extremal) for item in rest):
-        raise Fault("a minimum or maximum within another one", side.at)
+        raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_WITHIN(), side.at)
     if isinstance(rest[0], Infix):
-        raise Fault("nothing between a minimum or maximum and the sign", rest[0].at)
+        raise Fault(SyntaxCode.NOTHING_BETWEEN_MINIMUM_OR(), rest[0].at)
     if operator.over is None:
         what = "minimum" if operator.least else "maximum"
-        raise Fault(f"a {what} over what? write it under the sign, as in \\min_{{x \\in V_3}}", operator.at)
+        raise Fault(SyntaxCode.OVER_WHAT_WRITE_UNDER(what=what), operator.at)
     table, letters = reader.table, []
     for node, members in _bound(operator.over):
         symbol = _letter(table, reader, node, members)
@@ -59,12 +60,14 @@ def _bound(over: Node) -> Iterator[tuple[Node, Members | None]]:
     for part in over.parts if isinstance(over, Group) else (over,):
         if isinstance(part, Chain):
             if [sign for sign, _ in part.relations] != ["∈"]:
-                raise Fault("a condition under a minimum or maximum; expected letters and sets only", part.at)
+                raise Fault(SyntaxCode.CONDITION_UNDER_MINIMUM_OR(), part.at)
             letter, domain = part.sides
             members = members_of(domain)
             if members is None or members.type not in (SCALAR, VECTOR):
                 known = "ℝ, V_3, and S^2 (unit vectors)"
-                raise Fault(f"a minimum or maximum over {set_name(domain)}; known: {known}", part.at)
+                raise Fault(
+                    SyntaxCode.MINIMUM_OR_MAXIMUM_OVER(set_name=set_name(domain), known=known), part.at
+                )
             yield from ((node, members) for node in (*waiting, letter))
             waiting = []
         else:
@@ -76,19 +79,19 @@ def _letter(table: SymbolTable, reader: Elaborator, node: Node, members: Members
     """The letter as it is declared; one that is not is a constant of its set."""
     name = letter_name(node)
     if name is None or str(name) in reader.variables:
-        raise Fault("expected a letter, such as x, under a minimum or maximum", node.at)
+        raise Fault(SyntaxCode.EXPECTED_LETTER_SUCH_X(), node.at)
     if table.find(letter_spelling(node)) is None:
         if members is None:
-            raise Fault("over which set? expected a letter and its set, as in x \\in V_3", node.at)
+            raise Fault(SyntaxCode.OVER_SET_EXPECTED_LETTER(), node.at)
         declaration = members.letter(name)
         return Symbol(declaration.type, None, declaration)
     symbol = reader.term(node)
     if not isinstance(symbol, Symbol) or symbol.declaration.name in table.defined:
-        raise Fault("a minimum or maximum is taken over letters that nothing defines", node.at)
+        raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_TAKEN(), node.at)
     declaration = symbol.declaration
     fits = declaration.type in (SCALAR, VECTOR) and not (declaration.clock or declaration.of)
     if members is not None:
         fits = fits and (declaration.type, declaration.unit) == (members.type, members.trait == "unit")
     if not fits:
-        raise Fault(f"{declaration.name} is declared as another thing than what varies here", node.at)
+        raise Fault(SyntaxCode.DECLARED_ANOTHER_THING_THAN(name=declaration.name), node.at)
     return symbol

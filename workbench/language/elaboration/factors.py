@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,
@@ -54,10 +56,10 @@ class Row:
         for place, factor in enumerate(factors[1:], start=1):
             term = factor.term
             if is_numeral(factors[place - 1].node) and is_numeral(factor.node):
-                raise Fault("two numbers side by side are printed as one; write \\cdot", factor.at)
+                raise Fault(SyntaxCode.TWO_NUMBERS_SIDE_SIDE(), factor.at)
             is_fraction = isinstance(factor.node, Fraction) and isinstance(term, Number)
             if is_numeral(factors[place - 1].node) and is_fraction:
-                raise Fault("a mixed number or a product? write \\cdot for the product", factor.at)
+                raise Fault(SyntaxCode.MIXED_NUMBER_OR_PRODUCT(), factor.at)
             if result.type.kind == "operator" and term.type.kind not in ("operator", "scalar"):
                 self.operand(factor, factors[place + 1 :])
             if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
@@ -69,9 +71,9 @@ class Row:
     def _product(self, result: Term, factors: Sequence[Factor]) -> Term:
         *others, last, this = (factor.term.type for factor in factors)
         if last.kind == this.kind == "vector" and result.type.kind == "tensor":
-            raise Fault("three vectors beside each other; write (a b) \\cdot c", factors[-1].at)
+            raise Fault(SyntaxCode.THREE_VECTORS_BESIDE_EACH(), factors[-1].at)
         if last.kind == this.kind == "quaternion" and any(other.columns == 4 for other in others):
-            raise Fault("a matrix before a product of quaternions: bracket one of them", factors[-1].at)
+            raise Fault(SyntaxCode.MATRIX_BEFORE_PRODUCT_QUATERNIONS(), factors[-1].at)
         pair = (result, factors[-1].term)
         if self.scope.table.has_quaternions and all(map(_is_scalar_above_vector, pair)):
             pair = tuple(map(construct.as_quaternion, pair))
@@ -82,7 +84,7 @@ class Row:
         if isinstance(factor.node, Bracket):
             return
         if any(other.term.type.kind != "scalar" for other in more):
-            raise Misfit(IllFormed("how far does the operator reach? bracket what it acts on"), factor.at)
+            raise Misfit(IllFormed(TypeCode.REACH_OF_OPERATOR()), factor.at)
         self.open_head = "the operator"
         if factor.term.type.kind == "tensor":
             self.scope.tensor_operand = factor.at

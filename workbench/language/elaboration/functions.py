@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.elaboration.angles import goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.determinants import of_vectors
@@ -48,10 +50,10 @@ def function(row: Row, place: int) -> Factor:
         and leaf.name not in row.scope.table.bare_functions
         and all(row.scope.knows(letter) for letter in leaf.name)
     ):
-        message = f"a function and a product of symbols; write \\operatorname{{{leaf.name}}}"
-        raise Fault(f"{leaf.name} is {message}", leaf.at)
+        message = SyntaxCode.FUNCTION_OF_LETTERS(name=leaf.name)
+        raise Fault(SyntaxCode.FUNCTION_OF_THIS(name=leaf.name, message=message), leaf.at)
     if place + 1 == len(row.items):
-        raise Fault(f"{word_of(head)} of nothing", leaf.at)
+        raise Fault(SyntaxCode.FUNCTION_OF_NOTHING(word_of=word_of(head)), leaf.at)
     if head in ("quaternion", "atan2"):
         return _of_two(row, leaf, place)
     if head == "root":
@@ -71,9 +73,9 @@ def function(row: Row, place: int) -> Factor:
     if isinstance(item, Scripted):
         exponent = None if item.sup is None else linear(item.sup, row.scope.variables)
         if item.sub is not None or item.primes or item.factorial or exponent is None:
-            raise Fault(f"only a power may stand on {word_of(head)}", item.at)
+            raise Fault(SyntaxCode.ONLY_POWER_MAY_STAND(word_of=word_of(head)), item.at)
         if exponent.is_number and exponent.constant < 0:
-            raise Fault("an inverse function or an inverse value? bracket the value", item.at)
+            raise Fault(SyntaxCode.INVERSE_FUNCTION_OR_INVERSE(), item.at)
         term = row.scope.build(item.at, construct.power, term, exponent)
     return Factor(term, leaf.at, end, item)
 
@@ -144,11 +146,11 @@ def _root(row: Row, leaf: Leaf, place: int) -> Factor:
     is_bare = isinstance(item, Leaf) and item.kind in ("NUMBER", "LETTER") and len(item.text.strip("\\")) == 1
     is_root = isinstance(item, Group) or is_bare  # \\sqrt2
     if not is_root or row.items[place] is not leaf:
-        raise Fault("expected a square root, \\sqrt{x}", leaf.at)
+        raise Fault(SyntaxCode.EXPECTED_SQUARE_ROOT_SQRT(), leaf.at)
     term = row.scope.term(item)
     if term.type.kind == "quaternion":
         if not _is_norm_squared(term):
-            raise Fault("the root of a quaternion, which is no number", leaf.at)
+            raise Fault(SyntaxCode.ROOT_QUATERNION_NO_NUMBER(), leaf.at)
         term = construct.apply("scalar part", term)
     root = rooted(row.scope, leaf.at, term)
     return Factor(root if power is None else raised(row.scope, root, power), leaf.at, place + 2, leaf)
@@ -171,7 +173,7 @@ def _of_two(row: Row, leaf: Leaf, place: int) -> Factor:
         what = {"atan2": "two scalars, \\operatorname{atan2}(y, x)"}.get(
             leaf.text, "a scalar and a vector, \\operatorname{quat}(s, x)"
         )
-        raise Fault(f"expected {what}", leaf.at)
+        raise Fault(SyntaxCode.EXPECTED_WHAT(what=what), leaf.at)
     parts = [row.scope.term(part) for part in item.parts]
     return Factor(row.scope.apply(leaf.at, leaf.text, *parts), leaf.at, place + 2, leaf)
 
@@ -181,7 +183,7 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
     if isinstance(item, Bracket):
         return row.scope.term(item), place + 1
     if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket | Fraction):
-        raise Fault("a power of the function or of its argument? bracket it", item.at)
+        raise Fault(SyntaxCode.POWER_FUNCTION_OR_ARGUMENT(), item.at)
     first = row.factor(place)
     run, end = [first], first.end
     name = word_of(head)
@@ -194,7 +196,7 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
             run.append(following)
             end = following.end
         if first.term.type.kind == "scalar" and end < len(row.items):
-            raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
+            raise Fault(SyntaxCode.HOW_FAR_DOES_REACH(name=name), leaf.at)
         return row.multiply(run), end
     of_numbers = head in OF_ANGLES | {"exp"}
     numeric = isinstance(first.term, Number | Integer) and of_numbers
@@ -212,7 +214,7 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         mixes = head not in OF_ANGLES or following.term.type.kind == "scalar"
         if mixes and not own and not (head in OF_ANGLES and _is_rate_beside(following.term, run)):
             said = _OR_A_FACTOR if may_be_factor else ""
-            raise Fault(f"how far does {name} reach? bracket its argument{said}", leaf.at)
+            raise Fault(SyntaxCode.REACH_OF_FUNCTION(name=name, said=said), leaf.at)
     return row.multiply(run), end
 
 
@@ -237,11 +239,11 @@ def derivative(row: Row, place: int, found: Rate) -> Factor:
     ]
     if orders[0] != orders[1]:
         intent = "one order above and below, \\frac{d^k}{dt^k}"
-        fault = IllFormed(f"d/dt of order {orders[0]} above and {orders[1]} below", intent)
+        fault = IllFormed(TypeCode.UNEQUAL_TIME_ORDERS(orders=orders[0], orders_2=orders[1]), intent)
         raise Misfit(fault, item.at)
     if place + 1 == len(row.items) and not found.behind:
         if found.frame is not None:
-            raise Fault("the derivative in a frame, of what?", item.at)
+            raise Fault(SyntaxCode.DERIVATIVE_FRAME_WHAT(), item.at)
         operator = construct.time_operator()
         if orders[0] != Linear(1):
             operator = construct.power(operator, orders[0])
@@ -258,14 +260,14 @@ def _differentiated(row: Row, place: int, found: Rate, rate: Callable[[Term], Te
             isinstance(found.behind[-1], Bracket) and is_rate(body)
         )
         if not lone and (not found.upright or isinstance(found.behind[0], Bracket)):
-            raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
+            raise Fault(SyntaxCode.REACH_OF_D_DT(), item.at)
         return Factor(rate(body), item.at, place + 1, item)
     if place + 1 == len(row.items):
-        raise Fault("the partial derivative of what?", item.at)
+        raise Fault(SyntaxCode.PARTIAL_DERIVATIVE_WHAT(), item.at)
     following = row.items[place + 1]
     nucleus = following.nucleus if isinstance(following, Scripted) else None
     if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "\\{"):
-        raise Fault("a power of the derivative or of its argument? bracket it", following.at)
+        raise Fault(SyntaxCode.POWER_DERIVATIVE_OR_ARGUMENT(), following.at)
     run = [row.factor(place + 1)]
     if not isinstance(following, Bracket):
         row.open_head = "d/dt"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import Infix
 from workbench.language.grammar.vocabulary import OWN_SIGNS
 from workbench.language.naming.scope import Scope
@@ -28,7 +29,7 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
         own = explained(scope, sign, result, operand)
         if own is None and sign.operator in OWN_SIGNS:
             what = f"{sign.operator} of a {result.type} and a {operand.type}"
-            raise Fault(f"{what}: {OWN_SIGNS[sign.operator]}", sign.at)
+            raise Fault(SyntaxCode.SIGN_OF_THE_TEXT(what=what, OWN_SIGNS=OWN_SIGNS[sign.operator]), sign.at)
         if own is not None:
             result = own
             if result.type.kind != "quaternion" and not _is_matrix_product(own):
@@ -94,20 +95,20 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
     if head == "mul" and kinds == ("vector", "tensor") and has_dyads:
         return scope.apply(at, "mul", construct.apply("transpose", right), left)
     if head == "cross" and set(kinds) == {"scalar"}:
-        raise Fault("× of two numbers: if it is their product, write \\cdot", at)
+        raise Fault(SyntaxCode.TWO_NUMBERS_IF_THEIR(), at)
     if head == "cross" and "quaternion" in kinds:
-        raise Fault("× of quaternions: their product, or that of their vector parts?", at)
+        raise Fault(SyntaxCode.QUATERNIONS_THEIR_PRODUCT_OR(), at)
     if head == "cross" and "reach" in scope.table.loose and (last := _last(left)) is not None:
         return scope.apply(at, "dot", last, scope.apply(at, "cross", last, right))
     if head == "outer" and "signs" in scope.table.loose and set(kinds) == {"vector"}:
         is_pure = scope.table.has_quaternions
         return scope.apply(at, "mul", *map(construct.as_quaternion, (left, right))) if is_pure else left
     if head == "cross" and "vector" not in kinds:
-        raise Fault(f"× of a {left.type} and a {right.type}: × is read between vectors", at)
+        raise Fault(SyntaxCode.CROSS_OF(type=left.type, type_2=right.type), at)
     if head == "compose" and not {"operator", "tensor"} & set(kinds):
-        raise Fault(f"∘ of a {left.type} and a {right.type}: is one a function of the other?", at)
+        raise Fault(SyntaxCode.COMPOSITION_OF(type=left.type, type_2=right.type), at)
     if head == "outer" and (left.type.is_square or right.type.is_square) and "scalar" not in kinds:
-        raise Fault(f"⊗ of a {left.type} and a {right.type}: of vectors it is the dyad", at)
+        raise Fault(SyntaxCode.DYAD_OF(type=left.type, type_2=right.type), at)
     return scope.apply(at, head, left, right)
 
 
@@ -140,5 +141,5 @@ def _beside_quaternion(sign: Infix, left: Term, right: Term) -> str | None:
     if "quaternion" not in kinds or "scalar" in kinds:
         return None
     if sign.operator == "·":
-        raise Fault("the product of quaternions, or the scalar product of two columns of four?", sign.at)
+        raise Fault(SyntaxCode.PRODUCT_QUATERNIONS_OR_SCALAR(), sign.at)
     return "mul" if sign.operator in "⊗∘" else None

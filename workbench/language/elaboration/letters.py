@@ -5,6 +5,8 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import replace
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning
 from workbench.language.elaboration.printed_sizes import size_below, sized_as_printed, sized_matrix
 from workbench.language.elaboration.quotients import value_of
@@ -115,18 +117,18 @@ class _Lettering:
                 return self.read(body, replace(scripts, left_sub=left.sub, left_sup=left.sup), styles)
         if styles:
             if scripts != Scripts(sup=scripts.sup):
-                raise Fault(f"a script at {styles[-1]} of more than one symbol", node.at)
+                raise Fault(SyntaxCode.SCRIPT_AT_MORE_THAN(styles=styles[-1]), node.at)
             return self.of_a_pair(node, styles), scripts.sup
         only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None
         if only is not None and (norm := subscripted_norm(self.scope, node, only)) is not None:
             return norm, scripts.sup
         if scripts.left_sub is not None or scripts.left_sup is not None:
-            raise Fault("a subscript on an expression; indices belong to symbols", node.at)
+            raise Fault(SyntaxCode.SUBSCRIPT_ON_EXPRESSION(), node.at)
         if scripts.sup is not None and _is_braced(node):
-            raise Fault("braces print nothing: what is the superscript on? round brackets say it", node.at)
+            raise Fault(SyntaxCode.BRACES_PRINT_NOTHING_WHAT(), node.at)
         entries = self.scope.table.notations.primes()
         if scripts.primes and not entries:
-            raise Fault("a prime on an expression", node.at)
+            raise Fault(SyntaxCode.PRIME_EXPRESSION(), node.at)
         for sup in dict.fromkeys((scripts.sup, None)):  # [x]_\\times, also under a superscript
             shape = Scripted(node.at, core(node), scripts.sub, sup)
             if scripts.primes == 0 and (term := self.scope.spelt(shape)) is not None:
@@ -166,7 +168,7 @@ class _Lettering:
         declared = None if pair is None else self.scope.table.symbols.get(pair.name)
         if declared is None:
             hint = "" if pair is None else f"; {pair.name} may be declared as one"
-            raise Fault(f"{styles[-1]} of more than one symbol{hint}", node.at)
+            raise Fault(SyntaxCode.MORE_THAN_ONE_SYMBOL(styles=styles[-1], hint=hint), node.at)
         return self.scope.build(node.at, construct.symbol, declared)
 
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
@@ -200,7 +202,7 @@ class _Lettering:
         if found is None and (sized := self.sized_sign(leaf, styles, scripts)) is not None:
             return sized, scripts.sup
         if found is None and leaf.kind == "MARK":
-            raise Fault(f"{leaf.text} cannot stand here", leaf.at)
+            raise Fault(SyntaxCode.CANNOT_STAND_HERE(text=leaf.text), leaf.at)
         if found is None:
             raise self.unknown(Name.styled(styles, leaf.text), scripts, leaf.at)
         term = self.meant(found, leaf, scripts)
@@ -279,7 +281,7 @@ class _Lettering:
     def refuse_primed(self, node: Node, scripts: Scripts) -> None:
         """\\dot{x}': the sign ' on x, or on what the accent makes of it?"""
         if scripts.primes and self.primes:
-            raise Fault("which first, the accent or the prime? bracket what the prime is on", node.at)
+            raise Fault(SyntaxCode.FIRST_ACCENT_OR_PRIME(), node.at)
 
     def built_in(self, name: Name, scripts: Scripts, at: int) -> Term:
         """I, ε, D, t, π, e^x and C_n^k."""
@@ -299,14 +301,14 @@ class _Lettering:
             return self.scope.build(scripts.sup.at, value_of, self.scope, "exp", exponent)
         if self.scope.table.has_letter(name.base):
             what = "write the number of combinations as \\binom{n}{k}"
-            raise Fault(f"{name} is a symbol too; {what}", at)
+            raise Fault(SyntaxCode.LETTER_IS_SYMBOL(name=name, what=what), at)
         return self.scope.combinations(scripts.sub, scripts.sup)
 
     def zero(self, scripts: Scripts, at: int) -> Term:
         """𝟎 is the zero vector; 𝟎_{3×3} is the zero tensor. Beside other terms 𝟎 takes their kind, and 𝟎₃
         that of a column or of a square matrix."""
         if scripts.sub is not None and size_below(scripts.sub) in ((None, False), (SCALAR, True)):
-            raise Fault("expected the shape of the zero, such as 6\\times 6 or 6\\times 1", scripts.sub.at)
+            raise Fault(SyntaxCode.EXPECTED_SHAPE_ZERO_SUCH(), scripts.sub.at)
         return sized_as_printed(construct.zero(VECTOR), scripts.sub, at)
 
     def unknown(self, letter: Name, scripts: Scripts, at: int) -> Fault:
@@ -319,7 +321,7 @@ class _Lettering:
                 missing = sorted(letters - scope.variables)
                 if not missing:
                     break
-                message = f"the integer variable {', '.join(missing)} in {spelling} has no range here"
+                message = SyntaxCode.INTEGER_WITHOUT_RANGE(missing=", ".join(missing), spelling=spelling)
                 message += f"; if {missing[0]} is no index, declare it as a symbol"
                 members = scope.table.defined.get(found[0].name, ())
                 is_free = not any(place.is_number or place.constant for each in members for place in each)
@@ -344,14 +346,14 @@ class _Lettering:
         if term.type.kind != "tensor":
             return self.scope.apply(node.at, "skew", term)
         intent = "the tilde over a whole product T x, \\widetilde{T x}"
-        raise Misfit(IllFormed("expected a vector under the tilde, got a tensor", intent), node.at)
+        raise Misfit(IllFormed(TypeCode.TENSOR_UNDER_TILDE(), intent), node.at)
 
     def factorial(self, node: Scripted) -> Term:
         argument = node.nucleus if node.sub is None else Scripted(node.at, node.nucleus, node.sub)
         if isinstance(argument, Bracket) and len(argument.parts) == 1:
             (argument,) = argument.parts
         if node.sup is not None or node.primes:
-            raise Fault("the factorial of what? bracket it", node.at)
+            raise Fault(SyntaxCode.FACTORIAL_WHAT_BRACKET(), node.at)
         return construct.counting("factorial", self.scope.integer(argument))
 
 
@@ -369,7 +371,7 @@ def _column(scope: Scope, row: Bracket) -> Term:
     """(x, y, z)^T, a column; of rows they are the rows of a column transposed."""
     terms = [scope.term(part) for part in row.parts]
     if not all(term.type.rows == 1 for term in terms):
-        raise Fault("columns beside each other transposed, or one above the other?", row.at)
+        raise Fault(SyntaxCode.COLUMNS_BESIDE_EACH_OTHER(), row.at)
     return scope.build(row.at, construct.block, [[_upright(term)] for term in terms])
 
 

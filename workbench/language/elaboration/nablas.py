@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.grammar.syntax import (
     Bracket,
@@ -47,7 +49,7 @@ def as_del(node: Node) -> Del | None:
     if not (isinstance(letter, Leaf) and letter.text == NABLA):
         return None
     if scripts.primes or scripts.factorial:
-        raise Fault("a prime on ∇", node.at)
+        raise Fault(SyntaxCode.PRIME_NABLA(), node.at)
     return Del(node.at, scripts.sub, scripts.sup)
 
 
@@ -57,7 +59,7 @@ def with_sign(rows: Sequence[Sequence[Node]], signs: Sequence[Infix], sign: Infi
     if found is None or found.sign or sign.operator not in ("·", "×"):
         return None
     if signs and len(rows[-1]) == 1:
-        raise Fault("what does ∇ act on? bracket it", found.at)
+        raise Fault(SyntaxCode.WHAT_DOES_NABLA_ACT(), found.at)
     return replace(found, sign=sign.operator)
 
 
@@ -75,17 +77,17 @@ def of_field(row: Row, place: int, sign: Del, direction: Node | None = None) -> 
     """The ∇ at that place of the row with what it acts on: one factor."""
     scope = row.scope
     if place + 1 == len(row.items):
-        raise Fault("∇ of what?", sign.at)
+        raise Fault(SyntaxCode.NABLA_OF_WHAT(), sign.at)
     following = row.items[place + 1]
     nucleus = following.nucleus if isinstance(following, Scripted) else None
     if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "\\{"):
-        raise Fault("a power of the derivative or of its argument? bracket it", following.at)
+        raise Fault(SyntaxCode.POWER_DERIVATIVE_OR_ARGUMENT(), following.at)
     factor = row.factor(place + 1)
     if not isinstance(following, Bracket):
         is_gradient = not (sign.sign or sign.power or direction)
         row.open_head = "gradient" if is_gradient else "∇"
         if factor.end < len(row.items):
-            raise Fault("how far does ∇ reach? bracket its argument", sign.at)
+            raise Fault(SyntaxCode.HOW_FAR_DOES_NABLA(), sign.at)
     by = _place(scope, sign)
     if direction is not None:
         term = _along(scope, sign, factor.term, by, scope.term(direction))
@@ -98,13 +100,11 @@ def _place(scope: Scope, sign: Del) -> Term:
     if sign.by is not None:
         by = scope.term(sign.by)
         if not (isinstance(by, Symbol) and by.type.is_column):
-            raise Fault("∇ by anything but a column that is a symbol", sign.by.at)
+            raise Fault(SyntaxCode.NABLA_ANYTHING_BUT_COLUMN(), sign.by.at)
         return by
     places = {each for each in scope.table.symbols.values() if each.coordinate}
     if len(places) != 1:
-        raise Fault(
-            f"∇ by which place? one symbol is to be declared `coordinate`, got {len(places)}", sign.at
-        )
+        raise Fault(SyntaxCode.NABLA_PLACE_ONE_SYMBOL(places=len(places)), sign.at)
     return construct.symbol(places.pop())
 
 
@@ -113,25 +113,25 @@ def _derived(scope: Scope, sign: Del, body: Term, by: Term) -> Term:
     power = core(sign.power)
     if power is not None:
         if not (isinstance(power, Leaf) and power.text == "2") or sign.sign or kind != "scalar":
-            raise Fault("a power of ∇; ∇² of a scalar is read", at)
+            raise Fault(SyntaxCode.POWER_OF_NABLA(), at)
         return construct.apply("trace", _slopes(scope, at, _gradient(scope, at, body, by), by))
     if sign.sign:
         if body.type != by.type or (sign.sign == "×" and by.type != VECTOR):
-            raise Misfit(IllFormed(f"∇{sign.sign} of a {body.type}, where the place is a {by.type}"), at)
+            raise Misfit(
+                IllFormed(TypeCode.NABLA_OF_OTHER_PLACE(sign=sign.sign, type=body.type, type_2=by.type)), at
+            )
         slopes = _slopes(scope, at, body, by)
         if sign.sign == "·":
             return construct.apply("trace", slopes)
         return construct.apply("mul", construct.number(2), construct.apply("vect", slopes))
     if kind != "scalar":
-        raise Fault(
-            f"∇ of a {body.type}: which index is that of ∇? write \\frac{{\\partial v}}{{\\partial x}}", at
-        )
+        raise Fault(SyntaxCode.NABLA_INDEX_NABLA_WRITE(type=body.type), at)
     return _gradient(scope, at, body, by)
 
 
 def _along(scope: Scope, sign: Del, body: Term, by: Term, direction: Term) -> Term:
     if sign.power is not None or sign.sign or direction.type != by.type:
-        raise Fault("expected a direction, (a \\cdot \\nabla)", sign.at)
+        raise Fault(SyntaxCode.EXPECTED_DIRECTION_CDOT_NABLA(), sign.at)
     return construct.apply("mul", _slopes(scope, sign.at, body, by), direction)
 
 

@@ -9,6 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
+from workbench.core.verdict_codes import VerdictCode
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import set_name
 from workbench.language.elaboration.sets import (
@@ -99,7 +102,7 @@ def named_map(reader: Elaborator, clause: Chain, value: Node | None) -> Naming:
 def _rule(reader: Elaborator, begin: str, argument: Node, body: Node) -> Naming:
     """x ↦ …, of a declared symbol."""
     if _is_new(reader, argument):
-        raise Fault("of which set? write f : A \\to B, x \\mapsto …", argument.at)
+        raise Fault(SyntaxCode.SET_WRITE_F_B(), argument.at)
     point, image = reader.term(argument), _value(reader, body)
     return Naming(f"{begin}{to_latex(point)} \\mapsto {to_latex(image)}", (point, image), ())
 
@@ -114,7 +117,7 @@ def _argument(applied: Node, name: Node | None) -> Node:
 
 def _value(reader: Elaborator, body: Node) -> Term:
     if isinstance(body, Bracket) and body.kind == "\\{" and any(isinstance(p, Chain) for p in body.parts):
-        raise Misfit(IllFormed("the values of the map are sets, and its codomain is none of sets"), body.at)
+        raise Misfit(IllFormed(TypeCode.SETS_AS_VALUES()), body.at)
     return reader.term(body)
 
 
@@ -130,14 +133,14 @@ def _shown(name: Node | None) -> str:
         power, plain = linear(name.sup, ()), Scripted(name.at, name.nucleus, name.sub, None, name.primes)
     shown = None if plain is None else letter_name(plain)
     if shown is None or power not in (None, Linear(-1)):
-        raise Fault("expected the name of a map, such as f", 0 if name is None else name.at)
+        raise Fault(SyntaxCode.EXPECTED_NAME_MAP_SUCH(), 0 if name is None else name.at)
     return str(shown) if power is None else f"{shown}^{{-1}}"
 
 
 def _known(where: Node) -> Members:
     members = members_of(where)
     if members is None:
-        raise Fault(f"the set {set_name(where)} is not known here", where.at)
+        raise Fault(SyntaxCode.SET_NOT_KNOWN_HERE(set_name=set_name(where)), where.at)
     return members
 
 
@@ -170,7 +173,7 @@ class _Described:
         described = _Described(pattern)
         if isinstance(pattern, Chain):
             if _signs(pattern) != ["∈"]:
-                message = "expected a member first, as in \\{ x \\in V_3 \\mid x \\cdot n = 0 \\}"
+                message = SyntaxCode.EXPECTED_MEMBER_FIRST()
                 raise Fault(message, pattern.at)
             described.pattern = pattern.sides[0]
             rest = [pattern, *rest]
@@ -185,7 +188,7 @@ class _Described:
             else:
                 waiting.append(part)
         if waiting:
-            raise Fault("expected a set behind it, as in x \\in V_3", waiting[0].at)
+            raise Fault(SyntaxCode.EXPECTED_SET_BEHIND_X(), waiting[0].at)
         return described
 
 
@@ -212,14 +215,14 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
     names = {letter.declaration.name for letter in letters}
     given += [statement for statement in said if _speaks_of(statement, names)]
     parts: list[Statement] = [statement for statement in said if statement not in given]
-    known, undecided = members_of(name), ""
+    known, undecided = members_of(name), None
     if known is not None:
         wanted = _conditions(known, member, described.pattern.at)
         parts += _implied(given, wanted)
         if member in letters and _is_any(member, known):
             parts += _implied(wanted, given)
         elif given or not _is_general(member, letters):
-            undecided = f"whether all members of {known.name} are so is not decided"
+            undecided = VerdictCode.UNDECIDED_MEMBERS(set=known.name)
     title = set_name(name) if known is None else known.name
     shown = ", ".join([*sorts, *map(to_latex, said)])
     text = f"{title} = \\{{ {to_latex(member)} \\mid {shown} \\}}"

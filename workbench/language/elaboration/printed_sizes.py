@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.grammar.syntax import Bracket, Infix, Leaf, Matrix, Node, Product, core
 from workbench.language.naming.scope import Scope
 from workbench.language.typed.construct import zero
@@ -38,7 +40,7 @@ def sized_as_printed(term: Term, sub: Node | None, at: int) -> Term:
     if not is_open or size is None:
         return term
     if isinstance(term, Identity) and not size.is_square:
-        raise Misfit(IllFormed(f"a unit matrix of the size {sizes([size])}; it is square"), at)
+        raise Misfit(IllFormed(TypeCode.UNIT_MATRIX_NOT_SQUARE(sizes=sizes([size]))), at)
     is_column = isinstance(term, Zero) and is_single
     printed = str(size.rows) if is_single else f"{size.rows} \\times {size.columns}"
     return replace(term, type=Type(size.rows, 1) if is_column else size, printed=printed)
@@ -48,12 +50,12 @@ def sized_matrix(scope: Scope, node: Node, sub: Node) -> Term:
     """The term of a bracket or of a matrix with its size below it. Raises Fault and Misfit."""
     size, is_single = size_below(sub)
     if size is None or is_single or not isinstance(core(node), Bracket | Matrix):
-        raise Fault("a subscript on an expression; indices belong to symbols", node.at)
+        raise Fault(SyntaxCode.SUBSCRIPT_ON_EXPRESSION(), node.at)
     term = scope.term(node)
     if isinstance(term, Block) and term.children == (zero(),):
         (term,) = term.children
     term = sized_as_printed(term, sub, sub.at)
     if term.type.with_dual(False) != size:
         both = f"{sizes([term.type])} and the size below it {sizes([size])}"
-        raise Misfit(IllFormed(f"the size of the matrix is {both}"), sub.at)
+        raise Misfit(IllFormed(TypeCode.SIZE_OF_MATRIX(both=both)), sub.at)
     return term

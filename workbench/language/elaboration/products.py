@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import zip_longest
 
-from workbench.language.elaboration.arguments import OR_A_PRODUCT, is_argument, is_own_variable, refuse_member
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.language.elaboration.arguments import is_argument, is_own_variable, refuse_member
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
@@ -59,7 +60,7 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
                 rows[-1][-1] = sign
                 continue
             if not rows[-1]:
-                raise Fault(f"nothing before {item.operator}", item.at)
+                raise Fault(SyntaxCode.NOTHING_BEFORE(operator=item.operator), item.at)
             signs.append(item)
             rows.append([])
         elif isinstance(item, Summation):
@@ -82,7 +83,7 @@ def _with_sign_behind(scope: Scope, item: Node, sign: Infix) -> Node:
     """x \\times, with nothing behind it, as the paper spells it."""
     node = Product(item.at, (item, sign))
     if scope.spelt(node) is None:
-        raise Fault(f"nothing after {sign.operator}", sign.at)
+        raise Fault(SyntaxCode.NOTHING_AFTER(operator=sign.operator), sign.at)
     return node
 
 
@@ -119,7 +120,7 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     """a b/c with nothing behind c: whichever of the factors is divided, it is the same."""
     *others, solidus = signs
     if solidus.operator != "/" or any(sign.operator == "/" for sign in others):
-        raise Fault("what is divided by what? write \\frac{…}{…}", solidus.at)
+        raise Fault(SyntaxCode.WHAT_DIVIDED_WHAT_WRITE(), solidus.at)
     *above, below = rows
     if not others:
         fraction = Fraction(above[0][0].at, in_a_row(above[0][0].at, above[0]), in_a_row(below[0].at, below))
@@ -134,7 +135,7 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     is_one = divisor.factor(0).end == len(below) and (len(below) < 3 or not divisor.open_head)
     heads = {dividend[-1].open_head, divisor.open_head}  # \\sin\\phi/\\cos\\theta is one by the other
     if (dividend[-1].open_head and not heads <= CIRCULAR) or not is_one:
-        raise Fault("how far does / reach? write \\frac{…}{…}", solidus.at)
+        raise Fault(SyntaxCode.REACH_OF_SLASH(), solidus.at)
     if (own := explained(scope, solidus, numerator, denominator)) is not None:
         return own
     return divided(scope, (solidus.at, below[0].at), numerator, denominator)
@@ -155,7 +156,7 @@ def _refuse_reach(row: Row, sign: Infix, operand: Term) -> None:
     takes_parts = head in ("re", "du") and operand.type.dual
     takes_factor = head == "gradient" and operand.type.kind == "scalar"  # ∇f · v is no ∇(f v)
     if takes_tensors or takes_parts or takes_factor or head in _DIFFERENTIATE:
-        raise Fault(f"how far does {word_of(head)} reach? bracket its argument", row.items[0].at)
+        raise Fault(SyntaxCode.HOW_FAR_DOES_REACH(name=word_of(head)), row.items[0].at)
 
 
 def _is_vect_of_product(row: Sequence[Node], operands: Sequence[Term], sign: Infix) -> bool:
@@ -184,7 +185,7 @@ def _factor(row: Row, place: int) -> Factor:
             term = summation(row.scope, head, lambda: _body(row.scope, head, rest))
             return Factor(term, item.at, place + 1, item)
         case Summation():
-            raise Fault("the sum has no body", item.at)
+            raise Fault(SyntaxCode.SUM_HAS_NO_BODY(), item.at)
         case Leaf(kind="FUNCTION") | Scripted(nucleus=Leaf(kind="FUNCTION")):
             named = _as_name(row.scope, item)
             return function(row, place) if named is None else _name(row, place, named, Scripts())
@@ -194,7 +195,7 @@ def _factor(row: Row, place: int) -> Factor:
                 return derivative(row, place, found)
             return Factor(quotient(row.scope, item), item.at, place + 1, item)
         case Bracket(kind="(", parts=(part,)) if place and _is_place(row.scope, row.items[place - 1], part):
-            raise Fault(OR_A_PRODUCT, item.at)
+            raise Fault(SyntaxCode.OR_A_PRODUCT(), item.at)
         case Scripted(nucleus=Group(parts=())):
             return _with_left_scripts(row, place)
         case Leaf(kind="LETTER") | Styled() | Accented() | Scripted():
@@ -220,7 +221,7 @@ def _as_name(scope: Scope, item: Node) -> Node | None:
 
 def _body(scope: Scope, head: Summation, rest: Sequence[Node]) -> Term:
     if not rest:
-        raise Fault("the sum has no body", head.at)
+        raise Fault(SyntaxCode.SUM_HAS_NO_BODY(), head.at)
     return product(scope, rest)
 
 
@@ -234,7 +235,7 @@ def _with_left_scripts(row: Row, place: int) -> Factor:
     if isinstance(following, Matrix) and left.sup is not None and left.sub is None:
         return Factor(_in_frame(row.scope, left.sup, following), left.at, place + 2, following)
     if not isinstance(following, Leaf | Styled | Accented | Scripted):
-        raise Fault("left scripts must stand before a symbol", left.at)
+        raise Fault(SyntaxCode.LEFT_SCRIPTS_MUST_STAND(), left.at)
     return _name(row, place + 1, following, Scripts(left.sub, left.sup))
 
 
@@ -242,7 +243,7 @@ def _in_frame(scope: Scope, label: Node, column: Matrix) -> Term:
     """{}^B [1; 2; 3], the vector with these components in B."""
     term, turn = scope.term(column), scope.table.turns.get(spell_label(label) or "")
     if turn is None or term.type != VECTOR:
-        raise Fault("the components in that frame, or the vector that has them?", label.at)
+        raise Fault(SyntaxCode.COMPONENTS_FRAME_OR_VECTOR(), label.at)
     return construct.apply("mul", turn, term)
 
 
@@ -270,7 +271,7 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     may_say = bracket is not None and not is_labelled
     if takes_bracket or (may_say and is_own_variable(scope, bracket, term)):
         if isinstance(following, Scripted) and sup is not None:
-            raise Fault("scripts on the argument of a function; bracket the whole", following.at)
+            raise Fault(SyntaxCode.SCRIPTS_ARGUMENT_FUNCTION_BRACKET(), following.at)
         term = _behind(scope, term, following)
         end += 1
     if sup is not None:
@@ -304,7 +305,7 @@ def _called(scope: Scope, item: Node, argument: Node) -> Term | None:
         own = scope.spelt(Product(item.at, (item.nucleus, core(bare))))
         return own if own is None else _raised_function(scope, own, above, argument)
     if value is not None and isinstance(bare, Scripted) and bare.sup is not None:
-        raise Fault("a power of the function or of its argument? bracket it", bare.at)
+        raise Fault(SyntaxCode.POWER_FUNCTION_OR_ARGUMENT(), bare.at)
     return value if value is None or bare is argument else _behind(scope, value, argument)
 
 
@@ -315,9 +316,9 @@ def _sup_alone(item: Scripted) -> Node | None:
 def _raised_function(scope: Scope, value: Term, above: Node, argument: Node) -> Term:
     """S^T(x) is the transpose of S(x), and c^2 x the square of c x; f^{-1}(x) may be the inverse function."""
     if isinstance(argument, Scripted) and isinstance(core(argument.nucleus), Bracket):
-        raise Fault("scripts on the argument of a function; bracket the whole", argument.at)
+        raise Fault(SyntaxCode.SCRIPTS_ARGUMENT_FUNCTION_BRACKET(), argument.at)
     if value.type.kind == "scalar" and isinstance(core(above), Sum):
-        raise Fault("the inverse function, or its reciprocal? bracket what the power is of", above.at)
+        raise Fault(SyntaxCode.INVERSE_FUNCTION_OR_RECIPROCAL(), above.at)
     return raised(scope, value, above)
 
 
@@ -326,5 +327,5 @@ def _behind(scope: Scope, value: Term, argument: Node) -> Term:
     if not isinstance(argument, Scripted):
         return value
     if argument.sup is None or argument.sub is not None or argument.primes or argument.factorial:
-        raise Fault("scripts on the argument of a function; bracket the whole", argument.at)
+        raise Fault(SyntaxCode.SCRIPTS_ARGUMENT_FUNCTION_BRACKET(), argument.at)
     return raised(scope, value, argument.sup)

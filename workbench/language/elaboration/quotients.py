@@ -6,6 +6,8 @@ from dataclasses import replace
 from fractions import Fraction as Rational
 from typing import NamedTuple
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.grammar.syntax import (
     Fraction,
     Group,
@@ -60,8 +62,8 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
         return _partial(fraction, upper, above, below, frame)
     if (upper.text, lower.text) == ("d", "d") and len(below) > 1 and _letter(below[1]).text != "t":
         if scope.knows(upper.name) or scope.knows(lower.name) or frame is not None:
-            message = "a derivative by anything but the time t, or a quotient of products with d?"
-            raise Fault(f"{message} set d behind its factor for a product", fraction.at)
+            message = SyntaxCode.DERIVATIVE_BY_OTHER_THAN_TIME()
+            raise Fault(SyntaxCode.D_AS_FACTOR(message=message), fraction.at)
         variable, order = _split_order(below[1:])
         return Rate(
             upper.order, order, above[1:], by=((variable, order),), head="total", upright=upper.name != "d"
@@ -72,10 +74,8 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
     if (upper.text, lower.text, time.text, lower.order) != ("d", "d", "t", None):
         return None
     if all(scope.knows(part.name) for part in (upper, lower, time)):
-        message = (
-            "a derivative, or a quotient of the symbols d and t? write \\frac{\\mathrm{d}}{\\mathrm{d}t}"
-        )
-        raise Fault(f"{message} for the derivative", fraction.at)
+        message = SyntaxCode.DERIVATIVE_OR_QUOTIENT()
+        raise Fault(SyntaxCode.FOR_THE_DERIVATIVE(message=message), fraction.at)
     is_upright = frame is not None or upper.name != "d"
     return Rate(upper.order, time.order, above[1:], frame, upright=is_upright)
 
@@ -85,7 +85,7 @@ def _partial(
 ) -> Rate:
     """\\frac{\\partial^k f}{\\partial x^i \\partial y^j}."""
     if frame is not None or _letter(below[0]).text != _PARTIAL or upper.text != _PARTIAL:
-        raise Fault("expected a partial derivative, \\frac{\\partial f}{\\partial x}", fraction.at)
+        raise Fault(SyntaxCode.EXPECTED_PARTIAL_DERIVATIVE_FRAC(), fraction.at)
     groups: list[list[Node]] = []
     for node in below:
         if _letter(node).text == _PARTIAL:
@@ -93,7 +93,7 @@ def _partial(
         else:
             groups[-1].append(node)
     if not all(groups):
-        raise Fault("a partial derivative by nothing", fraction.denominator.at)
+        raise Fault(SyntaxCode.PARTIAL_DERIVATIVE_NOTHING(), fraction.denominator.at)
     return Rate(
         upper.order, None, above[1:], by=tuple(_split_order(tuple(group)) for group in groups), upright=True
     )
@@ -145,7 +145,7 @@ def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator:
     """places: of the fraction or of the /, and of the divisor."""
     at, below = places
     if isinstance(denominator, Zero):
-        raise Fault("division by zero", below)
+        raise Fault(SyntaxCode.DIVISION_ZERO(), below)
     return scope.apply(at, "div", numerator, denominator)
 
 
@@ -161,12 +161,12 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
     if head == "exp":
         argument = scope.quaternion_of_four(argument)
         if argument.type.kind == "vector":
-            raise Unread("the exponential of a vector: of its skew tensor, or of a quaternion?")
+            raise Unread(TypeCode.EXPONENTIAL_OF_VECTOR())
         if argument.type.kind == "matrix" and argument.type != Type(4, 4):
-            raise Unread(f"the exponential of a {argument.type} is not read")
+            raise Unread(TypeCode.EXPONENTIAL(type=argument.type))
     if head == "re" and argument.type.kind == "quaternion":
         if argument.type.dual:
-            raise Unread("Re of a dual quaternion: its real part, or its scalar part?")
+            raise Unread(TypeCode.REAL_PART_OF_DUAL_QUATERNION())
         head = "scalar part"
     if head not in QUOTIENTS:
         return construct.apply(head, argument)
@@ -181,12 +181,12 @@ def slope(scope: Scope, at: int, found: Rate, body: Term) -> Term:
     def count(order: Node | None) -> int:
         number = Linear(1) if order is None else scope.integer(order)
         if not number.is_number or int(number) < 1:
-            raise Fault(f"a partial derivative of the order {number}", order.at)
+            raise Fault(SyntaxCode.PARTIAL_DERIVATIVE_ORDER(number=number), order.at)
         return int(number)
 
     orders, above = [count(order) for _, order in found.by], count(found.order_above)
     if above != sum(orders):
-        raise Misfit(IllFormed(f"a derivative of order {above} above and {sum(orders)} below"), at)
+        raise Misfit(IllFormed(TypeCode.UNEQUAL_ORDERS(above=above, sum=sum(orders))), at)
     for (variable, _), order in zip(reversed(found.by), reversed(orders), strict=True):
         by = scope.term(in_a_row(at, variable))
         for _ in range(order):

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import (
     Bracket,
     Chain,
@@ -28,7 +29,7 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.construct import apply, block, identity, number, relation, zero
-from workbench.language.typed.errors import ALONE, Fault
+from workbench.language.typed.errors import Fault
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, Block, Relation, Symbol, Term
@@ -160,26 +161,26 @@ def ranges_of(
     """What "n ≥ 1", or "a, b ∈ S" with the members before the last one, says. Raises Fault."""
     (sign, _), *more = clause.relations
     if more:
-        raise Fault("expected one range, such as n \\geq 1 or n \\in \\mathbb{N}", more[0][1])
+        raise Fault(SyntaxCode.EXPECTED_ONE_RANGE_SUCH(), more[0][1])
     left, right = clause.sides
     if sign == "∈":
         return _in_set((*members, left), right, table)
     refuse_alone(members)
     name = _index_name(left, table)
     if name is None:
-        raise Fault("expected an integer variable before the bound", left.at)
+        raise Fault(SyntaxCode.EXPECTED_INTEGER_VARIABLE_BEFORE(), left.at)
     if name in table:
         raise _no_variable(name, left.at)
     ends = _bar(right) or (right,)
     bounds = [linear(end, integers | {each for each in _letters(end) if each not in table}) for end in ends]
     if None in bounds:
-        raise Fault("expected an integer bound", right.at)
+        raise Fault(SyntaxCode.EXPECTED_INTEGER_BOUND(), right.at)
     lower = bounds[0] + 1 if sign == ">" else bounds[0]
     return [Range(name, lower, bounds[-1] if sign == "=" else None)]
 
 
 def _no_variable(name: str, at: int) -> Fault:
-    return Fault(f"{name} is a symbol; what is assumed of symbols is written with = and \\neq", at)
+    return Fault(SyntaxCode.SYMBOL_WHAT_ASSUMED_SYMBOLS(name=name), at)
 
 
 def _letters(node: Node) -> frozenset[str]:
@@ -197,7 +198,7 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
         return [Membership(members, where)]
     names = [_index_name(member, table) for member in members]
     if None in names:
-        raise Fault("expected integer variables before \\in", members[names.index(None)].at)
+        raise Fault(SyntaxCode.EXPECTED_INTEGER_VARIABLES_BEFORE(), members[names.index(None)].at)
     for name, member in zip(names, members, strict=True):
         if name in table:
             raise _no_variable(name, member.at)
@@ -207,7 +208,7 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
 def refuse_alone(members: Sequence[Node]) -> None:
     """Raises Fault if there are expressions of which nothing is said."""
     if members:
-        raise Fault(ALONE, members[0].at)
+        raise Fault(SyntaxCode.ALONE(), members[0].at)
 
 
 # sets
@@ -217,13 +218,13 @@ def require_member(term: Term, where: Node, at: int) -> None:
     """Raises Fault for a set that is not known, and for a term that is not declared to be in it."""
     name, kind = set_name(where), kind_of_members(where)
     if kind is None:
-        raise Fault(f"the set {name} is not known here; declare what its members are in [symbols]", where.at)
+        raise Fault(SyntaxCode.SET_WITHOUT_MEMBERS(name=name), where.at)
     dual = "dual " if "\\underline" in name else ""
     if not _is(term, kind) or (term.type.dual and not dual):
         got = "dual " * term.type.dual + (
             "rotation" if _is(term, "rotation") else str(term.type.with_dual(False))
         )
-        raise Fault(f"a member of {name} is a {dual}{kind}; here it is a {got}, as declared", at)
+        raise Fault(SyntaxCode.MEMBER_HERE_DECLARED(name=name, dual=dual, kind=kind, got=got), at)
 
 
 def member_claims(term: Term, where: Node, at: int, table: SymbolTable) -> list[Relation]:
@@ -310,5 +311,5 @@ def set_name(node: Node) -> str:
     if isinstance(letter, Leaf):
         spelling = spell(Name.styled(styles, letter.text), scripts, ())
     if spelling is None:
-        raise Fault("expected a set, such as \\mathbb{N} or \\mathbf{V}_3", node.at)
+        raise Fault(SyntaxCode.EXPECTED_SET_SUCH_MATHBB(), node.at)
     return str(spelling)

@@ -10,6 +10,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.elaboration.ranges import set_name
 from workbench.language.grammar.syntax import (
     Bracket,
@@ -46,7 +48,7 @@ class Members:
         """The equations that make the term a member; none where its kind or declaration says so. Raises
         IllFormed if it is of another kind, NotImplementedError for what is not seen to be made of R and p."""
         if term.type.with_dual(False) != self.type.with_dual(False):
-            raise IllFormed(f"a member of {self.name} is a {self.type}; here it is a {term.type}")
+            raise IllFormed(TypeCode.MEMBER_OF_ANOTHER_TYPE(name=self.name, type=self.type, type_2=term.type))
         found = []
         if term.type.dual and not self.type.dual:
             found.append(relation("=", apply("du", term), zero(term.type.with_dual(False))))
@@ -143,7 +145,7 @@ def bound_letter(table: SymbolTable, node: Node, members: Members) -> tuple[Symb
     if name is None:
         return None
     if name in table.defined or name in table.constants:
-        raise Fault(f"{name} is defined, and cannot be any member of {members.name}", node.at)
+        raise Fault(SyntaxCode.DEFINED_CANNOT_ANY_MEMBER(name=name, name_2=members.name), node.at)
     declaration = members.letter(name)
     return table.with_symbol(declaration), Symbol(declaration.type, None, declaration)
 

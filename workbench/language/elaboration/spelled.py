@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -127,7 +128,7 @@ def word_of(scope: Scope, items: Sequence[Node], styles: tuple[str, ...] = ()) -
         return None
     if not (styles or own) and all(map(scope.knows, letters)):
         which = f"one symbol, or the product of {' and '.join(letters)}"
-        raise Fault(f"{letters}: {which}? {{…}} around each letter parts them", word.at)
+        raise Fault(SyntaxCode.LETTERS_OR_NAME(letters=letters, which=which), word.at)
     return word
 
 
@@ -163,7 +164,7 @@ def subscripted_norm(scope: Scope, node: Node, sub: Node) -> Term | None:
 def refuse_row_of_vectors(scope: Scope, row: Product) -> None:
     """[a \\, b \\, c] has no product in it."""
     if len(row.items) > 1 and all(_is_vector(scope, item) for item in row.items):
-        message = "columns or a triple product? write \\begin{bmatrix} a & b & c \\end{bmatrix} or (a, b, c)"
+        message = SyntaxCode.COLUMNS_OR_TRIPLE_PRODUCT()
         raise Fault(message, row.at)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.extrema import extrema, is_extremal
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
@@ -23,7 +25,7 @@ from workbench.language.grammar.vocabulary import ORIENTATIONS
 from workbench.language.naming.scope import DEEPEST_TERM
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct
-from workbench.language.typed.errors import SAYS_NOTHING, Fault, Misfit, Unranged
+from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import (
     Block,
@@ -83,7 +85,7 @@ def _reading(lines: Lines, table: SymbolTable, integers: frozenset[str], as_cond
                     require_member(term, membership.where, member.at)
     statements += [statement for row in rows for statement in row.statements(reader)]
     if not statements:
-        raise Fault(SAYS_NOTHING, lines.at)
+        raise Fault(SyntaxCode.SAYS_NOTHING(), lines.at)
     return Reading(tuple(statements), stated)
 
 
@@ -91,9 +93,9 @@ def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
     """The one expression of a text without relations. Raises Fault and Misfit."""
     clauses = clauses_of(lines)
     if not clauses:
-        raise Fault("expected an expression, got nothing", lines.at)
+        raise Fault(SyntaxCode.EXPECTED_EXPRESSION_GOT_NOTHING(), lines.at)
     if len(clauses) > 1:
-        raise Fault("expected one expression, got several", clauses[1].at)
+        raise Fault(SyntaxCode.EXPECTED_ONE_EXPRESSION_GOT(), clauses[1].at)
     reader = Elaborator(table, integers)
     term = reader.term(clauses[0])
     _refuse_applied(reader, [term])
@@ -153,7 +155,7 @@ class _Row:
     ) -> _Row:
         row = _Row()
         if isinstance(clauses[0], Given) and sum(not isinstance(clause, Given) for clause in clauses) > 1:
-            message = "how far does the condition in front reach? join what follows from it by \\text{and}"
+            message = SyntaxCode.REACH_OF_CONDITION()
             raise Fault(message, clauses[0].at)
         row._take(row.claims, clauses, table, integers)
         if not as_condition:
@@ -195,11 +197,11 @@ class _Row:
         first, last = self.claims.index(own[0]), self.claims.index(own[-1])
         for place, claim in enumerate(self.claims):
             if claim not in own and first < place < last:
-                message = "a condition of what is before it, or of what follows? write one line for each"
+                message = SyntaxCode.CONDITION_OF_WHICH_LINE()
                 raise Fault(message, claim.at)
         self.conditions += [claim for claim in self.claims if claim not in own]
         if len(own) > 1 and any(isinstance(claim, Conditional) for claim in own):
-            message = "how far does the implication reach? join its conditions, or its claims, by \\text{and}"
+            message = SyntaxCode.REACH_OF_IMPLICATION()
             raise Fault(message, own[1].at)
         self.claims = own
 
@@ -215,10 +217,7 @@ class _Row:
         if not self.conditions:
             return claimed
         if not claimed:
-            message = (
-                "conditions of nothing: write them behind what they qualify,"
-                " or \\text{if} … \\text{then} … with what follows from them"
-            )
+            message = SyntaxCode.CONDITIONS_OF_NOTHING()
             raise Fault(message, self.conditions[0].at)
         premise = _together([_condition(reader, condition) for condition in self.conditions])
         return [Implication(premise, statement) for statement in claimed]
@@ -228,7 +227,7 @@ def _condition(reader: Elaborator, node: Node) -> Statement:
     statement = _statement(reader, node)
     parts = statement.parts if isinstance(statement, Conjunction) else (statement,)
     if not all(isinstance(part, Relation) and part.operator != "≈" for part in parts):
-        raise Fault("a condition is an equation or an inequation (= or \\neq)", node.at)
+        raise Fault(SyntaxCode.CONDITION_EQUATION_OR_INEQUATION(), node.at)
     return statement
 
 
@@ -251,7 +250,7 @@ def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
         if conditions and isinstance(conditions[0], Given):
             conditions = conditions[0].conditions
         if len(conditions) != 1 or not isinstance(conditions[0], Chain | Joined):
-            raise Fault("expected a value and its condition on each line", line[0].at)
+            raise Fault(SyntaxCode.EXPECTED_VALUE_CONDITION_EACH(), line[0].at)
         chain = Chain(clause.at, (*clause.sides[:-1], value), clause.relations)
         said.append(Implication(_condition(reader, conditions[0]), _statement(reader, chain)))
     return said
@@ -269,16 +268,16 @@ def _statement(reader: Elaborator, clause: Node) -> Statement:
             return _together([_statement(reader, statement) for statement in statements])
         case Chain(universal=False):
             return _chain(reader, clause)
-    raise Fault("expected a relation (= or \\neq)", clause.at)
+    raise Fault(SyntaxCode.EXPECTED_RELATION(), clause.at)
 
 
 def _chain(reader: Elaborator, chain: Chain) -> Statement:
     for sign, at in chain.relations:
         if sign == "≈" and not any(each.small for each in reader.table.symbols.values()):
-            message = "\\approx: an approximation is not read unless symbols are declared `small = true`"
+            message = SyntaxCode.APPROXIMATION()
             raise Fault(message, at)
         if sign not in ("=", "≠", "≈", *ORIENTATIONS):
-            raise Fault(f"{sign} states a range only; statements are made with = and \\neq", at)
+            raise Fault(SyntaxCode.STATES_RANGE_ONLY_STATEMENTS(sign=sign), at)
     if any(map(is_extremal, chain.sides)):
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
@@ -308,7 +307,7 @@ def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> St
 def _refuse_applied(reader: Elaborator, terms: Sequence[Term]) -> None:
     """\\mathbf{D} T is the derivative of T; among operators a reader would take it for a product of two."""
     if reader.tensor_operand is not None and any(term.type.kind == "operator" for term in terms):
-        fault = IllFormed("an operator applied to a tensor, or their product?", "brackets, or \\circ")
+        fault = IllFormed(TypeCode.OPERATOR_BESIDE_TENSOR(), "brackets, or \\circ")
         raise Misfit(fault, reader.tensor_operand)
 
 
@@ -319,7 +318,7 @@ def _refuse_rows(terms: Sequence[Term], sides: Sequence[Node]) -> None:
         entries = term.entries if isinstance(term, Block) else ()
         stacked = [row[0].type.kind for row in entries if len(row) == 1]
         if len(stacked) in sizes and stacked == ["vector"] * len(entries):
-            raise Fault("vectors below each other: the rows of a matrix? write x^T", side.at)
+            raise Fault(SyntaxCode.VECTORS_BELOW_EACH_OTHER(), side.at)
 
 
 def _refuse_depth(term: Term, at: int) -> None:
@@ -327,5 +326,5 @@ def _refuse_depth(term: Term, at: int) -> None:
     while level:
         depth += 1
         if depth > DEEPEST_TERM:
-            raise Fault(f"the formula nests deeper than {DEEPEST_TERM}", at)
+            raise Fault(SyntaxCode.FORMULA_NESTS_DEEPER_THAN(DEEPEST_TERM=DEEPEST_TERM), at)
         level = [child for parent in level for child in parent.children]

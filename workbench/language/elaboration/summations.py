@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import variable_name
@@ -44,10 +45,10 @@ def _bounds(
     if single is None:
         names = _parts_of(left)
         if node.upper is not None:
-            raise Fault("a sum over k_1 + k_2 + … = k has no upper bound", node.upper.at)
+            raise Fault(SyntaxCode.SUM_OVER_K_K(), node.upper.at)
         return names, None, scope.integer(right)
     if node.upper is None:
-        raise Fault("the sum has no upper bound", node.at)
+        raise Fault(SyntaxCode.SUM_HAS_NO_UPPER(), node.at)
     return [single], scope.integer(right), _upper_bound(scope, node.upper)
 
 
@@ -62,7 +63,7 @@ def _last_of_all(scope: Scope, expected: str, at: int) -> Linear:
 def _upper_bound(scope: Scope, node: Node) -> Linear:
     inner = core(node)
     if isinstance(inner, Leaf) and inner.text == "∞":
-        raise Fault("an infinite sum; sums have integer bounds", node.at)
+        raise Fault(SyntaxCode.INFINITE_SUM_SUMS_HAVE(), node.at)
     name = variable_name(inner) or _labelled(inner)
     if name is not None and not scope.knows(name):
         raise Unranged(name, f"the last of the sum, {name}, has no range here", node.at)
@@ -87,5 +88,5 @@ def _labelled(node: Node) -> str | None:
 def _parts_of(node: Node) -> list[str]:
     names = [variable_name(addend) for _, _, addend in node.addends] if isinstance(node, Sum) else [None]
     if None in names or any(sign == "-" for sign, _, _ in node.addends):
-        raise Fault("expected summation variables, as in k_1 + k_2 = k", node.at)
+        raise Fault(SyntaxCode.EXPECTED_SUMMATION_VARIABLES_K(), node.at)
     return names

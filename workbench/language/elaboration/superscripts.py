@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -37,8 +38,8 @@ def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
     differs = inverts or (term.type.kind != "quaternion" and isinstance(inner, Leaf) and inner.text == "*")
     if differs and _is_dotted(nucleus):
         what = "inverse" if inverts else "adjugate"
-        message = f"the {what} of the derivative, or the derivative of the {what}?"
-        raise Fault(f"{message} bracket (\\dot{{x}}), or write \\frac{{d}}{{dt}}", sup.at)
+        message = SyntaxCode.ORDER_OF_DERIVATIVE(what=what)
+        raise Fault(SyntaxCode.REACH_OF_DOT(message=message), sup.at)
 
 
 def _is_dotted(node: Node) -> bool:
@@ -56,7 +57,7 @@ def refuse_label(term: Term, sup: Node) -> None:
         term = term.body
     is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
     if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
-        raise Fault(f"the power {inner.text}, or the label of a frame? bracket what the power is of", sup.at)
+        raise Fault(SyntaxCode.POWER_OR_LABEL_FRAME(text=inner.text), sup.at)
 
 
 def is_transpose(sup: Node | None) -> bool:
@@ -104,7 +105,7 @@ def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spel
         if entry.fits({letter_of: term}):
             return scope.term(entry.filled({letter_of: term}))
     known = ", ".join(kind for entry in entries for kind in entry.formals.values())
-    raise Fault(f"{spelled} of a {term.type}; [notation] has it for: {known}", at)
+    raise Fault(SyntaxCode.OPERATION_OF_NOTATION(spelled=spelled, type=term.type, known=known), at)
 
 
 def rooted(scope: Scope, at: int, term: Term) -> Term:
@@ -124,13 +125,13 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
         term = scope.build(sup.at, scope.quaternion_of_four, term)
     match inner:
         case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
-            raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
+            raise Fault(SyntaxCode.TRANSPOSE_OR_POWER_WITH(), sup.at)
         case _ if is_transpose(inner):
             return scope.apply(sup.at, "transpose", term)
         case Sum(addends=(("-", _, below),)) if is_transpose(below):
             return raised(scope, scope.apply(sup.at, "inverse", term), below)
         case Leaf(kind="MARK", text="*") if term.type.kind not in ("tensor", "quaternion"):
-            raise Fault(f"* on a {term.type}; declare the symbol with it, or say it in [notation]", sup.at)
+            raise Fault(SyntaxCode.STAR_OF(type=term.type), sup.at)
         case Leaf(kind="MARK", text="*"):
             return scope.apply(sup.at, "adjugate", term)
         case Bracket(kind="(", parts=(order,)):
@@ -141,14 +142,14 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     exponent = linear(inner, scope.variables)
     if exponent is None:
         known = "an integer, -1, T, -T, *, or an order in round brackets"
-        raise Fault(f"expected {known} as superscript; {scope.known_variables()}", sup.at)
-    if exponent in (Linear(0), Linear(1)) and term.type.is_column:
         raise Fault(
-            f"a power, or a label? a symbol with ^{exponent} can be declared, or in [notation]", sup.at
+            SyntaxCode.EXPECTED_SUPERSCRIPT(known=known, known_variables=scope.known_variables()), sup.at
         )
+    if exponent in (Linear(0), Linear(1)) and term.type.is_column:
+        raise Fault(SyntaxCode.POWER_OR_LABEL_SYMBOL(exponent=exponent), sup.at)
     is_odd = exponent.is_number and exponent.constant % 2 and exponent.constant != 1
     if is_odd and term.type.kind == "vector" and scope.table.has_quaternions:
-        raise Fault("an odd power of a vector: is it a quaternion? write (0, x)", sup.at)
+        raise Fault(SyntaxCode.ODD_POWER_VECTOR_QUATERNION(), sup.at)
     if exponent.is_number and exponent.constant < 0:
         term = scope.build(sup.at, scope.quaternion_of_four, term)
         base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)

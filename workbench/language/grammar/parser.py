@@ -11,6 +11,7 @@ from lark import Lark, Token, Transformer
 from lark.exceptions import UnexpectedInput
 from lark.lexer import Lexer
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import (
     Accented,
     Binomial,
@@ -103,14 +104,14 @@ class _Builder(Transformer):
         at = children[0].start_pos
         sub, sup, primes, factorial = _scripts(children[1:])
         if primes or factorial:
-            raise Fault("a sum has a lower and an upper bound only", at)
+            raise Fault(SyntaxCode.SUM_HAS_LOWER_UPPER(), at)
         return Summation(at, sub, sup)
 
     def extremal(self, children):
         at = children[0].start_pos
         sub, sup, primes, factorial = _scripts(children[1:])
         if primes or factorial or sup is not None:
-            raise Fault("expected nothing but letters and their sets under a minimum or maximum", at)
+            raise Fault(SyntaxCode.EXPECTED_NOTHING_BUT_LETTERS(), at)
         return Extremal(at, children[0] == "min", sub)
 
     def factor(self, children):
@@ -216,7 +217,7 @@ def _lacks_body(node: Node) -> bool:
 def _braced(argument: Node) -> Node:
     """The argument of a command: TeX takes one digit of a number that stands without braces."""
     if isinstance(argument, Leaf) and argument.kind == "NUMBER" and len(argument.text) > 1:
-        raise Fault(f"TeX takes only the first digit of {argument.text} here; write {{…}}", argument.at)
+        raise Fault(SyntaxCode.TEX_TAKES_ONLY_FIRST(text=argument.text), argument.at)
     return argument
 
 
@@ -226,7 +227,7 @@ def _scripts(scripts: Sequence[tuple[str, int, Node | None]]) -> tuple[Node | No
     primes, factorial = 0, False
     for kind, at, body in scripts:
         if factorial:
-            raise Fault("nothing may follow a factorial sign without brackets", at)
+            raise Fault(SyntaxCode.NOTHING_MAY_FOLLOW_FACTORIAL(), at)
         if kind == "prime":
             primes += 1
         elif kind == "bang":
@@ -266,15 +267,15 @@ _NAMES = {
 def parse(text: str) -> Lines:
     """The lines of a formula. Raises Fault."""
     if len(text) > MOST_CHARACTERS:
-        raise Fault(f"a formula of {len(text)} characters; up to {MOST_CHARACTERS} are read", 0)
+        raise Fault(SyntaxCode.FORMULA_CHARACTERS_UP_READ(text=len(text), MOST_CHARACTERS=MOST_CHARACTERS), 0)
     try:
         return _parser().parse(text)
     except UnexpectedInput as error:
         token = getattr(error, "token", None)
         if token is None or token.type == "$END":
-            raise Fault("the formula ends too early", len(text)) from None
+            raise Fault(SyntaxCode.FORMULA_ENDS_TOO_EARLY(), len(text)) from None
         shown = _NAMES.get(token.type, str(token))
-        raise Fault(f"unexpected {shown}", token.start_pos) from None
+        raise Fault(SyntaxCode.UNEXPECTED_TOKEN(shown=shown), token.start_pos) from None
 
 
 @cache

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from lark import Token
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.context import marked
 from workbench.language.grammar.vocabulary import (
     BRACKETS,
@@ -99,7 +100,7 @@ class Tokenizer:
 
     def tokens(self) -> list[Token]:
         if found := _CONTROL.search(self.text):
-            raise Fault(f"the character U+{ord(found[0]):04X} cannot stand in a formula", found.start())
+            raise Fault(SyntaxCode.FORBIDDEN_CHARACTER(ord=f"{ord(found[0]):04X}"), found.start())
         for match in _TOKEN.finditer(self.text):
             self.match(match)
         if self.open:
@@ -107,7 +108,7 @@ class Tokenizer:
             is_bar = opened.what == "|" and self.text[opened.at + 1 :].lstrip().startswith("_")
             raise Fault(_EVALUATED if is_bar else f"{opened.what} is never closed", opened.at)
         if self.size:
-            raise Fault(f"\\{self.size} without a bracket", len(self.text))
+            raise Fault(SyntaxCode.WITHOUT_BRACKET(size=self.size), len(self.text))
         if self.refused:
             raise self.refused[0]
         return marked(self.out)
@@ -127,7 +128,7 @@ class Tokenizer:
         if text == "/" and self.size not in ("left", "right"):  # \\Big/
             self.size = ""
         if self.size and not self.is_bracket(match):
-            raise Fault(f"\\{self.size} must be followed by a bracket, got {text}", at)
+            raise Fault(SyntaxCode.MUST_FOLLOWED_BRACKET_GOT(size=self.size, text=text), at)
         match kind:
             case "defined" | "assign":
                 self.emit("RELATION", "=", at)
@@ -135,7 +136,7 @@ class Tokenizer:
                 self.command("mathring", at)
             case "prose":
                 if self.out and not self.ends("BREAK", "BEGIN_LINES"):
-                    raise Fault(f"{text}: words in a formula", at)
+                    raise Fault(SyntaxCode.WORDS_IN_FORMULA(text=text), at)
             case "said":
                 raise Fault(words_in_a_formula(text), at)
             case "words":
@@ -184,7 +185,7 @@ class Tokenizer:
         elif plain and not text.startswith("\\op") and (self.in_script() or is_upright(text, plain)):
             self.label(words.strip(" ,."), at)
         elif plain in EXPECTED:
-            self.refused.append(Fault(f"{text}: {EXPECTED[plain]}", at))
+            self.refused.append(Fault(SyntaxCode.NOT_A_FORMULA_SIGN(text=text, EXPECTED=EXPECTED[plain]), at))
         elif plain in UPRIGHT_NAMES or (text.startswith("\\operatorname") and plain.isalpha()):
             self.emit("FUNCTION", f"\\{plain}", at)  # the paper may say what it is
         elif plain:
@@ -239,14 +240,14 @@ class Tokenizer:
         elif name in DOTS:
             raise Fault(guessed(text), at)
         elif name in EXPECTED:
-            self.refused.append(Fault(f"{text}: {EXPECTED[name]}", at))
+            self.refused.append(Fault(SyntaxCode.NOT_A_FORMULA_SIGN(text=text, EXPECTED=EXPECTED[name]), at))
         else:
-            raise Fault(f"unknown command {text}", at)
+            raise Fault(SyntaxCode.UNKNOWN_COMMAND(text=text), at)
 
     def bound_prefixes(self, kind: str, at: int) -> None:
         """\\dot\\dot\\dot… nests without brackets."""
         if kind in ("ACCENT", "STYLE") and [token.type for token in self.out[-9:]] == [kind] * 9:
-            raise Fault("more than nine accents on one another", at)
+            raise Fault(SyntaxCode.MORE_THAN_NINE_ACCENTS(), at)
 
     def character(self, text: str, at: int) -> None:
         if text in CHARACTERS:
@@ -272,7 +273,7 @@ class Tokenizer:
                 doubled = self.text[at - 1 : at] == "&"  # && may leave room between two columns
                 self.emit("CELL", "&&" if doubled else text, at)
             elif not self.inside("lines", "cases"):
-                raise Fault("& outside of a matrix or an aligned environment", at)
+                raise Fault(SyntaxCode.ALIGNMENT_MARK(), at)
         elif text == "." and self.size:
             self.null_delimiter(at)
         elif text == "…" or self.text.startswith("...", at):
@@ -284,11 +285,11 @@ class Tokenizer:
         elif text in BRACKETS:
             self.bracket(text, at)
         elif text in EXPECTED:
-            self.refused.append(Fault(f"{text}: {EXPECTED[text]}", at))
+            self.refused.append(Fault(SyntaxCode.NOT_A_FORMULA_SIGN(text=text, EXPECTED=EXPECTED[text]), at))
         elif text == "/":
             self.emit("MARK" if self.in_script() else "INFIX", text, at)  # r^{P/O}
         else:
-            raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
+            raise Fault(SyntaxCode.UNEXPECTED_CHARACTER(text=repr(text), ord=f"{ord(text):04X}"), at)
 
     def script_here(self) -> list[_Script]:
         """The argument of \\prescript that a brace here is one of."""
@@ -298,7 +299,7 @@ class Tokenizer:
         """\\left\\{ \\begin{array} … \\right. is a brace around lines; no other bracket is one-sided."""
         size, self.size = self.size, ""
         if size != "right" or not self.is_open("\\left\\{"):
-            raise Fault(f"a one-sided bracket \\left. or \\right.; {_EVALUATED}", at)
+            raise Fault(SyntaxCode.ONE_SIDED_BRACKET_LEFT(EVALUATED=_EVALUATED), at)
         self.open.pop()
 
     def bracket(self, text: str, at: int) -> None:
@@ -339,7 +340,10 @@ class Tokenizer:
 
     def environment(self, side: str, name: str, at: int) -> None:
         if name not in ENVIRONMENTS:
-            raise Fault(f"unknown environment {name}; known: {', '.join(sorted(ENVIRONMENTS))}", at)
+            raise Fault(
+                SyntaxCode.UNKNOWN_ENVIRONMENT_KNOWN(name=name, ENVIRONMENTS=", ".join(sorted(ENVIRONMENTS))),
+                at,
+            )
         if side == "end":
             is_matrix = self.inside("matrix")
             self.pop(f"\\begin{{{name}}}", f"\\end{{{name}}}", at)
@@ -356,15 +360,15 @@ class Tokenizer:
 
     def push(self, what: str, at: int, contents: str = "") -> None:
         if len(self.open) >= DEEPEST:
-            raise Fault(f"brackets nested deeper than {DEEPEST}", at)
+            raise Fault(SyntaxCode.BRACKETS_NESTED_DEEPER_THAN(DEEPEST=DEEPEST), at)
         self.open.append(_Open(what, at, contents))
 
     def pop(self, what: str, text: str, at: int) -> None:
         if not self.open:
-            raise Fault(f"{text} closes nothing", at)
+            raise Fault(SyntaxCode.CLOSES_NOTHING(text=text), at)
         opened = self.open.pop()
         if opened.what != what:
-            raise Fault(f"{text} cannot close the {opened.what} opened before it", at)
+            raise Fault(SyntaxCode.CANNOT_CLOSE_OPENED_BEFORE(text=text, what=opened.what), at)
 
     def is_open(self, what: str) -> bool:
         """Whether it is the innermost bracket or environment."""

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.typed.operators import FUNCTIONS, TEX_FUNCTIONS
 
 _LETTERS = """
@@ -230,9 +232,9 @@ def written(kind: str, value: str) -> str:
     return _WRITTEN.get((kind, value), value)
 
 
-def words_in_a_formula(text: str) -> str:
-    return f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}"
+def words_in_a_formula(text: str) -> Reason:
+    return SyntaxCode.UNKNOWN_FUNCTION(text=text, known=", ".join(sorted(FUNCTIONS)))
 
 
-def guessed(dots: str) -> str:
-    return f"{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"
+def guessed(dots: str) -> Reason:
+    return SyntaxCode.ELLIPSIS(dots=dots)

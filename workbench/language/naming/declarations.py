@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from workbench.core.declaration_codes import DeclarationCode
 from workbench.core.schema import flag_names, key_names
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import (
@@ -69,7 +70,7 @@ def refuse_builtin(name: Name, type_: Type, key: str) -> None:
     if name == CLOCK.name and type_.kind == "scalar":
         meaning = "the time of x(t) and \\frac{d}{dt}"
     if meaning is not None:
-        raise SpecError(f"{name} is {meaning}; a symbol of the paper needs another name", key)
+        raise SpecError(DeclarationCode.SYMBOL_PAPER_NEEDS_ANOTHER(name=name, meaning=meaning), key)
 
 
 def read_key(key: str, labels: Collection[str] = ()) -> Named:
@@ -78,10 +79,10 @@ def read_key(key: str, labels: Collection[str] = ()) -> Named:
     try:
         lines = parse(key).lines
         if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain):
-            raise SpecError("expected one symbol", key)
+            raise SpecError(DeclarationCode.EXPECTED_ONE_SYMBOL(), key)
         return key_spelling(lines[0][0], key, labels).declared()
     except Fault as fault:
-        raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
+        raise SpecError(DeclarationCode.FAULT_AT_COLUMN(value=fault.at + 1, fault=fault), key) from None
 
 
 def speaks_of(body: str, letters: Iterable[str]) -> bool:
@@ -115,23 +116,25 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
         styles = (*styles, "\\tilde", *below)
     letter = as_letter(letter)
     if not isinstance(letter, Leaf):
-        raise SpecError("expected one symbol: a letter with its font and scripts", key)
+        raise SpecError(DeclarationCode.EXPECTED_ONE_SYMBOL_LETTER(), key)
     is_figure = letter.kind == "NUMBER" and letter.text != "0" and styles
     if not (letter.kind == "LETTER" or is_figure) or scripted.factorial:
-        raise SpecError(f"expected a letter, got {letter.text}", key)
+        raise SpecError(DeclarationCode.EXPECTED_LETTER_GOT(text=letter.text), key)
     scripts = Scripts(left_sub, left_sup, scripted.sub, scripted.sup, scripted.primes)
     spelling = spell(Name.styled(styles, letter.text), scripts, INDEX_LETTERS.difference(labels))
     if spelling is None:
-        raise SpecError("its scripts are not part of a name", key)
+        raise SpecError(DeclarationCode.SCRIPTS_NOT_PART_NAME(), key)
     return spelling
 
 
 def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mapping[str, Any]) -> Declaration:
     if not isinstance(spec, Mapping):
-        raise SpecError(f'expected a table such as {{ kind = "vector" }}, got {spec!r}', key)
+        raise SpecError(DeclarationCode.EXPECTED_TABLE_SUCH_KIND(spec=repr(spec)), key)
     unknown = [entry for entry in spec if entry not in _ALLOWED]
     if unknown:
-        raise SpecError(f"unknown key {unknown[0]!r}; allowed: {', '.join(_ALLOWED)}", key)
+        raise SpecError(
+            DeclarationCode.UNKNOWN_KEY_ALLOWED(unknown=repr(unknown[0]), ALLOWED=", ".join(_ALLOWED)), key
+        )
     kind = spec.get("kind")
     plain = kind.removeprefix("dual ") if isinstance(kind, str) else ""
     type_ = type_of_kind(plain)
@@ -141,20 +144,22 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
             allowed = (
                 "a convention: 'hamilton quaternion', or [conventions] quaternion = 'hamilton, scalar first'"
             )
-        raise SpecError(f"kind is {kind!r}; expected {allowed}", key)
+        raise SpecError(DeclarationCode.UNKNOWN_KIND(kind=repr(kind), allowed=allowed), key)
     dual = plain != kind
     for flag in _FLAGS:
         if not isinstance(spec.get(flag, False), bool):
-            raise SpecError(f"{flag} is {spec[flag]!r}; expected true or false", key)
+            raise SpecError(DeclarationCode.EXPECTED_TRUE_OR_FALSE(flag=flag, spec=repr(spec[flag])), key)
     for flag, kinds in _FLAGGED.items():
         if spec.get(flag) and plain not in kinds:
-            raise SpecError(f"{flag} is for a {' or a '.join(kinds)}, not for a {plain}", key)
+            raise SpecError(
+                DeclarationCode.FLAG_OF_OTHER_KINDS(flag=flag, kinds=" or a ".join(kinds), plain=plain), key
+            )
     if spec.get("small") and (dual or spec.get("unit") or plain in ("rotation", "transform", "operator")):
-        raise SpecError("small is for real quantities whose values are free", key)
+        raise SpecError(DeclarationCode.SMALL_REAL_QUANTITIES_WHOSE(), key)
     if dual and spec.get("positive"):
-        raise SpecError("positive is for real scalars", key)
+        raise SpecError(DeclarationCode.POSITIVE_REAL_SCALARS(), key)
     if dual and plain == "transform":
-        raise SpecError("a transform is real; a dual rotation stands for the same motions", key)
+        raise SpecError(DeclarationCode.TRANSFORM_REAL_DUAL_ROTATION(), key)
     return Declaration(
         name,
         type_.with_dual(dual),
@@ -178,19 +183,19 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
 def arguments_of(key: str, declaration: Declaration, names: Any) -> Sequence[str]:
     """What a symbol is said to be a function of."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-        raise SpecError(f"of is {names!r}; expected a list of symbols such as ['q', 't']", key)
+        raise SpecError(DeclarationCode.EXPECTED_LIST_SYMBOLS_SUCH(names=repr(names)), key)
     flags = (*_FLAGS, "rotation", "transform")
     bound = [flag for flag in flags if flag != "free" and getattr(declaration, flag)]
     if bound or declaration.type.dual or declaration.type.kind == "operator":
         what = bound[0] if bound else f"a {declaration.type}"
-        raise SpecError(f"of is for real quantities whose values are free, not for {what}", key)
+        raise SpecError(DeclarationCode.REAL_QUANTITIES_WHOSE_VALUES(what=what), key)
     return names
 
 
 def aliases(key: str, spec: Mapping[str, Any]) -> Sequence[str]:
     found = spec.get("aliases", ())
     if not isinstance(found, list | tuple) or not all(isinstance(alias, str) for alias in found):
-        raise SpecError(f"aliases is {found!r}; expected a list of LaTeX names", key)
+        raise SpecError(DeclarationCode.ALIASES_EXPECTED_LIST_LATEX(found=repr(found)), key)
     return found
 
 
@@ -208,7 +213,7 @@ def _weight(key: str, index: Sequence[Linear], weight: Any) -> Weight:
             value = None
     if value is None:
         of = f" or a string linear in {', '.join(letters)}" if letters else ""
-        raise SpecError(f"weight is {weight!r}; expected an integer{of}", key)
+        raise SpecError(DeclarationCode.WEIGHT_EXPECTED_INTEGER(weight=repr(weight), of=of), key)
     places = {}
     for at, place in sorted(enumerate(index), key=lambda entry: abs(entry[1].constant), reverse=True):
         for letter, coefficient in place.coefficients:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
+from workbench.core.declaration_codes import DeclarationCode
 from workbench.core.schema import key_names
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.parser import parse
@@ -62,28 +63,28 @@ class Notation:
             or set(spec) - set(_ALLOWED)
             or not isinstance(spec.get("means"), str)
         ):
-            raise SpecError(f"expected {{ where = {{ x = \"vector\" }}, means = '…' }}, got {spec!r}", key)
+            raise SpecError(DeclarationCode.EXPECTED_WHERE_X_VECTOR(spec=repr(spec)), key)
         formals = spec.get("where", {})
         if not isinstance(formals, Mapping) or not all(isinstance(kind, str) for kind in formals.values()):
-            raise SpecError('where: expected kinds of letters such as { x = "vector" }', key)
+            raise SpecError(DeclarationCode.WHERE_EXPECTED_KINDS_LETTERS(), key)
         kinds = {letter: str(type_of_kind(kind) or kind) for letter, kind in formals.items()}
         notation = Notation(key, kinds, _one(key, key), _one(spec["means"], key))
         for letter in formals:
             if not occurs(letter, notation.pattern):
-                raise SpecError(f"where: {letter} does not stand in it", key)
+                raise SpecError(DeclarationCode.LETTER_NOT_IN_NOTATION(letter=letter), key)
             if not occurs(letter, notation.means):
-                raise SpecError(f"where: {letter} does not stand in what it means", key)
+                raise SpecError(DeclarationCode.LETTER_NOT_IN_MEANING(letter=letter), key)
             kind = formals[letter].removeprefix("dual ")
             if type_of_kind(kind) is None and kind not in map(str, KINDS.values()):
-                raise SpecError(f"where: {letter} is {kind!r}; expected a kind such as vector", key)
+                raise SpecError(DeclarationCode.WHERE_EXPECTED_KIND_SUCH(letter=letter, kind=repr(kind)), key)
         if not formals and _letter(notation.pattern) is None and not notation.is_bracket:
             symbol = "a symbol: a letter or a number in its font, or what stands in a bracket"
-            raise SpecError(f"a notation without arguments is {symbol}", key)
+            raise SpecError(DeclarationCode.NOTATION_WITHOUT_ARGUMENTS(symbol=symbol), key)
         if not formals and notation.is_bracket and isinstance(notation.pattern, Scripted):
             sup = notation.pattern.sup
             refuse_operation(Name("", sup=(spell_label(sup) or "",) if sup else ()), key)
         if not notation.is_looked_for:
-            raise SpecError(f"no formula is searched for this; expected {_FORMS}", key)
+            raise SpecError(DeclarationCode.NO_FORMULA_SEARCHED_THIS(FORMS=_FORMS), key)
         return notation
 
     def fits(self, terms: Mapping[str, Term]) -> bool:
@@ -212,7 +213,7 @@ class Notations:
         for place, one in enumerate(entries):
             for other in entries[:place]:
                 if _collide(one, other):
-                    raise SpecError(f"it can match the same term as {other.key}", one.key)
+                    raise SpecError(DeclarationCode.CAN_MATCH_SAME_TERM(key=other.key), one.key)
         return Notations(entries)
 
     def accents(self, style: str) -> list[Notation]:
@@ -250,9 +251,11 @@ def _one(text: str, key: str) -> Node:
     try:
         lines = parse(text).lines
     except Fault as fault:
-        raise SpecError(f"{text}, column {fault.at + 1}: {fault}", key) from None
+        raise SpecError(
+            DeclarationCode.FAULT_IN_MEANING(text=text, value=fault.at + 1, fault=fault), key
+        ) from None
     if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain | Conditional | Lines):
-        raise SpecError(f"expected one expression, got {text}", key)
+        raise SpecError(DeclarationCode.EXPECTED_ONE_MEANING(text=text), key)
     return lines[0][0]
 
 

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import TypeVar
 
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -83,23 +84,23 @@ class Scope(ABC):
             and body.type.kind not in ("vector", "scalar")
             and not isinstance(self.frame(frame), Zero)
         ):
-            raise Fault(f"the derivative of a {body.type} in a frame: of its components, or of itself?", at)
+            raise Fault(SyntaxCode.RATE_IN_FRAME(type=body.type), at)
         if body.type.kind == "tensor" and frame is None and self._holds_kept(body):
             if isinstance(body, Symbol):
                 return construct.zero(body.type)
-            raise Fault("the derivative of a tensor, in which frame? write out that of each factor", at)
+            raise Fault(SyntaxCode.TENSOR_RATE_IN_FRAME(), at)
         if body.type.kind != "vector" or (frame is None and not self.table.frames):
             return self.build(at, construct.derivative, body, order)
         if frame is None:
             if self.table.dot is None:
-                raise Fault("in which frame? [conventions] dot = … says it of all vectors", at)
+                raise Fault(SyntaxCode.FRAME_CONVENTIONS_DOT_SAYS(), at)
             spin = self.table.frames[self.table.dot]
         else:
             spin = self.frame(frame)
         if isinstance(spin, Zero):
             return self.build(at, construct.derivative, body, order)
         if not order.is_number:
-            raise Fault("a derivative of an order n, in a frame", at)
+            raise Fault(SyntaxCode.DERIVATIVE_ORDER_N_FRAME(), at)
         for _ in range(int(order)):
             rate = self.build(at, construct.derivative, body, 1)
             turning = construct.apply("neg", construct.apply("cross", spin, body))
@@ -113,15 +114,15 @@ class Scope(ABC):
     def partial(self, at: int, head: str, body: Term, by: Term) -> Term:
         """∂f/∂x, a row or a column as the paper says."""
         if not is_rate(by):
-            raise Fault("a derivative by anything but a symbol or its time derivative", at)
+            raise Fault(SyntaxCode.DERIVATIVE_ANYTHING_BUT_SYMBOL(), at)
         if isinstance(by, Derivative) and isinstance(by.body, Symbol) and by.body.declaration.constant:
-            raise Fault("a derivative by the rate of a constant", at)
+            raise Fault(SyntaxCode.DERIVATIVE_RATE_CONSTANT(), at)
         if by.type.kind == "scalar":
             if body.type.kind == "vector" and self.table.frames:
-                raise Fault("the partial derivative of a vector, seen from which frame?", at)
+                raise Fault(SyntaxCode.PARTIAL_DERIVATIVE_VECTOR_SEEN(), at)
             return self.apply(at, head, body, by)
         if self.table.gradient is None and by.type.is_column:
-            raise Fault('rows or columns? [conventions] gradient = "row" or "column" says it', at)
+            raise Fault(SyntaxCode.ROWS_OR_COLUMNS_CONVENTIONS(), at)
         slope = self.apply(at, head, body, by)
         is_column = self.table.gradient == "column" and body.type.kind == "scalar"
         return construct.apply("transpose", slope) if is_column else slope
@@ -134,7 +135,7 @@ class Scope(ABC):
             name = spell_label(plain) or ""
         if name not in self.table.frames:
             known = ", ".join(self.table.frames) or "none"
-            raise Fault(f"a derivative in the frame {name}? frames declared in [frames]: {known}", label.at)
+            raise Fault(SyntaxCode.DERIVATIVE_FRAME_FRAMES_DECLARED(name=name, known=known), label.at)
         return self.table.frames[name]
 
     def written(self, node: Node) -> Term | None:
@@ -155,8 +156,8 @@ class Scope(ABC):
                 return self.term(entry.filled(terms))
             column = next((term for term in terms.values() if _is_other_column(term)), None)
             if column is not None and isinstance(node, Bracket):
-                message = f"[notation] says what this is of others; of a {column.type} an entry can say it"
-                raise Fault(f"{entry.key}: {message}", node.at)
+                message = SyntaxCode.NOTATION_OF_OTHERS(type=column.type)
+                raise Fault(SyntaxCode.FAULT_OF_KEY(key=entry.key, message=message), node.at)
         return None
 
     def in_bracket(self, node: Node) -> Term | None:
@@ -173,8 +174,8 @@ class Scope(ABC):
             return self.rate(node.at, term, Linear(order), None) if order else term
         if all(label in self.table.frames for label in pair.labels):
             phrase = f"rotation to {pair.labels[0]} from {pair.labels[1]}"
-            message = "a product of two symbols, or the matrix of two frames? [frames] says the latter"
-            raise Fault(f"{pair.name}: {message}: '{pair.name}' = \"{phrase}\"", node.at)
+            message = SyntaxCode.PRODUCT_OR_FRAMES()
+            raise Fault(SyntaxCode.NOTATION_WANTED(name=pair.name, message=message, phrase=phrase), node.at)
         return None
 
     def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:
@@ -182,7 +183,7 @@ class Scope(ABC):
         try:
             return make(*arguments)
         except Unread as fault:
-            raise Fault(str(fault), at) from None
+            raise Fault(fault.reason, at) from None
         except IllFormed as fault:
             raise Misfit(fault, at) from None
 
@@ -207,7 +208,7 @@ class Scope(ABC):
         parts = (part for side in (left, right) for part in (side, *side.children))
         is_power = any(isinstance(part, Power) and part.base.type.kind == "vector" for part in parts)
         if self.table.has_quaternions and (kinds == {"vector"} or ("quaternion" in kinds and is_power)):
-            raise Fault("of vectors, or of quaternions? write \\cdot, \\times or (0, x)", at)
+            raise Fault(SyntaxCode.VECTORS_OR_QUATERNIONS_WRITE(), at)
 
     def quaternion_of_four(self, term: Term) -> Term:
         """The quaternion that a column of four, written out, is in a paper with quaternions."""
@@ -229,7 +230,7 @@ class Scope(ABC):
         """The names as integer variables, within."""
         for name in names:
             if name in self.variables or names.count(name) > 1:
-                raise Fault(f"the summation variable {name} already has a meaning here", at)
+                raise Fault(SyntaxCode.SUMMATION_VARIABLE_ALREADY_HAS(name=name), at)
         outer, self.variables = self.variables, self.variables.union(names)
         try:
             yield
@@ -239,7 +240,7 @@ class Scope(ABC):
     @contextmanager
     def nested(self, at: int) -> Iterator[None]:
         if self.depth == DEEPEST_TERM:
-            raise Fault(f"the formula nests deeper than {DEEPEST_TERM}", at)
+            raise Fault(SyntaxCode.FORMULA_NESTS_DEEPER_THAN(DEEPEST_TERM=DEEPEST_TERM), at)
         self.depth += 1
         try:
             yield
@@ -269,13 +270,15 @@ class Scope(ABC):
 
     def integer_variable(self, name: str, at: int) -> Term:
         if name in self.table:
-            raise Fault(f"{name} is an integer variable and a declared symbol", at)
+            raise Fault(SyntaxCode.INTEGER_VARIABLE_DECLARED_SYMBOL(name=name), at)
         return construct.integer(Linear.variable(name))
 
     def integer(self, node: Node) -> Linear:
         value = linear(node, self.variables)
         if value is None:
-            raise Fault(f"expected an integer expression; {self.known_variables()}", node.at)
+            raise Fault(
+                SyntaxCode.EXPECTED_INTEGER_EXPRESSION(known_variables=self.known_variables()), node.at
+            )
         return value
 
     def combinations(self, top: Node, bottom: Node) -> Term:

@@ -6,6 +6,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.syntax import (
     Accented,
@@ -118,7 +120,10 @@ def linear(node: Node, variables: Collection[str]) -> Linear | None:
     match node:
         case Leaf(kind="NUMBER", text=text) if text.isdigit() and (text == "0" or text[0] != "0"):
             if len(text) > 9 or int(text) > LARGEST_INTEGER:
-                raise Fault(f"the integer {text[:20]} is too large here; at most {LARGEST_INTEGER}", node.at)
+                raise Fault(
+                    SyntaxCode.INTEGER_TOO_LARGE_HERE(text=text[:20], LARGEST_INTEGER=LARGEST_INTEGER),
+                    node.at,
+                )
             return Linear(int(text))
         case Group(parts=(part,)) | Bracket(kind="(", parts=(part,)):
             return linear(part, variables)
@@ -320,7 +325,7 @@ def refuse_operation(name: Name, key: str) -> None:
     elif sup.startswith("(") and sup.endswith(")"):
         meaning = "a derivative"
     if meaning is not None:
-        raise SpecError(f"the superscript {sup} would be read as {meaning}; try ^{{[n]}}", key)
+        raise SpecError(DeclarationCode.SUPERSCRIPT_WOULD_READ_TRY(sup=sup, meaning=meaning), key)
 
 
 def spell_label(node: Node) -> str | None:

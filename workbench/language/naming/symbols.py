@@ -10,6 +10,10 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
+from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.reasons import Reason
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import (
     DUAL_UNIT,
@@ -109,16 +113,21 @@ class SymbolTable:
                 try:
                     other, places = read_key(alias)
                 except SpecError as error:
-                    raise SpecError(f"alias {alias}: {error}", key) from None
+                    raise SpecError(DeclarationCode.FAULT_OF_ALIAS(alias=alias, error=error), key) from None
                 if len(places) != len(index):
-                    raise SpecError(f"{alias} has {len(places)} index places, not {len(index)}", key)
+                    raise SpecError(
+                        DeclarationCode.HAS_INDEX_PLACES_NOT(
+                            alias=alias, places=len(places), index=len(index)
+                        ),
+                        key,
+                    )
                 if places != index:
-                    raise SpecError(f"the indices of {alias} differ from those of {key}", key)
+                    raise SpecError(DeclarationCode.INDICES_DIFFER_FROM_THOSE(alias=alias, key=key), key)
                 if other in symbols:
                     if read_key(alias, letters)[0] != other:
                         continue  # T_n beside T_m and symbols m and n
                     why = "; letters that are no indices are `labels` in [frames]" if len(index) > 1 else ""
-                    raise SpecError(f"{alias} is declared twice{why}", key)
+                    raise SpecError(DeclarationCode.DECLARED_TWICE(alias=alias, why=why), key)
                 is_matrix = declared.type.is_square and declared.type.rows > 1
                 if not (is_matrix and _is_labelled(other, specs)):
                     refuse_operation(other, key)
@@ -178,10 +187,10 @@ class SymbolTable:
         more = SymbolTable.build(specs).symbols
         for name in more:
             if name in self.symbols or name in self.functions:
-                raise SpecError("this symbol is known already", str(name))
+                raise SpecError(DeclarationCode.SYMBOL_KNOWN(), str(name))
             self.refuse_tilde(name)
             if family := next((known for known in self.symbols if known.index_of(name) is not None), None):
-                raise SpecError(f"this symbol is known already, as a member of {family}", str(name))
+                raise SpecError(DeclarationCode.SYMBOL_KNOWN_AS_MEMBER(family=family), str(name))
         return replace(self, symbols={**self.symbols, **more})
 
     def with_symbol(self, declaration: Declaration, formals: tuple[Declaration, ...] = ()) -> SymbolTable:
@@ -210,7 +219,7 @@ class SymbolTable:
         if "\\tilde" in name.styles and name not in self.symbols:
             plain = self.symbols.get(_without_tilde(name))
             if plain is not None and plain.type.kind == "vector":
-                raise SpecError("it is read as a skew tensor; declare it in [symbols]", str(name))
+                raise SpecError(DeclarationCode.READ_SKEW_TENSOR_DECLARE(), str(name))
 
     @cached_property
     def has_tildes(self) -> bool:
@@ -257,31 +266,39 @@ class SymbolTable:
         """Raises IllFormed where an argument is not what the formal one is."""
         for formal, argument in zip(self.formals[function.name], arguments, strict=False):
             if argument.type.with_dual(False) != formal.type.with_dual(False):
-                raise IllFormed(f"{function.name} takes a {formal.type}, got a {argument.type}")
+                raise IllFormed(
+                    TypeCode.FUNCTION_ARGUMENT_TYPE(
+                        name=function.name, type=formal.type, type_2=argument.type
+                    )
+                )
             if None not in (formal.weight, argument.weight) and formal.weight != argument.weight:
                 raise IllFormed(
-                    f"{function.name} takes an argument of weight {formal.weight}, got {argument.weight}"
+                    TypeCode.FUNCTION_ARGUMENT_WEIGHT(
+                        name=function.name, weight=formal.weight, weight_2=argument.weight
+                    )
                 )
 
-    def unknown(self, spelling: Spelling) -> str:
+    def unknown(self, spelling: Spelling) -> Reason:
         """A message for a spelling that means nothing here, with the closest names."""
         text = str(spelling)
         for name, _ in spelling.candidates():
             declaration = self.symbols.get(name) or self.functions.get(name)
             if declaration is not None and declaration.introduced:
                 known = (declaration.name.shown(member) for member in self.defined[declaration.name])
-                return f"{text} is not defined; defined before it: {', '.join(known)}"
+                return SyntaxCode.NOT_DEFINED(text=text, known=", ".join(known))
         if not self.names_close:
-            return f"unknown symbol {text}"
+            return SyntaxCode.UNKNOWN_SYMBOL(text=text)
         if text in UNIT_LETTERS:
             meant = f"'{text}' = {{ means = '\\mathbf{{I}}' }}"
-            return f"unknown symbol {text}; if it is the unit tensor, [notation] says so: {meant}"
+            return SyntaxCode.UNKNOWN_UNIT_TENSOR(text=text, meant=meant)
         letters = {str(d.name): d.name.letter for d in (*self.symbols.values(), *self.functions.values())}
         alike = sorted(name for name, letter in letters.items() if letter == spelling.letter.letter)
         alike += [
             name for name in get_close_matches(text, sorted(letters), n=3, cutoff=0.6) if name not in alike
         ]
-        return f"unknown symbol {text}" + (f"; known and close: {', '.join(alike[:3])}" if alike else "")
+        if alike:
+            return SyntaxCode.UNKNOWN_SYMBOL_CLOSE(text=text, close=", ".join(alike[:3]))
+        return SyntaxCode.UNKNOWN_SYMBOL(text=text)
 
 
 def may_be_label(symbol: Symbol, exponent: int) -> bool:
@@ -342,9 +359,7 @@ def _tilded(symbols: dict[Name, Declaration]) -> dict[Name, Declaration]:
     for name in tildes:
         own = symbols.get(_without_tilde(name))
         if symbols[name].type.kind == "tensor" and own is not None and own.type.kind == "vector":
-            raise SpecError(
-                "it is the skew tensor of a vector; a symbol of the paper needs another name", str(name)
-            )
+            raise SpecError(DeclarationCode.SKEW_TENSOR_VECTOR_SYMBOL(), str(name))
     owners = {declaration.name for name, declaration in symbols.items() if name in plain}
     return {n: replace(d, tilded=True) if d.name in owners else d for n, d in symbols.items()}
 
@@ -367,7 +382,7 @@ def _with_arguments(
 
     def built(name: Name, above: tuple[Name, ...]) -> Declaration:
         if name in above:
-            raise SpecError(f"of: {name} is a function of itself", str(name))
+            raise SpecError(DeclarationCode.FUNCTION_ITSELF(name=name), str(name))
         if name in arguments and not known[name].of:
             found = tuple(symbol(built(d.name, (*above, name)), index) for d, index in arguments[name])
             known[name] = replace(known[name], of=found)
@@ -382,13 +397,18 @@ def _argument(name: Name, text: str, table: SymbolTable) -> tuple[Declaration, t
             return CLOCK, ()
         found = table.find(key_spelling(parse(text).lines[0][0], text))
     except SpecError as error:
-        raise SpecError(f"of: {text}: {error.message}", str(name)) from None
+        raise SpecError(
+            DeclarationCode.FAULT_OF_ARGUMENT(text=text, message=error.message), str(name)
+        ) from None
     if found is None:
-        raise SpecError(f"of: {text} is no declared symbol", str(name))
+        raise SpecError(DeclarationCode.NO_DECLARED_SYMBOL(text=text), str(name))
     argument, index = found
     is_column = argument.type.kind == "scalar" or argument.type.is_column
     if not is_column or argument.type.dual or not all(place.is_number for place in index):
-        raise SpecError(f"of: {text} is no scalar and no column of scalars", str(name))
+        raise SpecError(DeclarationCode.NO_SCALAR_NO_COLUMN(text=text), str(name))
     if argument.unit or argument.constant:
-        raise SpecError(f"of: {text} is {'a unit vector' if argument.unit else 'constant'}", str(name))
+        raise SpecError(
+            DeclarationCode.ARGUMENT_OF(text=text, value="a unit vector" if argument.unit else "constant"),
+            str(name),
+        )
     return argument, index

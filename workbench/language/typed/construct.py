@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Literal
 
+from workbench.core.type_codes import Compared, TypeCode
 from workbench.language.typed.integers import Linear, as_linear
 from workbench.language.typed.operators import OPERATORS
 from workbench.language.typed.shapes import (
@@ -75,9 +76,15 @@ def symbol(
 ) -> Symbol:
     index = tuple(as_linear(i) for i in index)
     if len(index) != declaration.indices:
-        raise IllFormed(f"{declaration.name} takes {declaration.indices} indices, got {len(index)}")
+        raise IllFormed(
+            TypeCode.INDEX_COUNT(name=declaration.name, indices=declaration.indices, count=len(index))
+        )
     if len(arguments) != declaration.parameters:
-        raise IllFormed(f"{declaration.name} takes {declaration.parameters} arguments, got {len(arguments)}")
+        raise IllFormed(
+            TypeCode.FUNCTION_ARGUMENT_COUNT(
+                name=declaration.name, expected=declaration.parameters, count=len(arguments)
+            )
+        )
     weight = declaration.weight
     if weight is not None:
         weight = weight.substitute({f"@{i}": value for i, value in enumerate(index)})
@@ -88,9 +95,9 @@ def symbol(
 def derivative(body: Term, order: Linear | int) -> Term:
     order = as_linear(order)
     if order.is_number and order.constant < 0:
-        raise IllFormed(f"derivative of negative order {order}")
+        raise IllFormed(TypeCode.NEGATIVE_ORDER(order=order))
     if body.type.kind == "operator":
-        raise IllFormed("the time derivative of an operator is written D ∘ P, not with a dot")
+        raise IllFormed(TypeCode.DOTTED_OPERATOR())
     weight = None if body.weight is None else body.weight + order
     return Derivative(body.type, weight, body, order)
 
@@ -99,13 +106,13 @@ def power(base: Term, exponent: Linear | int) -> Term:
     exponent = as_linear(exponent)
     type_ = base.type
     if exponent.is_number and exponent.constant < 0:
-        raise IllFormed(f"power with negative exponent {exponent}; an inverse is written ^{{-1}}")
+        raise IllFormed(TypeCode.NEGATIVE_EXPONENT(exponent=exponent))
     if type_.is_column:
         if exponent.is_number and exponent.constant % 2:
-            raise IllFormed(f"an odd power ({exponent}) of a vector; x² means x·x")
+            raise IllFormed(TypeCode.ODD_POWER_OF_VECTOR(exponent=exponent))
         type_ = SCALAR.with_dual(type_.dual)
     elif not type_.algebra and not type_.is_square:
-        raise IllFormed(f"a power of a {type_}")
+        raise IllFormed(TypeCode.POWER(type=type_))
     weight: Weight = None
     if base.weight is not None:
         if exponent.is_number:
@@ -126,14 +133,16 @@ def big_sum(variables: Sequence[str], lower: Linear | int | None, upper: Linear 
                 others = others + Linear.variable(name)
             weight = weight.substitute({variables[-1]: upper - others})
         if weight.variables & set(variables):
-            raise IllFormed(f"addends of the sum over {', '.join(variables)} differ in weight: {weight}")
+            raise IllFormed(
+                TypeCode.ADDENDS_OF_DIFFERENT_WEIGHTS(variables=", ".join(variables), weight=weight)
+            )
     return BigSum(body.type, weight, tuple(variables), lower, upper, body)
 
 
 def block(entries: Sequence[Sequence[Term]]) -> Block:
     """A block matrix; zeros and unit tensors take the shape that their row and column need."""
     if len({len(row) for row in entries}) != 1:
-        raise IllFormed("the rows of a matrix have unequal lengths")
+        raise IllFormed(TypeCode.UNEQUAL_ROWS())
     rows, columns = layout(entries := with_units(entries))
     typed = tuple(
         tuple(fitted(entry, rows[i], columns[j]) for j, entry in enumerate(row))
@@ -155,14 +164,14 @@ _OF_VECTORS = frozenset({"cross", "outer", "triple", "skew"})
 
 def relation(operator: Literal["=", "≠", "≈"], left: Term, right: Term) -> Relation:
     """A relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
-    left, right = agree(_as_quaternions((left, right)), "the two sides")
+    left, right = agree(_as_quaternions((left, right)), Compared.SIDES)
     return Relation(operator, left, right)
 
 
 def apply(head: str, *arguments: Term) -> Term:
     """The term head(arguments); OPERATORS says which heads there are and what each takes."""
     if head == "add":
-        arguments = agree(_as_quaternions(arguments), "the addends")
+        arguments = agree(_as_quaternions(arguments), Compared.ADDENDS)
     if head == "quaternion":
         arguments = _with_shapes(arguments, (SCALAR, VECTOR))
     if head in _OF_VECTORS:
@@ -214,7 +223,7 @@ def as_quaternion(term: Term) -> Term:
         case Apply(head="mul", arguments=(factor, column)) if column.type == term.type:
             return apply("mul", factor, as_quaternion(column))
     if isinstance(term, Block):
-        raise Unread("a column of four beside a quaternion, whose scalar part stands first")
+        raise Unread(TypeCode.COLUMN_BESIDE_QUATERNION())
     first, *rest = ([number(int(i == j)) if i == j else zero() for j in range(4)] for i in range(4))
     return apply("quaternion", apply("mul", block([first]), term), apply("mul", block(rest), term))
 
@@ -222,7 +231,7 @@ def as_quaternion(term: Term) -> Term:
 def _with_shapes(terms: Sequence[Term], types: Sequence[Type]) -> tuple[Term, ...]:
     """The terms, zeros as those of the types."""
     if len(terms) != len(types):
-        raise IllFormed(f"expected {len(types)} arguments, got {len(terms)}")
+        raise IllFormed(TypeCode.ARGUMENT_COUNT(expected=len(types), count=len(terms)))
     pairs = zip(terms, types, strict=True)
     return tuple(shaped(term, type_) if filling(term) == "zero" else term for term, type_ in pairs)
 

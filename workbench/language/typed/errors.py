@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.reasons import Code, Reason
+from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.typed.terms import IllFormed
-
-#: The messages of formulas that only say what their symbols are declared to be, and of expressions.
-SAYS_NOTHING = "the formula says nothing"
-ALONE = "expected a relation (= or \\neq), got an expression alone"
 
 
 class ReadError(ValueError):
     """The text is not a formula of the claim language. `line` and `column` count from 1."""
 
     def __init__(self, message: str, line: int, column: int) -> None:
-        super().__init__(f"line {line}, column {column}: {message}")
-        self.message = message
+        self.message = _reason(message, SyntaxCode.UNREADABLE)
+        self.reason = self.message.at(line, column)
+        super().__init__(self.reason)
         self.line = line
         self.column = column
+
+    @property
+    def code(self) -> Code:
+        return self.message.code
 
     def __reduce__(self) -> tuple:
         """So that it can come from another process, as the other errors here can."""
@@ -27,8 +31,8 @@ class IllFormedAt(IllFormed):
     """A formula whose types or weights do not fit; the place is the operation at fault."""
 
     def __init__(self, fault: IllFormed, line: int, column: int) -> None:
-        super().__init__(f"line {line}, column {column}: {fault}", fault.intent)
-        self.message = str(fault)
+        super().__init__(fault.reason.at(line, column), fault.intent)
+        self.message = fault.reason
         self.line = line
         self.column = column
 
@@ -40,9 +44,14 @@ class SpecError(ValueError):
     """An entry of [symbols] or [definitions] that cannot be used. `key` is the entry's LaTeX key."""
 
     def __init__(self, message: str, key: str) -> None:
-        super().__init__(f"{key}: {message}")
-        self.message = message
+        self.message = _reason(message, DeclarationCode.REFUSED)
+        self.reason = DeclarationCode.OF_ENTRY(key=key, message=self.message)
+        super().__init__(self.reason)
         self.key = key
+
+    @property
+    def code(self) -> Code:
+        return self.message.code
 
     def __reduce__(self) -> tuple:
         return SpecError, (self.message, self.key)
@@ -58,7 +67,8 @@ class Fault(Exception):
     """A ReadError whose place is still an offset in the text."""
 
     def __init__(self, message: str, at: int) -> None:
-        super().__init__(message)
+        self.reason = _reason(message, SyntaxCode.UNREADABLE)
+        super().__init__(self.reason)
         self.at = at
 
 
@@ -74,6 +84,10 @@ class Misfit(Exception):
     """An IllFormedAt whose place is still an offset in the text."""
 
     def __init__(self, fault: IllFormed, at: int) -> None:
-        super().__init__(str(fault))
+        super().__init__(fault.reason)
         self.fault = fault
         self.at = at
+
+
+def _reason(message: str, otherwise: Code) -> Reason:
+    return message if isinstance(message, Reason) else otherwise(message=message)

@@ -8,6 +8,7 @@ from itertools import combinations
 from math import comb, factorial
 from typing import overload
 
+from workbench.core.type_codes import TypeCode
 from workbench.language.typed.construct import (
     apply,
     big_sum,
@@ -102,7 +103,7 @@ class Instantiation:
                 index = tuple(self.index(term, i) for i in term.index)
                 if index in term.declaration.apart:
                     member = term.declaration.name.latex(index)
-                    raise IllFormed(f"{member} is declared apart, as no member of {term.declaration.name}")
+                    raise IllFormed(TypeCode.MEMBER_DECLARED_APART(member=member, name=term.declaration.name))
                 arguments = tuple(self.term(a) for a in term.arguments)
                 if index == term.index and _same(arguments, term.arguments):
                     return term
@@ -128,7 +129,7 @@ class Instantiation:
     def index(self, owner: Symbol, value: Linear) -> Linear:
         value = self.linear(value)
         if value.is_number and value.constant < 0:
-            raise IllFormed(f"{owner.declaration.name} with the negative index {value}")
+            raise IllFormed(TypeCode.NEGATIVE_INDEX(name=owner.declaration.name, value=value))
         return value
 
     def _big_sum(self, term: BigSum) -> Term:
@@ -153,7 +154,7 @@ class Instantiation:
             if any(name in value.variables for value in values.values()):
                 fresh = next((letter for letter in _FRESH if letter not in taken), None)
                 if fresh is None:
-                    raise IllFormed(f"no letter is left to rename the summation variable {name}")
+                    raise IllFormed(TypeCode.NO_LETTER_LEFT(name=name))
                 taken.add(fresh)
                 values[name] = Linear.variable(fresh)
                 variables[place] = fresh
@@ -188,16 +189,16 @@ def count(name: str, arguments: tuple[Linear, ...]) -> Term:
         return counting(name, *arguments)
     top, *parts = (int(argument) for argument in arguments)
     if top < 0:
-        raise IllFormed(f"{name} of the negative number {top}")
+        raise IllFormed(TypeCode.NEGATIVE_NUMBER(name=name, top=top))
     if top > LARGEST:
-        raise IllFormed(f"{name} of {top}; at most {LARGEST} is supported")
+        raise IllFormed(TypeCode.NUMBER_TOO_LARGE(name=name, top=top, most=LARGEST))
     if name == "factorial":
         return number(factorial(top))
     if name == "binomial":
         value = comb(top, parts[0]) if parts[0] >= 0 else 0
     else:
         if sum(parts) != top or min(parts) < 0:
-            raise IllFormed(f"multinomial of {top} with the parts {parts}; they must add up to {top}")
+            raise IllFormed(TypeCode.MULTINOMIAL_PARTS(top=top, parts=parts))
         value = factorial(top)
         for part in parts:
             value //= factorial(part)
@@ -214,7 +215,7 @@ def _sum_values(
     else:
         addends = comb(total + len(variables) - 1, len(variables) - 1) if total >= 0 else 0
     if addends > LARGEST:
-        raise IllFormed(f"a sum of {addends} addends; at most {LARGEST} are written out")
+        raise IllFormed(TypeCode.TOO_MANY_ADDENDS(addends=addends, most=LARGEST))
     if lower is not None:
         (name,) = variables
         yield from ({name: Linear(k)} for k in range(int(lower), total + 1))

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
+from workbench.core.type_codes import TypeCode
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Number, Term, Unread, Zero
 from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Type
@@ -72,7 +73,7 @@ def shaped(term: Term, type_: Type) -> Term:
         return term
     match term:
         case Identity() if type_.rows == 1:
-            raise IllFormed("the unit tensor in a place of one row and one column")
+            raise IllFormed(TypeCode.UNIT_TENSOR_IN_ONE_ROW())
         case Zero(printed=printed) if _is_of_one_number(term):
             return _of_one_number(term, int(printed), type_)
         case Zero() | Identity():
@@ -93,9 +94,9 @@ def shaped(term: Term, type_: Type) -> Term:
 def _of_one_number(term: Zero, size: int, type_: Type) -> Zero:
     """𝟎_n as a column of n or as a square matrix of n rows. Raises IllFormed and Unread."""
     if type_.rows != size or type_.columns not in (1, size) or type_.kind == "quaternion":
-        message = f"a zero printed with the size {size} in a place of the size {sizes([type_])}"
+        message = TypeCode.ZERO_OF_ANOTHER_SIZE(size=size, place=sizes([type_]))
         if (type_.rows, type_.columns) == (1, size):
-            raise Unread(f"{message}; a row of zeros is written 0_{{1 \\times {size}}}")
+            raise Unread(TypeCode.ROW_OF_ZEROS(message=message, size=size))
         raise IllFormed(message)
     return replace(term, type=type_.with_dual(False))
 
@@ -149,14 +150,15 @@ def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[in
 
     def fix(known: dict[int, int], place: int, size: int, what: str) -> None:
         if known.setdefault(place, size) != size:
-            message = f"{what} {place + 1} of the matrix holds blocks of size {known[place]} and {size}"
-            raise IllFormed(message)
+            raise IllFormed(
+                TypeCode.UNEQUAL_BLOCKS(what=what, number=place + 1, size=known[place], size_2=size)
+            )
 
     squares = []
     for i, row in enumerate(entries):
         for j, entry in enumerate(row):
             if entry.type.algebra:
-                raise IllFormed(f"expected matrices as entries of a matrix, got {_with_article(entry.type)}")
+                raise IllFormed(TypeCode.ENTRY_OF_NO_MATRIX(type=_with_article(entry.type)))
             fills = filling(entry)
             if fills is None:
                 fix(height, i, entry.type.rows, "row")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from workbench.core.type_codes import Compared, TypeCode
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.shapes import filling, has_open_zeros, is_sized, shaped, sizes, stretched
 from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Symbol, Term, Unread, Zero
@@ -35,7 +36,7 @@ def _turned_row(term: Term) -> tuple[Term, ...]:
     return ()
 
 
-def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
+def agree(terms: Sequence[Term], what: Compared) -> tuple[Term, ...]:
     """The terms brought to one kind: multiples of 0 or I take the kind of the others, a tensor beside an
     operator counts as an operator of degree 0. Raises IllFormed where kinds or weights differ."""
     terms = stretched(terms)
@@ -45,21 +46,22 @@ def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
     if OPERATOR in types and types <= {OPERATOR, TENSOR}:
         shape = OPERATOR
     elif len(types) > 1:
-        message = f"{what} differ in type: " + " and ".join(dict.fromkeys(str(t.type) for t in firm))
+        types_of = " and ".join(dict.fromkeys(str(t.type) for t in firm))
+        message = TypeCode.DIFFERENT_TYPES(what=what, types=types_of)
         if any(map(is_sized, firm)):
-            raise IllFormed(f"{message}; the sizes are {sizes(t.type for t in firm)}")
+            raise IllFormed(TypeCode.DIFFERENT_SIZES(message=message, sizes=sizes(t.type for t in firm)))
         if (usual := _abbreviated(firm)) is not None:
-            raise Unread(f"{message}; is meant {usual}? a `reading` says it")
+            raise Unread(TypeCode.ABBREVIATED_SUMMAND(message=message, usual=usual))
         raise IllFormed(message)
     else:
         of_one_number = [t for t in terms if isinstance(t, Zero) and t.printed]
         shape = (firm or units or of_one_number or terms)[0].type
     may_be_unit = shape.kind == "operator" or (shape.is_square and shape.kind != "scalar")
     if units and not may_be_unit:
-        raise IllFormed(f"{what} differ in type: the unit tensor and {shape}")
+        raise IllFormed(TypeCode.UNIT_TENSOR_BESIDE_OTHERS(what=what, shape=shape))
     weights = dict.fromkeys(t.weight for t in terms if t.weight is not None and not _is_example(t))
     if len(weights) > 1:
-        raise IllFormed(f"{what} differ in weight (power of 1/time): " + " and ".join(map(str, weights)))
+        raise IllFormed(TypeCode.DIFFERENT_WEIGHTS(what=what, weights=" and ".join(map(str, weights))))
     return tuple(_in_shape(t, shape) for t in terms)
 
 
@@ -125,7 +127,7 @@ def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     dual = _dual(arguments)
     weight = total_weight(arguments)
     if left.kind == "operator" and right.kind == "scalar":
-        raise IllFormed("an operator with tensor coefficients acts on a vector or a tensor, got a scalar")
+        raise IllFormed(TypeCode.OPERATOR_ON_SCALAR())
     if left.kind == "scalar":
         return right.with_dual(dual), weight
     if right.kind == "scalar":
@@ -145,15 +147,13 @@ def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         product = None if entry is None else Type(left.rows * entry.rows, entry.columns)
     if product is None:
         if any(map(is_sized, arguments)):
-            raise IllFormed(f"the product of a matrix {sizes([left])} and a matrix {sizes([right])}")
+            raise IllFormed(TypeCode.PRODUCT_OF_SIZES(sizes=sizes([left]), sizes_2=sizes([right])))
         if "matrix" in (left.kind, right.kind):
-            message = f"matrix product of {left} and {right}"
+            message = TypeCode.MATRIX_PRODUCT(left=left, right=right)
             if any(map(has_open_zeros, arguments)):
-                raise Unread(f"{message}; is meant a row or column of more zeros? a `reading` says it")
+                raise Unread(TypeCode.OPEN_ZEROS(message=message))
             raise IllFormed(message)
-        raise IllFormed(
-            f"juxtaposition of a {left} and a {right} has no meaning", _INTENTS.get((left.kind, right.kind))
-        )
+        raise IllFormed(TypeCode.JUXTAPOSITION(left=left, right=right), _INTENTS.get((left.kind, right.kind)))
     return product.with_dual(dual), weight
 
 
@@ -175,9 +175,9 @@ def compose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 def div(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     numerator, denominator = arguments
     if denominator.type.kind == "quaternion":
-        raise Unread("division by a quaternion: from the left or from the right? write q^{-1}")
+        raise Unread(TypeCode.DIVISION_BY_QUATERNION())
     if denominator.type.kind != "scalar":
-        raise IllFormed(f"division by a {denominator.type}; expected a scalar")
+        raise IllFormed(TypeCode.DIVISION_BY_NO_SCALAR(type=denominator.type))
     weight = None
     if numerator.weight is not None and denominator.weight is not None:
         weight = numerator.weight - denominator.weight
@@ -190,7 +190,11 @@ def _expect(arguments: tuple[Term, ...], *kinds: set[str]) -> None:
             expected = " or ".join(sorted(allowed))
             place = f"argument {position} is" if len(kinds) > 1 else "got"
             article = "an" if expected[0] in "aeiou" else "a"
-            raise IllFormed(f"expected {article} {expected}, {place} a {argument.type}")
+            raise IllFormed(
+                TypeCode.EXPECTED_ARGUMENT(
+                    article=article, expected=expected, place=place, type=argument.type
+                )
+            )
 
 
 def function(takes: Sequence[str], gives: Type, weight: Callable[[tuple[Term, ...]], Weight]) -> Signature:
@@ -209,7 +213,7 @@ def weightless(arguments: tuple[Term, ...]) -> Weight:
     """None where the time stands in it: in \\sin 2t a rate is left out, of which the derivative tells."""
     weight = arguments[0].weight
     if weight is not None and weight != Linear(0):
-        raise IllFormed(f"the argument of a transcendental function has weight {weight}, expected 0")
+        raise IllFormed(TypeCode.ARGUMENT_WITH_WEIGHT(weight=weight))
     has_time = any(isinstance(part, Symbol) and part.declaration.clock for part in arguments[0].walk())
     return None if has_time else Linear(0)
 
@@ -217,14 +221,14 @@ def weightless(arguments: tuple[Term, ...]) -> Weight:
 def transpose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     type_ = arguments[0].type
     if type_.algebra or type_.kind == "scalar":
-        raise IllFormed(f"the transpose of a {type_}")
+        raise IllFormed(TypeCode.TRANSPOSE(type=type_))
     return Type(type_.columns, type_.rows, type_.dual), arguments[0].weight
 
 
 def inverse(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     type_ = arguments[0].type
     if not type_.is_square and type_.kind != "quaternion":
-        raise IllFormed(f"the inverse of a {type_}")
+        raise IllFormed(TypeCode.INVERSE(type=type_))
     return type_, times(-1)(arguments)
 
 
@@ -236,13 +240,13 @@ def norm(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 def root(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     if arguments[0].type.is_square and arguments[0].type.kind != "scalar":
-        raise Unread(f"the root of a {arguments[0].type} is not read")
+        raise Unread(TypeCode.ROOT(type=arguments[0].type))
     _expect(arguments, {"scalar"})
     weight = arguments[0].weight
     if weight is None:
         return arguments[0].type, None
     if not weight.is_number or weight.constant % 2:
-        raise Unread(f"the root of a quantity of weight {weight}")
+        raise Unread(TypeCode.ROOT_OF_WEIGHT(weight=weight))
     return arguments[0].type, Linear(weight.constant // 2)
 
 
@@ -283,7 +287,7 @@ def quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     _expect(arguments, {"scalar"}, {"vector"})
     weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
     if len(weights) > 1:
-        raise IllFormed(f"the parts of a quaternion differ in weight: {' and '.join(map(str, weights))}")
+        raise IllFormed(TypeCode.QUATERNION_OF_DIFFERENT_WEIGHTS(weights=" and ".join(map(str, weights))))
     return QUATERNION.with_dual(_dual(arguments)), next(iter(weights), None)
 
 
@@ -292,7 +296,7 @@ def arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     _expect(arguments, {"scalar"}, {"scalar"})
     weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
     if len(weights) > 1 or _dual(arguments):
-        raise IllFormed("atan2 takes two real scalars of one weight")
+        raise IllFormed(TypeCode.ATAN2_ARGUMENTS())
     return SCALAR, Linear(0)
 
 
@@ -301,12 +305,12 @@ def partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     of the component i."""
     body, by = arguments
     if body.type.kind == "operator":
-        raise IllFormed("the partial derivative of an operator")
+        raise IllFormed(TypeCode.PARTIAL_DERIVATIVE_OF_OPERATOR())
     if by.type.dual or not (by.type.kind == "scalar" or by.type.is_column):
-        raise Unread(f"the partial derivative by a {by.type} is not read; that by a scalar or a vector is")
+        raise Unread(TypeCode.PARTIAL_DERIVATIVE_BY(type=by.type))
     weight = None if None in (body.weight, by.weight) else body.weight - by.weight
     if by.type.kind == "scalar":
         return body.type, weight
     if body.type.kind != "scalar" and not body.type.is_column:
-        raise Unread(f"the derivative of a {body.type} by a vector is not read: it has more than two indices")
+        raise Unread(TypeCode.DERIVATIVE_BY_VECTOR(type=body.type))
     return Type(body.type.rows, by.type.rows, body.type.dual), weight

@@ -11,6 +11,8 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Literal, dataclass_transform
 
+from workbench.core.reasons import Code, Reason
+from workbench.core.type_codes import TypeCode
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.types import Declaration, Type, Weight
 
@@ -18,9 +20,14 @@ from workbench.language.typed.types import Declaration, Type, Weight
 class IllFormed(ValueError):
     """Types or weights do not fit. `intent` names the one likely meaning, where there is one."""
 
-    def __init__(self, message: str, intent: str | None = None) -> None:
-        super().__init__(message)
+    def __init__(self, reason: Reason, intent: str | None = None) -> None:
+        super().__init__(reason)
+        self.reason = reason
         self.intent = intent
+
+    @property
+    def code(self) -> Code:
+        return self.reason.code
 
 
 class Unread(IllFormed):
@@ -235,13 +242,13 @@ class Extremum:
     def of(least: bool, letters: tuple[Symbol, ...], body: Term, value: Term) -> Extremum:
         """Raises IllFormed where the body is no real scalar, or weighs more or less than the value."""
         if body.type.kind != "scalar" or body.type.dual:
-            raise IllFormed(f"the least or greatest of a {body.type}; expected a real scalar")
+            raise IllFormed(TypeCode.EXTREMUM_OF_NO_SCALAR(type=body.type))
         if value.type != body.type:
-            raise IllFormed(f"what is least or greatest is a {body.type}, and the other side a {value.type}")
+            raise IllFormed(TypeCode.EXTREMUM_OF_DIFFERENT_TYPES(type=body.type, type_2=value.type))
         if None not in (body.weight, value.weight) and body.weight != value.weight:
-            raise IllFormed(f"the two sides differ in weight: {body.weight} and {value.weight}")
+            raise IllFormed(TypeCode.EXTREMUM_OF_DIFFERENT_WEIGHTS(weight=body.weight, weight_2=value.weight))
         if any(part in letters for part in value.walk()):
-            raise IllFormed("what a minimum or maximum is taken over stands on the other side too")
+            raise IllFormed(TypeCode.EXTREMUM_VARIABLE_OUTSIDE())
         return Extremum(least, letters, body, value)
 
 
@@ -255,7 +262,7 @@ class Naming:
     terms: tuple[Term, ...]
     parts: tuple[Statement, ...]
     given: tuple[Statement, ...] = ()
-    undecided: str = ""
+    undecided: Reason | None = None
 
 
 Statement = Relation | Equivalence | Implication | Conjunction | Extremum | Naming

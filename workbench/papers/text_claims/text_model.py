@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from workbench.core.model_codes import ModelCode
 from workbench.core.schema import key_names
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import INDEX_LETTERS
@@ -117,9 +118,7 @@ def read_entries(toml: TomlFile, faults: Faults) -> list[Entry]:
 def _places(toml: TomlFile, path: KeyPath) -> Sequence[str]:
     at = toml.value(path, dict).get("at")
     if at is None:
-        raise toml.error_at_key(
-            path, "missing key 'at': a label, an equation number, an id or \"line N\", or a list of such"
-        )
+        raise toml.error_at_key(path, ModelCode.MISSING_PLACE(key="at"))
     places = toml.texts((*path, "at")) if isinstance(at, list) else (toml.text((*path, "at")),)
     if not places:
         raise toml.error_at_value((*path, "at"), "at: expected a place, or a list of places, got none")
@@ -140,9 +139,7 @@ def read_scopes(toml: TomlFile, text: Text, model: TextModel) -> None:
 def _start(toml: TomlFile, path: KeyPath, text: Text) -> int:
     start = toml.text((*path, "from"))
     if start is None:
-        raise toml.error_at_key(
-            path, "missing key 'from': a label, an equation number, a section or \"line N\""
-        )
+        raise toml.error_at_key(path, ModelCode.MISSING_START(key="from"))
     place = place_of(start, text.displays)
     place = text.starts.get(start) if place is None else place
     place = _behind_line(start, text.displays) if place is None else place

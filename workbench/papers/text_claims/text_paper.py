@@ -9,13 +9,15 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from workbench.language.elaboration.arguments import OR_A_PRODUCT
+from workbench.core.reasons import Reason, reason_of
+from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.type_codes import TypeCode
 from workbench.language.reader import unclaimed
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Statement, Symbol
 from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.cutting.display_vocabulary import RELATIONS
-from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
+from workbench.papers.formulas import WORDS, FormulaReader, read_statement, with_intent
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Aside, Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.numbered import written_out
@@ -31,7 +33,6 @@ from workbench.papers.toml.toml_file import TomlFile
 _IN_WORDS = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*(?:is|are|denotes?|represents?)\b")
 _FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
 _TILDE = re.compile(r"\\(?:wide)?tilde(?![A-Za-z])")
-_TILDED = "cannot be read: \\tilde{x} as the skew tensor of x does not fit; a symbol of its own is declared"
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 
@@ -96,10 +97,12 @@ def _flat(latex: str) -> str:
 def _perhaps_of(claim: Claim, functions: Collection[str]) -> Claim:
     """A vector beside a vector in brackets, x (y), where a sentence speaks of x(z), is no product."""
     printed = claim.printed
-    if "juxtaposition" not in (printed.ill_formed or ""):
+    if printed.ill_formed is None or TypeCode.JUXTAPOSITION not in printed.ill_formed.codes:
         return claim
     is_one = any(f"{name}(" in _flat(printed.latex) for name in functions)
-    unread = replace(printed, ill_formed=None, unread=_unreadable(OR_A_PRODUCT))
+    unread = replace(
+        printed, ill_formed=None, unread=SyntaxCode.CANNOT_BE_READ(why=SyntaxCode.OR_A_PRODUCT())
+    )
     return replace(claim, printed=unread) if is_one else claim
 
 
@@ -193,7 +196,7 @@ def _usable_claim(placed: Placed, entries: Sequence[Entry], model: TextModel) ->
 
 
 def _unusable(claim: Claim) -> Claim:
-    why = "what the model says of it cannot be used"
+    why = SyntaxCode.MODEL_UNUSABLE()
     return replace(claim, printed=replace(claim.printed, statement=None, ill_formed=None, unread=why))
 
 
@@ -282,22 +285,22 @@ def _orders(tables: Sequence) -> Orders | None:
 def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Formula, Orders | None]:
     latex, owners = placed.step.spelled()
     if placed.step.denied is not None:
-        return Formula(latex, unread=f"the words beside it deny it: {placed.step.denied}"), orders
+        return Formula(latex, unread=SyntaxCode.DENIED(words=placed.step.denied)), orders
     opaque = sorted(
         name for name in placed.display.opaque if re.search(rf"\\{re.escape(name)}(?![A-Za-z])", latex)
     )
     if opaque:
         names = ", ".join(f"\\{name}" for name in opaque)
-        return Formula(
-            latex, unread=f"the macro {names} could not be expanded; --macros can say what it is"
-        ), orders
+        return Formula(latex, unread=SyntaxCode.OPAQUE_MACROS(names=names)), orders
     try:
         statement, ranges = read_statement(latex, placed.notation, orders)
         return Formula(latex, statement), orders_within(orders, ranges)
     except IllFormedAt as error:
         at = _at(latex, owners, error.line, error.column)
         if _TILDE.search(latex):
-            return Formula(latex, unread=_TILDED, at=at), orders
+            return Formula(
+                latex, unread=SyntaxCode.CANNOT_BE_READ(why=SyntaxCode.TILDE_DOES_NOT_FIT()), at=at
+            ), orders
         return Formula(latex, ill_formed=_message(error), at=at), orders
     except ReadError as error:
         if placed.step.ranges:
@@ -307,21 +310,21 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
         if (said := written_out(latex, placed.notation)) is not None:
             return Formula(latex, said), orders
         if _IN_WORDS.search(latex) and not any(token.text in RELATIONS for token in placed.step.tokens):
-            return Formula(latex, unread="says in words what it is, and claims nothing"), orders
+            return Formula(latex, unread=SyntaxCode.SAYS_IN_WORDS()), orders
         at = _at(latex, owners, error.line, error.column)
         return Formula(latex, unread=_why_unread(error, latex, placed.notation), at=at), orders
     except ValueError as error:
-        return Formula(latex, unread=str(error)), orders
+        return Formula(latex, unread=SyntaxCode.UNUSABLE_ORDERS(orders_fault=error)), orders
 
 
-def _why_unread(error: ReadError, latex: str, notation: Notation) -> str:
+def _why_unread(error: ReadError, latex: str, notation: Notation) -> Reason:
     with suppress(ReadError, IllFormedAt):
         return unclaimed(error, latex, notation.symbols)
     return _unreadable(error.message)
 
 
-def _unreadable(why: str) -> str:
-    return why if why.startswith("cannot be read: ") else f"cannot be read: {why}"
+def _unreadable(why: Reason) -> Reason:
+    return why if why.code is SyntaxCode.CANNOT_BE_READ else SyntaxCode.CANNOT_BE_READ(why=why)
 
 
 def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:
@@ -332,7 +335,7 @@ def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], For
         try:
             made.append(Formula(latex, read_statement(latex, placed.notation, None)[0]))
         except (ReadError, IllFormedAt) as error:
-            why = f"its condition {latex} cannot be read: {error.message}"
+            why = SyntaxCode.CONDITION_UNREAD(formula=latex, why=error.message)
             return (), replace(
                 printed, statement=None, unread=why, at=_at(latex, owners, error.line, error.column)
             )
@@ -361,12 +364,12 @@ def _side_formula(tokens: Sequence[Token], placed: Placed) -> Formula:
     except IllFormedAt as error:
         return Formula(latex, ill_formed=_message(error))
     except (ReadError, ValueError) as error:
-        return Formula(latex, unread=_unreadable(str(error)))
+        return Formula(latex, unread=_unreadable(reason_of(error)))
 
 
-def _message(error: IllFormedAt) -> str:
-    why = why_ill_formed(error)
-    return why.partition(": ")[2] if why.startswith("line ") else why
+def _message(error: IllFormedAt) -> Reason:
+    """Why it is ill-formed, without the place, which is that of the claim."""
+    return with_intent(error.message, error)
 
 
 def _at(latex: str, owners: Sequence[Token], line: int, column: int) -> Span:

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import (
     Apply,
@@ -23,7 +24,7 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import SCALAR, Declaration
 from workbench.papers.model import Claim
-from workbench.papers.said import SAYS, conditioned, constrains, terms_of
+from workbench.papers.said import conditioned, constrains, terms_of
 from workbench.papers.text_claims.unread import COMPONENT, left_open, said_unread
 from workbench.papers.texts import Text
 
@@ -54,7 +55,7 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             why = _GIVEN if is_postulate else why
             within = _within(claim, symbols)
             says_of = _solved_for(statement, free, within)
-            says = None if says_of is None else SAYS.format(says_of)
+            says = None if says_of is None else VerdictCode.SAYS_WHAT_IT_IS(symbol=says_of)
             if says is None and (free or within - known - _declared_free(claim)):
                 says = of_an_example(statement)
             open_by, values = left_open(free, claim, unread, with_values=says is None)

@@ -7,7 +7,7 @@ by its scalars with `scale`. Arrays of dtype object carry exact or symbolic scal
 """
 
 from collections.abc import Callable
-from typing import Any, overload
+from typing import Any, Protocol, overload
 
 import numpy as np
 
@@ -15,6 +15,30 @@ from workbench.algebra.dual import Du, Dual, Re, ZeroDivisor, _vanishes, as_arra
 from workbench.algebra.dual_functions import sqrt
 
 Array = np.ndarray | Dual
+
+
+class Bilinear(Protocol):
+    """A bilinear product, dual as soon as one of its factors is."""
+
+    @overload
+    def __call__(self, a: np.ndarray, b: np.ndarray, /) -> np.ndarray: ...
+    @overload
+    def __call__(self, a: Dual, b: Array, /) -> Dual: ...
+    @overload
+    def __call__(self, a: np.ndarray, b: Dual, /) -> Dual: ...
+    @overload
+    def __call__(self, a: Array, b: Array, /) -> Array: ...
+
+
+class LinearMap(Protocol):
+    """A linear map, whose value is dual where its argument is."""
+
+    @overload
+    def __call__(self, a: np.ndarray, /) -> np.ndarray: ...
+    @overload
+    def __call__(self, a: Dual, /) -> Dual: ...
+    @overload
+    def __call__(self, a: Array, /) -> Array: ...
 
 
 def vector(re: Any, du: Any = None) -> Dual:
@@ -46,10 +70,10 @@ def _dual_array(re: Any, du: Any, shape: tuple[int, ...]) -> Dual:
     return Dual(re, du)
 
 
-def bilinear(product: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Callable[[Array, Array], Array]:
+def bilinear(product: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Bilinear:
     """The extension of a bilinear product of real arrays to dual ones (ε commutes with it)."""
 
-    def extended(a: Array, b: Array) -> Array:
+    def extended(a: Any, b: Any) -> Any:
         if isinstance(a, Dual):
             if isinstance(b, Dual):
                 return Dual(product(a.re, b.re), product(a.re, b.du) + product(a.du, b.re))
@@ -63,10 +87,10 @@ def bilinear(product: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Callabl
     return extended
 
 
-def linear(map_: Callable[[np.ndarray], np.ndarray]) -> Callable[[Array], Array]:
+def linear(map_: Callable[[np.ndarray], np.ndarray]) -> LinearMap:
     """The extension of a linear map of real arrays to dual ones."""
 
-    def extended(a: Array) -> Array:
+    def extended(a: Any) -> Any:
         return Dual(map_(a.re), map_(a.du)) if isinstance(a, Dual) else map_(a)
 
     extended.__doc__ = map_.__doc__
@@ -107,6 +131,14 @@ def apply(T: np.ndarray, a: np.ndarray) -> np.ndarray:
     return image
 
 
+@overload
+def scale(c: Dual, a: Array, rank: int = 1) -> Dual: ...
+@overload
+def scale(c: Any, a: Dual, rank: int = 1) -> Dual: ...
+@overload
+def scale(c: Any, a: np.ndarray, rank: int = 1) -> np.ndarray: ...
+@overload
+def scale(c: Any, a: Array, rank: int = 1) -> Array: ...
 def scale(c: Any, a: Array, rank: int = 1) -> Array:
     """c a for scalars c of shape (...) and vectors a (rank 1) or tensors a (rank 2)."""
     return _with_axes(c, rank) * a
@@ -177,6 +209,12 @@ def adjugate(T: Array) -> Array:
     return Dual(re, np.stack([Du(row) for row in rows], axis=-2))
 
 
+@overload
+def inverse(T: np.ndarray) -> np.ndarray: ...
+@overload
+def inverse(T: Dual) -> Dual: ...
+@overload
+def inverse(T: Array) -> Array: ...
 def inverse(T: Array) -> Array:
     """T⁻¹ = adj T / det T; raises `ZeroDivisor` if Re(det T) is (anywhere) zero."""
     dual = T if isinstance(T, Dual) else Dual(T)
@@ -223,6 +261,12 @@ def _length(a: np.ndarray) -> Any:
     return np.hypot(np.hypot(a[..., 0], a[..., 1]), a[..., 2])
 
 
+@overload
+def unit(a: np.ndarray) -> np.ndarray: ...
+@overload
+def unit(a: Dual) -> Dual: ...
+@overload
+def unit(a: Array) -> Array: ...
 def unit(a: Array) -> Array:
     """The unit dual vector a / |a|; raises `ZeroDivisor` where Re a = 0: no such vector is one."""
     length = norm(a)

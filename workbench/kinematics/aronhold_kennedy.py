@@ -253,7 +253,7 @@ def _perpendicular(
     moment_if_oblique = product.du - along * product.re
 
     axis = Dual(_first(axes.re, has_axis), _first(axes.du, has_axis))
-    exists = has_axis.any(axis=-1)[..., None]
+    exists = np.asarray(has_axis.any(axis=-1))[..., None]
     square = np.where(exists, _inner(axis.re, axis.re), 1)
     foot = divide(cross(axis.re, axis.du), square)
     basis_vector = np.eye(3, dtype=int)[np.argmin(np.abs(axis.re), axis=-1)]

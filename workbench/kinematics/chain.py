@@ -48,7 +48,8 @@ class SerialChain:
         for position, joint in enumerate(self.joints):
             if not isinstance(joint, Joint):
                 raise TypeError(f"joint {position}: expected a Joint, got {type(joint).__name__}")
-        self.home, X, self.dof, steps = np.eye(4), np.eye(4), 0, []
+        steps: list[Step] = []
+        self.home, X, self.dof = np.eye(4), np.eye(4), 0
         for joint in self.joints:
             if joint.kind == "fixed":
                 self.home, X = self.home @ joint.transform, X @ joint.transform

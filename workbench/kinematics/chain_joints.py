@@ -60,7 +60,7 @@ class Joint:
     @staticmethod
     def fixed(transform: ArrayLike) -> "Joint":
         """A constant rigid transform (4, 4): what follows is given in the frame it reaches."""
-        return Joint("fixed", np.zeros(3), np.zeros(3), 0.0, transform)
+        return Joint("fixed", np.zeros(3), np.zeros(3), 0.0, np.asarray(transform))
 
     @property
     def dof(self) -> int:
@@ -68,7 +68,7 @@ class Joint:
 
 
 def _moving(kind: str, axis: ArrayLike, point: ArrayLike, pitch: float = 0.0) -> Joint:
-    return Joint(kind, axis, point, pitch, np.eye(4))
+    return Joint(kind, np.asarray(axis), np.asarray(point), pitch, np.eye(4))
 
 
 def rigid_matrix(transform: ArrayLike, what: str) -> np.ndarray:
@@ -88,7 +88,7 @@ def _direction(axis: ArrayLike, what: str) -> np.ndarray:
     vector = _vector3(axis, what)
     largest = np.abs(vector).max()
     if largest == 0:
-        raise ValueError(f"{what}: expected non-zero length, got {axis}")
+        raise ValueError(f"{what}: expected non-zero length, got {axis!s}")
     vector = vector / largest
     return vector / np.linalg.norm(vector)
 
@@ -96,5 +96,5 @@ def _direction(axis: ArrayLike, what: str) -> np.ndarray:
 def _vector3(values: ArrayLike, what: str) -> np.ndarray:
     vector = np.array(values, dtype=float)
     if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise ValueError(f"{what}: expected three finite numbers, got {values}")
+        raise ValueError(f"{what}: expected three finite numbers, got {values!s}")
     return vector

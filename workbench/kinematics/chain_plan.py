@@ -66,7 +66,7 @@ def _rows(joints: Sequence[Joint]) -> tuple[tuple[float, float], np.ndarray]:
             continue
         next_z, point = X[:3, :3] @ joint.axis, X[:3, :3] @ joint.point + X[:3, 3]
         next_x, next_origin, foot = _common_normal(z, origin, next_z, point)
-        turns.append(_unit2(next_x @ x, next_x @ np.cross(z, x)))
+        turns.append(_unit2(float(next_x @ x), float(next_x @ np.cross(z, x))))
         twist_angle = _unit2(z @ next_z, np.cross(z, next_z) @ next_x)
         shift = (next_origin - foot) @ next_x, (next_origin - foot) @ np.cross(z, next_x)
         angle = -1 if joint.kind == "prismatic" else dof

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 from numba import njit
@@ -18,7 +19,7 @@ OF_KERNEL = "boolean(float64[:,:,:], int64, float64[:,:,:,:], boolean)"
 def compiled_kernel(
     function: Callable[..., bool],
     parts: Sequence[ModuleType],
-    options: dict[str, object],
+    options: Mapping[str, Any],
     of: str = OF_KERNEL,
 ) -> Callable[..., bool]:
     """The function with the Numba signature `of`, kept on disk if there is a place for it. Numba would not

@@ -134,14 +134,14 @@ def twist_derivatives(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
     """
     _require(lines, rates, joints=len(lines), entries=len(rates[0]) if rates else 1)
     order = len(rates[0]) - 1
-    beyond = None
+    beyond: list[Dual] | None = None
     for u, w in zip(reversed(lines), reversed(rates), strict=True):
         own = [scale(w[k], u) for k in range(order + 1)]
         if beyond is not None:
             carried = _carried(u, w, beyond)
             own = [own[k] + carried[k] for k in range(order + 1)]
         beyond = own
-    return tuple(beyond)
+    return tuple(beyond or ())
 
 
 def _carried(u: Dual, w: Sequence[Any], V: Sequence[Dual]) -> list[Dual]:

@@ -111,7 +111,8 @@ def twist_from_field(Phi, a) -> tuple[np.ndarray, np.ndarray]:
             "Phi and a: expected shapes (N+1, ..., 3, 3) and (N+1, ..., 3) with N >= 1, "
             f"order first and from 0, got {Phi.shape} and {a.shape}"
         )
-    omega, v = [], []
+    omega: list[np.ndarray] = []
+    v: list[np.ndarray] = []
     for n in range(len(Phi) - 1):
         known = [comb(n, k) * skew(omega[n - k]) @ Phi[k] for k in range(1, n + 1)]
         omega.append(vect(Phi[n + 1] - sum(known, start=0 * Phi[0])))

@@ -5,13 +5,19 @@ There are as many as one register of the processor holds that Numba compiles for
 """
 
 import operator
+from collections.abc import Callable
+from typing import Any
 
 import llvmlite.binding as llvm
 from llvmlite import ir
 from numba import config, types
 from numba.core import cgutils
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
-from numba.extending import intrinsic, lower_builtin, models, register_model
+from numba.extending import intrinsic as untyped_intrinsic
+from numba.extending import lower_builtin, models, register_model
+
+_CONFIG: Any = config  # it takes its names from the environment
+intrinsic: Callable[[Callable[..., Any]], Any] = untyped_intrinsic
 
 
 def _width() -> int:
@@ -21,9 +27,10 @@ def _width() -> int:
 
 def _features() -> set[str]:
     """What the processor has that Numba compiles for; of one that is only named no more is known."""
-    if config.CPU_FEATURES is not None:
-        return {feature[1:] for feature in config.CPU_FEATURES.split(",") if feature.startswith("+")}
-    if config.CPU_NAME is not None:
+    features, name = _CONFIG.CPU_FEATURES, _CONFIG.CPU_NAME
+    if features is not None:
+        return {feature[1:] for feature in features.split(",") if feature.startswith("+")}
+    if name is not None:
         return set()
     return {feature for feature, there in llvm.get_host_cpu_features().items() if there}
 

@@ -10,17 +10,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import wraps
 from numbers import Real
-from typing import Any, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
 from workbench.algebra.dual import Dual, as_array
 from workbench.algebra.dual_functions import NoExactValue
 
-Function = TypeVar("Function", bound=Callable[..., Any])
+P = ParamSpec("P")
+T = TypeVar("T")
 
 
-def takes_numbers(function: Function) -> Function:
+def takes_numbers(function: Callable[P, T]) -> Callable[P, T]:
     """The function on arrays of finite numbers, made of its positional arguments. Raises ValueError."""
 
     @wraps(function)
@@ -30,7 +31,7 @@ def takes_numbers(function: Function) -> Function:
     return on_arrays
 
 
-def takes_reals(function: Function) -> Function:
+def takes_reals(function: Callable[P, T]) -> Callable[P, T]:
     """As `takes_numbers`; integers and fractions that have no exact result are taken for floats."""
 
     @wraps(function)

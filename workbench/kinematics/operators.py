@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import comb
+from typing import Any
 
 import numpy as np
 from numpy import matmul
@@ -35,7 +36,7 @@ class TensorPolynomial:
 
     __slots__ = ("_terms",)
 
-    def __init__(self, terms: Mapping[Word, int] | Iterable[tuple[Word, int]] = ()):
+    def __init__(self, terms: Mapping[Any, int] | Iterable[tuple[Word, int]] = ()):
         total: dict[Word, int] = {}
         for word, coefficient in terms.items() if isinstance(terms, Mapping) else terms:
             total[word] = total.get(word, 0) + coefficient

@@ -67,7 +67,8 @@ def twist_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
     points, _ = _measurements(points, accelerations[0], "accelerations[0]", 3)
     _require_spread(points, 2)
     centroid, arms = _centred(points)
-    omega, v = [], []
+    omega: list[np.ndarray] = []
+    v: list[np.ndarray] = []
     Phi, a = [identity_like(outer(centroid, centroid))], [0 * centroid]
     for n, measured in enumerate(accelerations):
         mean, relative = _centred(measured)

@@ -152,11 +152,11 @@ def log(R: Dual, turns: int = 0) -> Dual:
         alpha, u = natural_invariants(R)
         return scale(alpha + 2 * np.pi * turns if turns else alpha, u)
     rotation_tensor, rho = structural_invariants(R)
-    alpha, u = angle_and_axis(rotation_tensor)
-    psi = alpha[..., None] * u
-    half_tangent = np.tan(alpha / 2)
-    half_cotangent = np.where(alpha == 0, 1.0, alpha / 2 / np.where(alpha == 0, 1.0, half_tangent))
-    along = dot(u, rho)[..., None] * u
+    angle, axis = angle_and_axis(rotation_tensor)
+    psi = angle[..., None] * axis
+    half_tangent = np.tan(angle / 2)
+    half_cotangent = np.where(angle == 0, 1.0, angle / 2 / np.where(angle == 0, 1.0, half_tangent))
+    along = dot(axis, rho)[..., None] * axis
     return Dual(psi, along + half_cotangent[..., None] * (rho - along) - cross(psi, rho) / 2)
 
 

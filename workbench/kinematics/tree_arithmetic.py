@@ -21,7 +21,7 @@ from workbench.kinematics.lanes import (
     turned_by_quarters,
 )
 
-OPTIONS = {"fastmath": {"contract"}, "error_model": "numpy"}  # contract: a·b + c at once
+OPTIONS: dict[str, Any] = {"fastmath": {"contract"}, "error_model": "numpy"}  # contract: a·b + c at once
 compiled = njit(**OPTIONS)
 inlined = njit(forceinline=True, **OPTIONS)  # a call would put all registers into memory
 MANY_REGISTERS = REGISTERS >= 32  # two series of two coefficients have 12 sums and 9 factors

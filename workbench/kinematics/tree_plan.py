@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import factorial
+from typing import Any
 
 import numpy as np
 
@@ -69,7 +70,8 @@ class _Planner:
         last_use: dict[int, int] = {}
         for at in self.order:
             last_use[self.steps[at].parent] = at
-        self.slot, free, self.slots = {WORLD: 0}, [], 1
+        free: list[int] = []
+        self.slot, self.slots = {WORLD: 0}, 1
         for at in self.order:
             if free and not self.wanted.jacobians:
                 self.slot[at] = free.pop()
@@ -97,7 +99,7 @@ class _Planner:
             len(table), len(bodies), self.slots, together, J, self.velocities, axes_size, J > 0,
         )  # fmt: skip
         header[ORIGIN : ORIGIN + 3], header[TURNING] = self.origin, self.wanted.turning
-        constants = [
+        constants: list[Any] = [
             np.tile(self._input_factors(), self.channels),
             self._output_factors(),
             np.arange(float(columns), -1.0, -1.0),
@@ -106,7 +108,7 @@ class _Planner:
             *bodies,
             *entries,
         ]
-        head = HEAD + sum(map(len, constants))
+        head = HEAD + sum(len(part) for part in constants)
         memory = np.concatenate([header, *constants, np.zeros(block * together + WIDTH)])
         start = head + (-(memory.ctypes.data + 8 * head) % SIZE) // 8
         memory[8:10] = 8 * start, rows
@@ -151,7 +153,8 @@ class _Planner:
         return row
 
     def _body_rows(self) -> tuple[list[np.ndarray], list[np.ndarray]]:
-        bodies, entries = [], []
+        bodies: list[np.ndarray] = []
+        entries: list[np.ndarray] = []
         in_order = sorted(enumerate(self.frames), key=lambda pair: self.place.get(pair[1].after, -1))
         for out, frame in in_order:
             X = self.after[frame.after] @ frame.X_MB
@@ -172,7 +175,9 @@ class _Planner:
         while at != WORLD:
             step = self.steps[at]
             for slides, drive in ((0, step.turn), (1, step.slide)):
-                for axis in range(0 if drive is None else 1 if step.joint is not None else 3):
+                if drive is None:
+                    continue
+                for axis in range(1 if step.joint is not None else 3):
                     where = self.axes_of[at] + 3 * (self.wanted.order + 1) * axis
                     row = np.zeros(COLUMN)
                     row[:5] = slides, where, self.slot[at], drive.velocity + axis, drive.factor

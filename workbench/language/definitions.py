@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from typing import Protocol
 
 from workbench.core.type_codes import TypeCode
 from workbench.language.naming.spelling import Named
@@ -29,6 +30,12 @@ from workbench.language.typed.types import PI, SCALAR, Declaration
 
 #: At the left of the name of a positive number, it names its root.
 _ROOT = ("\\surd",)
+
+
+class Lookup(Protocol):
+    """One step of definition: the body of a defined symbol, None for a free one."""
+
+    def lookup(self, symbol: Symbol) -> Term | None: ...
 
 
 class Definitions:
@@ -126,8 +133,8 @@ class Definitions:
             family = symbol.declaration.name
             known = [str(name) for name in self._exact if family.index_of(name) is not None]
             known += [family.shown(definition.index) for definition in own]
-            known = ", ".join(dict.fromkeys(known))
-            raise IllFormed(TypeCode.UNDEFINED_MEMBER(shown=family.shown(symbol.index), known=known))
+            shown = ", ".join(dict.fromkeys(known))
+            raise IllFormed(TypeCode.UNDEFINED_MEMBER(shown=family.shown(symbol.index), known=shown))
         return None
 
 
@@ -149,7 +156,7 @@ def number_behind(root: Symbol) -> Symbol:
     return replace(root, declaration=replace(own, name=name, positive=True))
 
 
-def expand(term: Term, definitions: Definitions) -> Term:
+def expand(term: Term, definitions: Lookup) -> Term:
     """The term with every defined symbol replaced by its body, down to primitive symbols.
 
     Equal symbols become one object, so that Φ_8 stays a small graph although it is a huge tree.
@@ -158,7 +165,7 @@ def expand(term: Term, definitions: Definitions) -> Term:
 
 
 class _Expansion:
-    def __init__(self, definitions: Definitions) -> None:
+    def __init__(self, definitions: Lookup) -> None:
         self.definitions = definitions
         self.done: dict[int, tuple[Term, Term]] = {}
         self.members: dict[Named, Term] = {}

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from workbench.judge.evidence.motion_check import Motion, Subject, witness
 from workbench.judge.evidence.motion_source import Bindings, BoundFirst
@@ -40,7 +41,7 @@ class _Once:
 
     variables: tuple[str, ...]
 
-    def assignments(self) -> Iterator[Mapping[str, int]]:
+    def assignments(self) -> Iterator[dict[str, int]]:
         for n in MEMBERS:
             yield dict.fromkeys(self.variables, n)
 
@@ -60,13 +61,14 @@ def _tested(
     motions: tuple[Motion, ...],
 ) -> str | None:
     statement, orders = member
-    numbered = instantiate(statement.left, dict.fromkeys(orders.variables, MEMBERS[0]) if orders else {})
+    numbered: Any = instantiate(statement.left, dict.fromkeys(orders.variables, MEMBERS[0]) if orders else {})
     found = bindings.find(numbered)
     if found is None or not _all_bound(statement.right, definitions, bindings):
         return None
     seen = witness(Subject(statement, (), orders, definitions, (bindings,), motions))
     if not seen.vetoed:
         return None
+    assert seen.evidence is not None, "what vetoes has been seen"
     figures = seen.evidence.figures
     name, off = to_latex(statement.left), f"{100 * figures['residual']:.2g} %"
     place = f"at t = {figures['time']:g} s on {figures['motion']}"

@@ -15,7 +15,7 @@ class Lanes:
     """
 
     __slots__ = ("values",)
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
 
     def __init__(self, values: Any) -> None:
         self.values = values

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 import numpy as np
 
 from workbench.core.motion_codes import MotionCode
 from workbench.core.reasons import Reason, reason_of
+from workbench.drake.bindings import Bound
 from workbench.judge.evidence.motion_source import Bindings, BoundFirst, Motion, Stage
 from workbench.judge.evidence.truth import Evaluation, Truth
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.verdict import Evidence
 from workbench.language.typed.instances import instantiate
+from workbench.language.typed.names import Name
 from workbench.language.typed.operators import GRADIENTS
 from workbench.language.typed.terms import (
     Conjunction,
@@ -165,7 +167,7 @@ def _instance(subject: Subject, values: dict[str, int]) -> _Seen | Reason:
             return MotionCode.NO_QUANTITY()
         if max(_order(bindings, s, k) for s, k in used) > HIGHEST_ORDER:
             return MotionCode.TOO_HIGH_AN_ORDER()
-        needed = {name for s, _ in used for name in bindings.find(s)[0].needs}
+        needed = {name for s, _ in used for name in _bound(bindings, s)[0].needs}
         motions = tuple(m for m in subject.motions if needed <= set(m.available_bindings()))
         if not motions:
             return MotionCode.NO_MOTION_HAS(quantities=", ".join(sorted(needed)))
@@ -196,7 +198,7 @@ def _case(
     return _Case(statement, premises, lookup, take_inventory(sides, lookup), bindings)
 
 
-def _is_field(name: str, sides: Sequence[Term], definitions: Lookup) -> bool:
+def _is_field(name: Name, sides: Sequence[Term], definitions: Lookup) -> bool:
     """Whether a symbol of this name is defined with the coordinate."""
     pending: list[Term] = [
         t for side in sides for t in side.walk() if isinstance(t, Symbol) and t.declaration.name == name
@@ -237,8 +239,14 @@ def _same(case: _Case) -> bool:
     return False
 
 
+def _bound(bindings: Bindings, symbol: Symbol) -> tuple[Bound, int]:
+    found = bindings.find(symbol)
+    assert found is not None, "a bound symbol"
+    return found
+
+
 def _order(bindings: Bindings, symbol: Symbol, depth: int) -> int:
-    bound, index = bindings.find(symbol)
+    bound, index = _bound(bindings, symbol)
     return depth + bound.order(index)
 
 
@@ -248,7 +256,7 @@ def _stage(motions: tuple[Motion, ...]) -> Stage:
 
 
 @lru_cache(maxsize=32)
-def _course(motion: Motion) -> Stage:
+def _course(motion: Any) -> Stage:
     return Stage([(motion, time) for time in motion.course])
 
 
@@ -257,7 +265,7 @@ def _told(seen: Sequence[_Seen], course: bool) -> Witness:
     fails = worst.fails
     truth, used = worst.truth, worst.used
     bound = {
-        worst.case.bindings.find(symbol)[0].text
+        _bound(worst.case.bindings, symbol)[0].text
         for s in seen
         for symbol in s.case.inventory.orders
         if s.case.bindings.find(symbol) is not None
@@ -303,13 +311,14 @@ def _by_motion(seen: Sequence[_Seen]) -> tuple[list[float], list[float]]:
             if used:
                 known = worst[motion.name]
                 known[:] = max(known[0], float(residual)), max(known[1], float(error))
-    return tuple([figure(pair[i], decade=True) for pair in worst.values()] for i in range(2))
+    lowest, highest = ([figure(pair[i], decade=True) for pair in worst.values()] for i in range(2))
+    return lowest, highest
 
 
 def _over_time(seen: _Seen) -> dict[str, Any] | None:
     """Residual over size on the first motion; None at times where it cannot be told."""
     motion = next(m for (m, _), used in zip(seen.stage.places, seen.used, strict=True) if used)
-    stage = _course(motion)
+    stage = _course(cast(Hashable, motion))
     truth, used = seen.case.on(stage)
     relative = [figure(float(r), decade=bool(h)) for r, h in zip(truth.relative, truth.holds, strict=True)]
     residuals = [r if u else None for r, u in zip(relative, used, strict=True)]

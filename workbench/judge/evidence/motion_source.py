@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 from zlib import crc32
 
 import numpy as np
@@ -15,6 +15,7 @@ from workbench.judge.second.components import Value
 from workbench.judge.second.rings import PointSource
 from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.language.definitions import solve
+from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Symbol, Term
 
 #: Each time is looked at with the references as they are, and this often with each moved by its error.
@@ -65,7 +66,7 @@ class BoundFirst:
 
     definitions: Lookup
     bindings: Bindings
-    but_for: frozenset[str] = frozenset()
+    but_for: frozenset[Name] = frozenset()
 
     def lookup(self, symbol: Symbol) -> Term | None:
         if symbol.declaration.name not in self.but_for and self.bindings.find(symbol) is not None:
@@ -105,7 +106,7 @@ class Stage:
     def _assembled(self, bound: Bound, index: int, depth: int) -> list[np.ndarray]:
         from workbench.drake.bound_jets import bound_jet
 
-        found = [bound_jet(motion, bound, index, depth, time) for motion, time in self.places]
+        found = [bound_jet(cast(Any, motion), bound, index, depth, time) for motion, time in self.places]
         jets = []
         for k in range(depth + 1):
             random = np.random.default_rng([crc32(bound.text.encode()), index, k])
@@ -148,10 +149,17 @@ class MotionSource:
             return Value(jets, step)
         return Value(jets)
 
+    def _angle(self, angle: Term, value: Lanes | None) -> Lanes:
+        if value is not None:
+            return value
+        assert isinstance(angle, Symbol), "bound"
+        found: Lanes = self.jet(angle, 0).re[0].item()
+        return found
+
     def circle(self, angle: Term, value: Lanes | None = None) -> tuple[Any, Any]:
         if isinstance(angle, Symbol) and self._bindings.find(angle) is None:
             return self._free.circle(angle)
-        values = (self.jet(angle, 0).re[0][()] if value is None else value).values
+        values = self._angle(angle, value).values
         return Lanes(np.cos(values)), Lanes(np.sin(values))
 
     def circles(self) -> list[Term]:

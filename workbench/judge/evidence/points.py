@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from itertools import compress
 from random import Random
 from typing import Any, NamedTuple
@@ -71,7 +72,7 @@ def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> I
         ring = RationalRing(entries)
         for i in range(count):
             density = 0.3 + 0.7 * i / count
-            point = sample(inventory, ring, random, lambda _, d=density: random.random() < d)
+            point = sample(inventory, ring, random, partial(_is_drawn, random, density))
             yield trial_at(complete(point), definitions)
     entries, count = STAGES[0]
     ring = RationalRing(entries)
@@ -115,7 +116,7 @@ def _where_not_positive(candidates: list[Trial], term: Term, definitions: Lookup
         for parameter in candidates[0].point
     }
     try:
-        found = trial_at(lanes, definitions, LaneRing(len(candidates), 1)).components(term)
+        found: Any = trial_at(lanes, definitions, LaneRing(len(candidates), 1)).components(term)
     except NotExact:
         found = None
     if found is None:
@@ -179,12 +180,17 @@ def counterexample(
     defined = _defined(trial, relation, inventory)
     return Counterexample(
         {name: value.entries for name, value in values.items()},
-        *(_value(trial, side).entries for side in (relation.left, relation.right)),
+        _value(trial, relation.left).entries,
+        _value(trial, relation.right).entries,
         {name: value.entries for name, value in defined.items()},
         tuple(behind),
         {name: str(value.type) for name, value in (*values.items(), *defined.items())},
         str(_wider(relation.left.type, relation.right.type)),
     )
+
+
+def _is_drawn(random: Random, density: float, _: Parameter) -> bool:
+    return random.random() < density
 
 
 class _Value(NamedTuple):

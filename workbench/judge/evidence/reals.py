@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from random import Random
-from typing import Any
+from typing import Any, cast
 
 from flint import arb, ctx, fmpq
 
@@ -68,18 +68,18 @@ def _trial(point: dict[Parameter, Fraction], inventory: Inventory, definitions: 
             except (KeyError, NotExact):
                 later.append(angle)
                 continue
-            x = arb(value.re[0][()])
+            x = arb(value.re[0].item())
             known[Parameter(angle, "circle", 0, 0)] = x.cos()
             known[Parameter(angle, "circle", 0, 1)] = x.sin()
         if len(later) == len(waiting):
             raise NotExact("angles of angles")
         waiting = later
     engine = JetEngine(PointSource(BallRing(), known), definitions)
-    return Trial(known, engine, real=True)
+    return Trial(cast("dict[Parameter, Fraction]", known), engine, real=True)
 
 
 def surely_differ(trial: Trial, relation: Relation) -> bool:
     """Whether some component of left − right is sure not to be 0."""
     with ctx.workprec(PRECISION):
         differences = trial.differences(relation)
-    return differences is not None and any(not arb(d).contains(0) for d in differences)
+    return differences is not None and any(not arb(cast(arb, d)).contains(0) for d in differences)

@@ -94,9 +94,8 @@ class _Search:
         if len(coefficients) == 2:
             return [-self._ring.divide(coefficients[0], coefficients[1])]
         numbers = [c.rational() if isinstance(c, Algebraic) else c for c in coefficients]
-        if None in numbers:
-            return []
-        return self._real_roots(numbers)
+        rationals = [number for number in numbers if number is not None]
+        return self._real_roots(rationals) if len(rationals) == len(numbers) else []
 
     def _real_roots(self, coefficients: list[Fraction]) -> list[Any]:
         whole = fmpq_poly([fmpq(c.numerator, c.denominator) for c in coefficients])
@@ -125,7 +124,8 @@ class _Search:
         return [(root - b) * (1 / (2 * a)), (-root - b) * (1 / (2 * a))]
 
     def _of_higher_degree(self, factor: fmpz_poly, parts: list[Fraction]) -> list[Any]:
-        for root, _ in factor.complex_roots():
+        roots: Any = factor.complex_roots()
+        for root, _ in roots:
             if root.imag == 0:
                 middle, radius = _exact(root.real.mid()), _exact(root.real.rad())
                 self._field = NumberField(parts, (middle - radius, middle + radius))

@@ -56,7 +56,9 @@ class Truth:
     def both(self, other: Truth) -> Truth:
         worse = self.relative >= other.relative
         return Truth(
-            *(np.where(worse, getattr(self, n), getattr(other, n)) for n in ("residual", "error", "size")),
+            np.where(worse, self.residual, other.residual),
+            np.where(worse, self.error, other.error),
+            np.where(worse, self.size, other.size),
             holds=self.holds & other.holds,
             told=self.told & other.told,
         )

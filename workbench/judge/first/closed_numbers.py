@@ -6,7 +6,7 @@ root of each rational number whose square-free part, times 4, divides N.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import comb, factorial, lcm, prod
 from typing import Any, Protocol
@@ -109,7 +109,7 @@ def _power(base: np.ndarray, exponent: int, field: Field) -> np.ndarray:
         raise NotExact(f"the power {exponent}")
     if base.shape[0] != base.shape[1]:
         base, exponent = base.T @ base, exponent // 2
-    result = _filled(*base.shape, field.rational(Fraction(0)))
+    result = _filled(base.shape[0], base.shape[1], field.rational(Fraction(0)))
     np.fill_diagonal(result, field.rational(Fraction(1)))
     for _ in range(exponent):
         result = result @ base
@@ -137,7 +137,7 @@ def _inverse(a: np.ndarray, field: Field) -> np.ndarray:
     """By cofactors."""
     if len(a) == 1:
         return _filled(1, 1, field.reciprocal(a[0, 0]))
-    cofactors = _filled(*a.shape, None)
+    cofactors = _filled(a.shape[0], a.shape[1], None)
     for i, j in np.ndindex(*a.shape):
         cofactors[j, i] = _determinant(np.delete(np.delete(a, i, 0), j, 1)) * (-1) ** (i + j)
     return cofactors * field.reciprocal(_determinant(a))
@@ -147,7 +147,7 @@ def _scalar(value: Any) -> np.ndarray:
     return _filled(1, 1, value)
 
 
-_HEADS = {
+_HEADS: dict[str, Callable[..., np.ndarray]] = {
     "add": lambda *addends: sum(addends[1:], addends[0]),
     "neg": lambda a: -a,
     "mul": _product,
@@ -182,7 +182,7 @@ class Balls:
             raise NotExact("the root of what may be negative")
         if head in ("arccos", "arcsin") and not (-1 < values[0] < 1):
             raise NotExact("the arc of what may be outside of its domain")
-        functions = {
+        functions: dict[str, Callable[..., arb]] = {
             "sin": arb.sin, "cos": arb.cos, "exp": arb.exp, "root": arb.sqrt, "arccos": arb.acos,
             "arcsin": arb.asin, "arctan": arb.atan, "atan2": arb.atan2,
         }  # fmt: skip
@@ -220,7 +220,8 @@ class Cyclotomic:
             return self.rational(Fraction(1))
         if head == "root" and argument is not None:
             return self._root(rational_value(argument))
-        if head not in ("sin", "cos") or (turn := turns(argument)) is None:
+        turn = turns(argument) if argument is not None and head in ("sin", "cos") else None
+        if turn is None:
             raise NotExact(f"{head} of a number")
         power = turn * self.order
         up, down = self.zeta(int(power)), self.zeta(-int(power))
@@ -245,7 +246,7 @@ class _Element:
     """A number of a cyclotomic field."""
 
     __slots__ = ("field", "polynomial")
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
 
     def __init__(self, field: Cyclotomic, polynomial: fmpq_poly) -> None:
         self.field, self.polynomial = field, polynomial
@@ -280,8 +281,8 @@ def turns(term: Term) -> Fraction | None:
             found = turns(inner)
             return None if found is None else -found
         case Apply(head="add", arguments=addends):
-            found = [turns(each) for each in addends]
-            return None if None in found else sum(found, Fraction(0))
+            known = [turn for each in addends if (turn := turns(each)) is not None]
+            return sum(known, Fraction(0)) if len(known) == len(addends) else None
         case Apply(head="mul", arguments=(left, right)):
             for factor, angle in ((left, right), (right, left)):
                 if (found := turns(angle)) is not None and not isinstance(angle, Number | Zero):

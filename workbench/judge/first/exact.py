@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import partial
 from functools import reduce as fold
+from typing import Any
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.algebra.dual import Dual
@@ -86,8 +87,8 @@ class ExactEngine:
             self._values[symbol] = self._furnished(symbol)
         circles = list(inventory.circles.values())
         self._turns = Turns(self.value, self._algebra, self._free, circles, definitions)
-        for angle in circles:
-            self._free.furnish_circle(angle, partial(self._turns.part_of, angle))
+        for circle in circles:
+            self._free.furnish_circle(circle, partial(self._turns.part_of, circle))
 
     def _furnished(self, symbol: Symbol) -> Matrix:
         if symbol.declaration.of:
@@ -189,12 +190,13 @@ class ExactEngine:
 
     def _power(self, term: Power) -> Matrix | Operator:
         exponent = int(term.exponent)
-        base = self.value(term.base)
+        base: Any = self.value(term.base)
         if term.base.type.is_column:
             square = product(transpose(base), base)
             return fold(product, [square] * (exponent // 2), self._algebra.diagonal(1, 1))
         if term.type.kind == "operator":
-            return fold(partial(composed, self._algebra), [base] * exponent, (self._algebra.diagonal(1),))
+            compose: Any = partial(composed, self._algebra)
+            return fold(compose, [base] * exponent, (self._algebra.diagonal(1),))
         if term.type.kind == "quaternion":
             return fold(hamilton, [base] * exponent, self._algebra.diagonal(1, 4, 1))
         return fold(product, [base] * exponent, self._algebra.diagonal(1, len(base)))
@@ -292,7 +294,8 @@ class ExactEngine:
         if len(coordinates) != 1:
             raise NotExact(f"div and curl need one symbol declared `coordinate`, got {len(coordinates)}")
         place = [str(generator) for generator in self._free.column(coordinates[0], "value", 0, 3)]
-        return tuple(tuple(self.ring.partial(row[0], x) for x in place) for row in self.value(field))
+        rows: Any = self.value(field)
+        return tuple(tuple(self.ring.partial(row[0], x) for x in place) for row in rows)
 
     def _map(
         self, function: Callable[[Polynomial], Polynomial], value: Matrix | Operator

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from itertools import product as product_of
+from typing import Any
 
 from workbench.algebra.differential_ring import Derivation, DifferentialRing, Polynomial
 from workbench.algebra.dual import Dual
@@ -32,7 +33,8 @@ class FreeSymbols:
     def column(self, symbol: Symbol | Term, part: str, order: int, count: int) -> list[Polynomial]:
         """The parameters of one part and order, or [] where the inventory does not hold them."""
         found = [self._generator(symbol, part, order, i) for i in range(count)]
-        return [] if None in found else found
+        known = [each for each in found if each is not None]
+        return known if len(known) == count else []
 
     def place(self, symbol: Symbol, order: int, component: int) -> str:
         """The generator that stands for a component of a derivative."""
@@ -65,7 +67,7 @@ class FreeSymbols:
             return self._furnish_transform(symbol)
         if declaration.rotation:
             return self._furnish_rotation(symbol)
-        entries = self._entries(symbol, "value")
+        entries: list[Any] = self._entries(symbol, "value")
         if symbol.type.dual:
             dual = self._entries(symbol, "dual")
             entries = [Dual(re, du) for re, du in zip(entries, dual, strict=True)]
@@ -91,7 +93,7 @@ class FreeSymbols:
             self.ring.derive_as(str(generator), self.ring.reduce(rate))
         if symbol.type.dual:
             moment = self._shift(symbol, "moment", 3)
-            u = [Dual(re, du) for re, du in zip(u, cross(moment, u), strict=True)]
+            return matrix([Dual(re, du) for re, du in zip(u, cross(moment, u), strict=True)], 1)
         return matrix(u, 1)
 
     def _furnish_quaternion(self, symbol: Symbol) -> Matrix:
@@ -125,7 +127,7 @@ class FreeSymbols:
 
     def _furnish_rotation(self, symbol: Symbol) -> Matrix:
         w, x, y, z = self._unit_quaternion(symbol)
-        rotation = (
+        rotation: Matrix = (
             (1 - 2 * (y**2 + z**2), 2 * (x * y - w * z), 2 * (x * z + w * y)),
             (2 * (x * y + w * z), 1 - 2 * (x**2 + z**2), 2 * (y * z - w * x)),
             (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x**2 + y**2)),
@@ -175,14 +177,14 @@ class FreeSymbols:
         their own, and what they are."""
         for circle, part in circles.items():
             place, size = next(iter(part.terms()), ((), 1))
-            count = dict(angle.terms()).get(place, 0) / size
+            count: Any = dict(angle.terms()).get(place, 0) / size
             if count != 0 and count.q == 1:
                 yield circle, int(count)
                 angle = angle - part * self.ring.constant(int(count))
         for exponents, coefficient in angle.terms():
             yield self._linear_angle(exponents, coefficient).symbol, int(coefficient)
 
-    def _linear_angle(self, exponents: tuple[int, ...], coefficient: Fraction) -> Parameter:
+    def _linear_angle(self, exponents: tuple[int, ...], coefficient: Any) -> Parameter:
         places = [i for i, e in enumerate(exponents) if e]
         if len(places) == 1 and exponents[places[0]] == 1 and coefficient.q == 1:
             name = self.ring.names[places[0]]

@@ -67,12 +67,13 @@ class Turns:
         """cos α, sin α, the unit vector u and 1/α of α ũ; at α = 0 these are limits, but for α by name."""
         turn = angle_and_axis(argument, self._definitions)
         vector = turned_vector(argument, self._definitions) if turn is None else None
-        if turn is None and vector is None:
-            raise NotExact(NO_EXPONENT)
-        angle = turn[0] if turn is not None else apply("norm", vector)
-        cosine, sine = self.circle(angle)
         if turn is not None:
+            cosine, sine = self.circle(turn[0])
             return cosine, sine, self._value(turn[1]), None
+        if vector is None:
+            raise NotExact(NO_EXPONENT)
+        angle = apply("norm", vector)
+        cosine, sine = self.circle(angle)
         inverse = self._over(angle)
         return cosine, sine, scaled(inverse, self._value(vector)), inverse
 
@@ -91,7 +92,9 @@ class Turns:
             raise NotExact(NO_EXPONENT)
         cosine, sine, axis, inverse = self._turn(parts[0])
         if inverse is None:
-            inverse = self._over(angle_and_axis(parts[0], self._definitions)[0])
+            turn = angle_and_axis(parts[0], self._definitions)
+            assert turn is not None, "the angle by name"
+            inverse = self._over(turn[0])
         across, along = skew(flat(axis)), self._value(parts[1])
         once = product(across, along)
         moved = add(along, scaled((1 - cosine) * inverse, once))

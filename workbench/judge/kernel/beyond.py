@@ -3,7 +3,7 @@ formula, such as the 4 of Σ_{k=0}^{4}. A range without an end is looked at ther
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 from typing import Protocol
@@ -40,7 +40,7 @@ class FirstMembers:
 
     least: Mapping[str, int]
     generic: tuple[str, ...] = ()  # a range is stated for each
-    endless: Collection[str] = ()
+    endless: frozenset[str] = frozenset()
 
     def assignments(self) -> Iterator[dict[str, int]]:
         values: list[dict[str, int]] = [{}]

@@ -63,7 +63,8 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
         raise NotExact("an inverse function of an angle that does not stand alone on its side")
     if left is not None and right is not None:
         return _of_two(left, right, judge)
-    arc, angle = (right, statement.left) if left is None else (left, statement.right)
+    arc, angle = (left, statement.right) if left is not None else (right, statement.left)
+    assert arc is not None, "one side holds an arc"
     verdict = judge(_without(arc, angle))
     if verdict.outcome == Outcome.REFUTED and arc.head in ("arccos", "arcsin"):
         return verdict if _in_domain(verdict) else _unchecked(VerdictCode.OUTSIDE_OF_ARC())
@@ -74,8 +75,10 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
         return _unchecked(VerdictCode.UP_TO_BRANCH(branch=branch))
     value = _ELSEWHERE * arc.factor
     name = to_latex(angle)
-    kinds = {"kinds": {name: str(angle.type)}, "kind": str(angle.type)}
-    witness = Counterexample({name: (str(value),)}, (str(value),), (f"an angle with {branch}",), **kinds)
+    kind = str(angle.type)
+    witness = Counterexample(
+        {name: (str(value),)}, (str(value),), (f"an angle with {branch}",), kinds={name: kind}, kind=kind
+    )
     return replace(
         verdict,
         outcome=Outcome.CONDITIONAL,

@@ -56,8 +56,9 @@ def _of_relation(said: Relation, definitions: Definitions) -> Verdict | None:
 
 
 def _is_number(part: Term, definitions: Definitions) -> bool:
-    is_free = isinstance(part, Symbol) and not any(True for _ in definitions.about(part))
-    return not is_free or definitions.is_pi(part.declaration)
+    if not isinstance(part, Symbol) or definitions.about(part):
+        return True
+    return definitions.is_pi(part.declaration)
 
 
 def _judged(numbers: Relation) -> Verdict | None:

@@ -94,6 +94,7 @@ class _Question:
         with suppress(NotExact):
             verdict = self.judge(relation("=", left, right()), self.assume)
             return verdict if verdict.outcome in _HOLDS else None
+        return None
 
     # the form
 
@@ -111,14 +112,14 @@ class _Question:
             return relation("=", form, self.wanted)
         return relation("=", apply("neg", form), self.value)
 
-    @cached_property
+    @property
     def has_norm(self) -> bool:
         return self.varied.inside is not None
 
     @cached_property
     def form(self) -> Term:
         """f, −f where the greatest value is asked for, or f² of a norm."""
-        if self.has_norm:
+        if self.varied.inside is not None:
             if not self.said.least:
                 raise NotExact("a greatest norm")
             return power(self.varied.inside, 2)
@@ -275,7 +276,9 @@ class _Question:
             found = case.refuted(trial, self._said(rest))
             least, sign = self._least_at(trial), 1 if self.said.least else -1
             left = "none" if least is None else str(sign * least)
-            example = replace(found.counterexample, left=(left,), right=(str(sign * wanted(trial)),))
+            said = wanted(trial)
+            assert found.counterexample is not None and said is not None
+            example = replace(found.counterexample, left=(left,), right=(str(sign * said),))
             return self._told(
                 replace(found, counterexample=example), VerdictCode.ANOTHER_VALUE(word=self._word)
             )
@@ -284,13 +287,17 @@ class _Question:
     def _least_at(self, trial: Trial) -> Fraction | None:
         """The least value of the form at a point; None if it has no bound there, or is not defined."""
         matrix, slopes, rest = self.quadratic.coefficients
-        rows = [[_number(trial, a) for a in (*row, b)] for row, b in zip(matrix, slopes, strict=True)]
-        if any(entry is None for row in rows for entry in row):
+        rows: list[list[Fraction]] = []
+        for row, b in zip(matrix, slopes, strict=True):
+            entries = [_number(trial, entry) for entry in (*row, b)]
+            known = [entry for entry in entries if entry is not None]
+            if len(known) < len(entries):
+                return None
+            rows.append(known)
+        solution, constant = solved(rows), _number(trial, rest)
+        if solution is None or constant is None:
             return None
-        solution = solved(rows)
-        if solution is None:
-            return None
-        return _number(trial, rest) - sum(row[-1] * x for row, x in zip(rows, solution, strict=True))
+        return constant - sum((row[-1] * x for row, x in zip(rows, solution, strict=True)), Fraction(0))
 
     def _wanted_under(self, supposed: tuple[Statement, ...]) -> Term:
         return at_zero_part(self.wanted, lambda t: self._is_zero(t, supposed))
@@ -308,9 +315,9 @@ class _Question:
         return self.judge(relation("=", term, zero(term.type)), supposed).outcome == Outcome.PROVED
 
     def _together(self, parts: Sequence[Verdict]) -> Verdict:
-        for outcome in (Outcome.REFUTED, Outcome.UNCHECKED, Outcome.PROBABLE, Outcome.CONDITIONAL):
+        for worst in (Outcome.REFUTED, Outcome.UNCHECKED, Outcome.PROBABLE, Outcome.CONDITIONAL):
             for part in parts:
-                if part.outcome == outcome:
+                if part.outcome == worst:
                     return part
         if any(part.outcome != Outcome.PROVED for part in parts):
             return _unchecked(VerdictCode.NOT_SHOWN())

@@ -57,6 +57,9 @@ class InstanceJudge(Protocol):
         self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
     ) -> Verdict: ...
 
+    def by_one_engine(self) -> InstanceJudge:
+        """The judge without its second engine."""
+
 
 #: A family is as good as its worst member.
 WORST_FIRST = (
@@ -118,10 +121,10 @@ def _family(
         scope = _scope(judge, [statement], {}, statement, orders)
         return verdict if scope is None else replace(verdict, scope=scope or None)
     general = _for_all(judge, statement, assume, hypothesis, orders)
-    proves_nothing = orders.endless or orders.generic
+    proves_nothing = bool(orders.endless or orders.generic)
     if general is not None:
         proves_nothing = general.outcome == Outcome.PROVED
-    light = replace(judge, second_engine=False) if proves_nothing else judge
+    light = judge.by_one_engine() if proves_nothing else judge
     instances = _instances(light, statement, assume, hypothesis, orders)
     if general is None:
         return instances
@@ -311,12 +314,12 @@ def _instances(
         figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}
         fails = Evidence("each instance", f"fails for {place}", figures)
         return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
-    for values in beyond(_terms(statement), judge.definitions, orders):
+    for far in beyond(_terms(statement), judge.definitions, orders):
         with suppress(Unsatisfiable):  # there, nothing is claimed
-            further = _instance_for(judge, statement, assume, hypothesis, values)
+            further = _instance_for(judge, statement, assume, hypothesis, far)
             if further.outcome == Outcome.REFUTED:
                 return replace(
-                    further, reason=VerdictCode.FOR_THOUGH_HOLDS(values=_shown(values), orders=orders)
+                    further, reason=VerdictCode.FOR_THOUGH_HOLDS(values=_shown(far), orders=orders)
                 )
     evidence = (*worst.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
     return replace(worst, scope=str(orders), evidence=evidence)

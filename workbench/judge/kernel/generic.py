@@ -64,8 +64,8 @@ def ranges_apart(
 
 def _for_each(statement: Relation, definitions: Definitions) -> Relation | None:
     """The equation of free members, where what is defined is defined for each index alike."""
-    members = {part for side in (statement.left, statement.right) for part in definitions.reached(side)}
-    members = {part for part in members if isinstance(part, Symbol) and part.index}
+    parts = (part for side in (statement.left, statement.right) for part in definitions.reached(side))
+    members = {part for part in parts if isinstance(part, Symbol) and part.index}
     known = {each for member in members for each in definitions.about(member)}
     if any(member.declaration.apart for member in members) or not all(map(_is_for_each, known)):
         return None
@@ -84,8 +84,8 @@ def judge_addends(judge: InstanceJudge, statement: Statement) -> Verdict | None:
     if not isinstance(statement, Relation) or statement.operator != "=":
         return None
     try:
-        statement = _for_each(statement, judge.definitions)
-        said = None if statement is None else addend_by_addend(statement)
+        free = _for_each(statement, judge.definitions)
+        said = None if free is None else addend_by_addend(free)
         verdict = None if said is None else judge.judge_instance(Conjunction(tuple(said)), (), None)
     except (NotExact, IllFormed):
         return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from math import lcm
+from typing import Any
 
 from flint import Ordering, fmpq_mpoly_ctx, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
@@ -64,6 +65,7 @@ class Ideal:
 
 def _basis(generators: Sequence[fmpz_mpoly], context: fmpz_mpoly_ctx) -> fmpz_mpoly_vec:
     """A Gröbner basis of the ideal, or what was found of it within the limits."""
+    found: Any
     found, finished = fmpz_mpoly_vec(generators, context).buchberger_naive(limits=LIMITS)
     return found.autoreduction() if finished else found
 
@@ -81,7 +83,7 @@ def is_nowhere_zero(
     """A number that is not 0 plus monomials of its sign, whose squares and norms are not negative. norms: the
     places of the generators that stand for such. apart: those of generators that are not 0, whose product
     does as well as a number."""
-    terms = list(p.terms())
+    terms: list[Any] = list(p.terms())
     same_sign = len({c > 0 for _, c in terms}) == 1
     is_there = any(all(place in apart for place, e in enumerate(powers) if e) for powers, _ in terms)
     return same_sign and is_there and has_even_powers(p, norms)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import cast
 
 from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.beyond import OrderRanges
@@ -14,7 +15,7 @@ from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.closed import judge_closed
 from workbench.judge.kernel.equation import IN_FORCE, Equation
 from workbench.judge.kernel.extrema import judge_extremum
-from workbench.judge.kernel.families import WORST_FIRST, judge_family
+from workbench.judge.kernel.families import WORST_FIRST, InstanceJudge, judge_family
 from workbench.judge.kernel.inequation import judge_inequation
 from workbench.judge.kernel.premises import equal_turns, put_in
 from workbench.judge.subject import Without
@@ -50,6 +51,9 @@ class Judge(Setting):
         default_factory=dict, compare=False, repr=False
     )
 
+    def by_one_engine(self) -> Judge:
+        return replace(self, second_engine=False)
+
     def judge(
         self,
         statement: Statement,
@@ -64,9 +68,9 @@ class Judge(Setting):
         Raises Unsatisfiable if nothing satisfies the assumptions, EngineDisagreement if the engines differ.
         """
         judge = replace(self, laws=False) if orders else self
-        judged = judge_family(judge, statement, tuple(assume), hypothesis, orders)
-        is_idle = judged.code is VerdictCode.SAME_TERM and isinstance(statement, Relation)
-        if is_idle and statement.left != statement.right:
+        judged = judge_family(cast(InstanceJudge, judge), statement, tuple(assume), hypothesis, orders)
+        is_idle = judged.code is VerdictCode.SAME_TERM
+        if is_idle and isinstance(statement, Relation) and statement.left != statement.right:
             judged = judge_closed(statement, tuple(assume), self.definitions, self.second_engine) or judged
         return replace(judged, read_back=to_latex(statement))
 
@@ -261,7 +265,11 @@ class Judge(Setting):
 
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
         """x ≠ 0 ⇒ y ≠ 0 says that x = 0 where y = 0, and that y is defined where x ≠ 0."""
-        if {_operator(premise), _operator(claim)} == {"≠"}:
+        if (
+            isinstance(premise, Relation)
+            and isinstance(claim, Relation)
+            and premise.operator == claim.operator == "≠"
+        ):
             given, said = (equated("=", *[_difference(r).left] * 2) for r in (premise, claim))
             turned = self._implied(_equation(claim), _equation(premise), (*assume, given))
             defined = self._judge(_difference(said), (*assume, premise))
@@ -286,10 +294,6 @@ class Judge(Setting):
         is_field = has_gradient(sides_of(claim))
         code = VerdictCode.AT_ONE_PLACE if is_field else VerdictCode.AT_ONE_INSTANT
         return Verdict(Outcome.UNCHECKED, reason=code())
-
-
-def _operator(statement: Statement) -> str | None:
-    return statement.operator if isinstance(statement, Relation) else None
 
 
 def _equation(inequation: Relation) -> Relation:

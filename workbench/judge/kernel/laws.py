@@ -79,9 +79,12 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
             if whole in named and _is_moved_by(entries, whole, definitions):
                 alone = said.alone
             if whole.declaration.hidden:  # a law for what is written, by symbols of the author
-                whole, said = _written(whole, place.side, named, definitions)
+                written, occurrence = _written(whole, place.side, named, definitions)
+                if written is None or occurrence is None:
+                    continue
+                whole, said = written, occurrence
                 beyond, alone = {s for s in beyond if not s.declaration.hidden}, False
-            if whole is None or not (alone or beyond):
+            if not (alone or beyond):
                 continue
             if _has_solutions(relation, inventory, definitions, entries, order):
                 whole = number_behind(whole)
@@ -181,7 +184,7 @@ def _occurrences(
                 yield from _occurrences(argument, definitions, order, False)
     elif isinstance(term, Derivative):
         yield from _occurrences(term.body, definitions, order + int(term.order), alone)
-    elif (rate := _rate_of_momentum(term)) is not None:
+    elif (rate := _rate_of_momentum(term)) is not None and isinstance(rate.body, Symbol):
         inside = _occurrences(term.children[0], definitions, order, False)
         yield from (each for each in inside if each[0] != rate.body)
         yield rate.body, order + int(rate.order), alone
@@ -219,15 +222,18 @@ def _has_solutions(
         if orders == order + (part != "spin")
     ]
     random = Random(_SEED)
-    found: list[_Solved | None] = []
+    found: list[_Solved] = []
     for _ in range(_TRIES):
         drawn = sample(inventory, RationalRing(_ENTRIES), random)
         point = {parameter: float(value) for parameter, value in drawn.items()}
         with suppress(NotExact, ZeroDivisionError):
-            found.append(_solved(relation, definitions, point, unknowns))
-        if len(found) == _POINTS or None in found:
+            one = _solved(relation, definitions, point, unknowns)
+            if one is None:
+                return False
+            found.append(one)
+        if len(found) == _POINTS:
             break
-    if len(found) < _POINTS or None in found:
+    if len(found) < _POINTS:
         return False
     is_identity = all(each.holds_without for each in found)
     return not is_identity or all(np.allclose(each.slopes, found[0].slopes) for each in found)

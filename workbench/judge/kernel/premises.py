@@ -30,7 +30,7 @@ def put_in(
     for place, premise in enumerate(premises):
         others = [*premises[:place], *premises[place + 1 :]]
         for own, value in _said(premise):
-            if premise.operator != "=" or not _is_any(own, bound):
+            if premise.operator != "=" or not isinstance(own, Symbol) or not _is_any(own, bound):
                 continue
             if own.type != value.type or not _is_total(value, definitions):
                 continue

@@ -127,7 +127,7 @@ def _product(one: Term, other: Term) -> Term:
 
 def solved(rows: list[list[Fraction]]) -> list[Fraction] | None:
     """x with A x = b for the rows (A | b), free unknowns put to 0; None if there is none."""
-    rows, pivots = [list(row) for row in rows], []
+    rows, pivots = [list(row) for row in rows], list[int]()
     for column in range(len(rows)):
         place = next((i for i in range(len(pivots), len(rows)) if rows[i][column]), None)
         if place is None:

@@ -41,8 +41,9 @@ class Varied:
             supposed = [expand(side, definitions) for s in assume for side in _sides(s)]
             if any(letter in side.walk() for side in supposed):
                 raise NotExact(f"a premise about {letter.declaration.name}, which varies")
-        is_norm = isinstance(body, Apply) and body.head == "norm" and not body.type.dual
-        return Varied(said.letters, body, body.arguments[0] if is_norm else None)
+        if isinstance(body, Apply) and body.head == "norm" and not body.type.dual:
+            return Varied(said.letters, body, body.arguments[0])
+        return Varied(said.letters, body, None)
 
     @property
     def count(self) -> int:
@@ -63,6 +64,7 @@ class Varied:
         return self._put(self.body, values)
 
     def inside_at(self, values: Mapping[int, int]) -> Term:
+        assert self.inside is not None, "a norm"
         return self._put(self.inside, values)
 
     def _put(self, term: Term, values: Mapping[int, int]) -> Term:

@@ -74,11 +74,12 @@ def leibniz(f: Callable, a: Jet, b: Jet) -> Jet:
     """(f(a, b))⁽ᵏ⁾ = Σⱼ C(k, j) f(a⁽ʲ⁾, b⁽ᵏ⁻ʲ⁾) for bilinear f, as far as both lists reach."""
     result: Jet = []
     for k in range(min(len(a), len(b))):
-        total = None
+        total: np.ndarray | None = None
         for j in range(k + 1):
             addend = f(a[j], b[k - j])
             addend = np.asarray(addend if comb(k, j) == 1 else addend * comb(k, j), dtype=object)
             total = addend if total is None else np.asarray(total + addend, dtype=object)
+        assert total is not None
         result.append(total)
     return result
 
@@ -129,12 +130,12 @@ def stack(values: list[Value]) -> Value:
 
 def beside(values: list[Value]) -> Value:
     """Scalars as a row, columns as a matrix."""
-    return Value(
-        [np.stack([v.re[k] for v in values], axis=-1) for k in range(values[0].depth + 1)],
-        None
-        if values[0].du is None
-        else [np.stack([v.du[k] for v in values], axis=-1) for k in range(values[0].depth + 1)],
-    )
+
+    def row(jets: list[Jet]) -> Jet:
+        return [np.stack([jet[k] for jet in jets], axis=-1) for k in range(values[0].depth + 1)]
+
+    duals = [value.du for value in values if value.du is not None]
+    return Value(row([value.re for value in values]), row(duals) if duals else None)
 
 
 def is_zero(value: Value) -> bool:

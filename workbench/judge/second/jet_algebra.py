@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import operator
+from collections.abc import Sequence
 from math import comb
+from operator import itemgetter
 from typing import Any, Protocol
 
 import numpy as np
@@ -70,13 +73,14 @@ class JetAlgebra:
 
     def _by_minors(self, a: Value, size: int) -> Value:
         """The determinants of the first k rows and any k columns, one row more at a time."""
-        minors = {(): self.constant(1, 1, a.depth)}
+        minors: dict[tuple[int, ...], Value] = {(): self.constant(1, 1, a.depth)}
         for row in range(size):
             wider: dict[tuple[int, ...], Value] = {}
             for columns, minor in minors.items():
                 for j in set(range(size)) - set(columns):
-                    sign = (-1) ** sum(c > j for c in columns)
-                    addend = product_of(np.multiply, minor, entry(a, (row, j))).map(lambda x, s=sign: x * s)
+                    addend = product_of(np.multiply, minor, entry(a, (row, j)))
+                    if sum(column > j for column in columns) % 2:
+                        addend = addend.map(operator.neg)
                     key = tuple(sorted((*columns, j)))
                     wider[key] = add(wider[key], addend) if key in wider else addend
             minors = wider
@@ -94,9 +98,9 @@ class JetAlgebra:
             return self.divide(self.adjugate(a), self.det(a))
         rows = len(a.re[0])
         for size in sorted(range(1, rows), key=lambda k: abs(2 * k - rows)):
-            if is_zero(a.map(lambda x, k=size: x[:k, k:])):
+            if is_zero(a.map(itemgetter((slice(size), slice(size, None))))):
                 return self._lower_inverse(a, size)
-            if is_zero(a.map(lambda x, k=size: x[k:, :k])):
+            if is_zero(a.map(itemgetter((slice(size, None), slice(size))))):
                 return self._lower_inverse(a.map(np.transpose), size).map(np.transpose)
         return self._gauss_jordan(a)
 
@@ -108,12 +112,12 @@ class JetAlgebra:
         corner = product_of(np.matmul, lower, moved)
         rest = self.filled((size, len(a.re[0]) - size))
 
-        def joined(parts: tuple[Jet, Jet, Jet]) -> Jet:
+        def joined(parts: Sequence[Jet]) -> Jet:
             return [np.block([[p, rest], [q, s]]) for p, q, s in zip(*parts, strict=True)]
 
         blocks = (upper, corner, lower)
-        dual = None if a.du is None else joined(tuple(b.du for b in blocks))
-        return Value(joined(tuple(b.re for b in blocks)), dual)
+        duals = [block.du for block in blocks if block.du is not None]
+        return Value(joined([block.re for block in blocks]), joined(duals) if duals else None)
 
     def _gauss_jordan(self, a: Value) -> Value:
         """The inverse of a square block matrix, pivot by pivot; a pivot must not vanish identically."""

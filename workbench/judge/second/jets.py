@@ -8,7 +8,7 @@ prime, the rationals, floats or Drake's polynomials. A `Source` says what the sy
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial, reduce
 from itertools import product
 from math import comb
 from typing import Any
@@ -58,6 +58,11 @@ from workbench.language.typed.terms import (
     Zero,
 )
 from workbench.language.typed.types import Type
+
+
+def _scaled(factor: Any, x: np.ndarray) -> np.ndarray:
+    scaled: np.ndarray = x * factor
+    return scaled
 
 
 class JetEngine:
@@ -140,7 +145,7 @@ class JetEngine:
         for (i, a), (j, b) in product(enumerate(left), enumerate(factors)):
             for order in range(i + 1):
                 count = self._algebra.ring.constant(comb(i, order), 1)
-                addend = product_of(np.matmul, a, b.cut(order, order + depth)).map(lambda x, c=count: x * c)
+                addend = product_of(np.matmul, a, b.cut(order, order + depth)).map(partial(_scaled, count))
                 total[i - order + j] = add(total[i - order + j], addend)
         return tuple(total)
 
@@ -181,7 +186,8 @@ class JetEngine:
         if term.base.type.is_column:
             base, exponent = product_of(dot, base, base), exponent // 2
         total = self.one(term.type, depth)
-        times = {"scalar": np.multiply, "quaternion": quaternion_product}.get(term.type.kind, np.matmul)
+        products: dict[str, Callable[..., Any]] = {"scalar": np.multiply, "quaternion": quaternion_product}
+        times = products.get(term.type.kind, np.matmul)
         for _ in range(exponent):
             total = product_of(times, total, base)
         return total
@@ -215,7 +221,7 @@ class JetEngine:
     def _apply(self, term: Apply, depth: int) -> Value:
         head, arguments = term.head, term.arguments
         if head == "mul":
-            return self._juxtaposition(*arguments, depth)
+            return self._juxtaposition(arguments[0], arguments[1], depth)
         if head in BILINEAR:
             return product_of(BILINEAR[head], *(self.value(a, depth) for a in arguments))
         if head in LINEAR:
@@ -266,7 +272,7 @@ class JetEngine:
             case "exp":
                 return self._turns.exp(arguments[0], depth)
             case "partial" | "total":
-                return self._partial(*arguments, depth)
+                return self._partial(arguments[0], arguments[1], depth)
             case "divergence":
                 gradient = self._gradient(arguments[0], depth)
                 return add(add(entry(gradient[0], 0), entry(gradient[1], 1)), entry(gradient[2], 2))
@@ -279,13 +285,13 @@ class JetEngine:
         if left.type.kind == "operator":
             if right.type.rows != 3:
                 raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
-            total, coefficients = None, self.operator(left, depth)
+            coefficients = self.operator(left, depth)
             operands = self.value(right, depth + len(coefficients) - 1)
-            for power, coefficient in enumerate(coefficients):
-                operand = operands.cut(power, power + depth)
-                addend = product_of(np.matmul, coefficient, operand)
-                total = addend if total is None else add(total, addend)
-            return total
+            addends = (
+                product_of(np.matmul, coefficient, operands.cut(power, power + depth))
+                for power, coefficient in enumerate(coefficients)
+            )
+            return reduce(add, addends)
         a, b = self.value(left, depth), self.value(right, depth)
         if "scalar" in (left.type.kind, right.type.kind):
             return product_of(np.multiply, a, b)
@@ -331,8 +337,8 @@ class JetEngine:
         for seed in seeds(by, self._definitions):
             lower = [seed._replace(order=seed.order - i) for i in range(min(seed.order, depth) + 1)]
             moved = [changes(self._moved_by(each).value(body, depth)) for each in lower]
-            du = None if moved[0].du is None else commuted([v.du for v in moved])
-            found.append(Value(commuted([v.re for v in moved]), du))
+            duals = [value.du for value in moved if value.du is not None]
+            found.append(Value(commuted([v.re for v in moved]), commuted(duals) if duals else None))
         return found[0] if by.type.kind == "scalar" else beside(found)
 
     def _moved_by(self, seed: Seed) -> JetEngine:

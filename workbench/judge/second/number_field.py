@@ -52,7 +52,7 @@ class Algebraic:
     """An element of a number field."""
 
     __slots__ = ("coefficients", "field")
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
 
     def __init__(self, field: NumberField, coefficients: Sequence[Fraction]) -> None:
         self.field, self.coefficients = field, _trimmed(coefficients)
@@ -97,7 +97,8 @@ class Algebraic:
         if not self:
             raise ZeroDivisionError("division by zero in a number field")
         above, below = self.field.minimal, self.coefficients
-        left, right = (), (Fraction(1),)
+        left: Coefficients = ()
+        right: Coefficients = (Fraction(1),)
         while len(below) > 1:
             quotient = _quotient(above, below)
             above, below = below, _sum(above, _negative(_product(quotient, below)))
@@ -122,7 +123,7 @@ class NumberFieldRing(RationalRing):
     def divide(self, a: Any, b: Any) -> Any:
         return a * b.inverse() if isinstance(b, Algebraic) else a * (1 / Fraction(b))
 
-    def root(self, square: Any) -> Fraction:
+    def root(self, square: Any) -> Any:
         rational = square.rational() if isinstance(square, Algebraic) else square
         if rational is None:
             raise NotExact(f"the root of {square}")
@@ -137,7 +138,7 @@ def _trimmed(coefficients: Iterable[Fraction]) -> Coefficients:
 
 
 def _sum(a: Coefficients, b: Coefficients) -> Coefficients:
-    return _trimmed(map(sum, zip_longest(a, b, fillvalue=Fraction(0))))
+    return _trimmed(x + y for x, y in zip_longest(a, b, fillvalue=Fraction(0)))
 
 
 def _negative(a: Coefficients) -> Coefficients:

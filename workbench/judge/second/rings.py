@@ -52,7 +52,7 @@ class Residue:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, (Residue, int)) and (self.value - _residue(other)) % PRIME == 0
 
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
 
     def __bool__(self) -> bool:
         return self.value != 0
@@ -228,7 +228,8 @@ class PointSource:
         spins = [joined(s[0] * 0, s) * half for s in spins]
         q = [start]
         for k in range(depth):
-            q.append(sum(quaternion_product(spins[j], q[k - j]) * comb(k, j) for j in range(k + 1)))
+            addends = (quaternion_product(spins[j], q[k - j]) * comb(k, j) for j in range(k + 1))
+            q.append(np.asarray(sum(addends), dtype=object))
         if not symbol.type.dual:
             return Value(q)
         shifts = [joined(p[0] * 0, p) * half for p in self._array(symbol, "translation", depth, (3,))]
@@ -246,8 +247,8 @@ class PointSource:
 
     def _rotation(self, symbol: Symbol, depth: int) -> Value:
         """R = (q₀² − q·q) I + 2 q ⊗ q + 2 q₀ q̃ at |q| = 1."""
-        q0, *q = (self._parameter(symbol, "quaternion", 0, i) for i in range(4))
-        q = np.array(q, dtype=object)
+        q0, *rest = (self._parameter(symbol, "quaternion", 0, i) for i in range(4))
+        q = np.array(rest, dtype=object)
         start = np.outer(q, q) * 2 + _crossing(q) * (q0 * 2)
         for i in range(3):
             start[i, i] = start[i, i] + q0 * q0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2])

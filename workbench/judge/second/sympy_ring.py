@@ -30,7 +30,7 @@ class Ratio:
                 top, number = top.quo_ground(common), number // common
         self.ring, self.top, self.number, self.below = ring, top, number, below
 
-    def __add__(self, other: Any) -> Ratio | int:
+    def __add__(self, other: Any) -> Any:
         if not other:
             return self
         other = self.ring.lift(other)
@@ -64,7 +64,7 @@ class Ratio:
     def __rsub__(self, other: Any) -> Ratio:
         return -self + other
 
-    def __mul__(self, other: Any) -> Ratio | int:
+    def __mul__(self, other: Any) -> Any:
         if isinstance(other, int):
             if other in (0, 1):
                 return self if other else 0
@@ -81,7 +81,7 @@ class Ratio:
     def __eq__(self, other: object) -> bool:
         return not self - other
 
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
 
     def __bool__(self) -> bool:
         return bool(self.top)
@@ -121,7 +121,7 @@ class SympyRing:
         top = self.polynomials.integers.ground_new(ZZ(value.numerator))
         return Ratio(self, top, value.denominator, {})
 
-    def constant(self, numerator: int, denominator: int) -> Ratio | int:
+    def constant(self, numerator: int, denominator: int) -> Any:
         if denominator == 1:
             return numerator
         value = Fraction(numerator, denominator)

@@ -52,7 +52,7 @@ class Tangent:
         other = self.ring.lift(other)
         return bool(self.value == other.value) and bool(self.slope == other.slope)
 
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
 
     def __bool__(self) -> bool:
         return bool(self.value) or bool(self.slope)
@@ -145,7 +145,8 @@ def commuted(lowered: list[Jet]) -> Jet:
 def _changed(array: np.ndarray) -> np.ndarray:
     result = np.empty(array.shape, dtype=object)
     for place in np.ndindex(array.shape):
-        result[place] = array[place].slope if isinstance(array[place], Tangent) else 0 * array[place]
+        entry: Any = array[place]
+        result[place] = entry.slope if isinstance(entry, Tangent) else 0 * entry
     return result
 
 

@@ -29,6 +29,7 @@ from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector, turning_and_moving
 from workbench.language.typed.construct import apply
 from workbench.language.typed.terms import Apply, Number, Symbol, Term, Zero
+from workbench.language.typed.types import Type
 
 #: How many times an angle is looked for in another that is written otherwise.
 _MULTIPLES = range(1, 5)
@@ -41,7 +42,7 @@ class Engine(Protocol):
 
     def value(self, term: Term, depth: int) -> Value: ...
 
-    def one(self, shape: tuple[int, ...], depth: int) -> Value: ...
+    def one(self, type_: Type, depth: int) -> Value: ...
 
 
 class Turns:
@@ -162,14 +163,16 @@ class Turns:
     def _moved(self, turning: Term, moving: Term, depth: int) -> Value:
         turn = angle_and_axis(turning, self._definitions)
         vector = None if turn is not None else turned_vector(turning, self._definitions)
-        if turn is None and vector is None:
-            raise NotExact(NO_EXPONENT)
-        angle = turn[0] if turn is not None else apply("norm", vector)
-        alpha, v = self._engine.value(angle, depth), self._engine.value(moving, depth)
         if turn is not None:
-            axis = self._engine.value(turn[1], depth)
-        else:
+            angle, axis_term = turn
+            alpha, axis = self._engine.value(angle, depth), self._engine.value(axis_term, depth)
+        elif vector is not None:
+            angle = apply("norm", vector)
+            alpha = self._engine.value(angle, depth)
             axis = self._algebra.divide(self._engine.value(vector, depth), alpha)
+        else:
+            raise NotExact(NO_EXPONENT)
+        v = self._engine.value(moving, depth)
         cosine, sine = self.circle(angle, depth)
         one = self._algebra.constant(1, 1, depth)
         along = product_of(np.multiply, product_of(dot, axis, v), axis)

@@ -2,15 +2,11 @@
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Protocol
 
+from workbench.language.definitions import Lookup
 from workbench.language.typed.terms import Symbol, Term
 
-
-class Lookup(Protocol):
-    """One step of definition: the body of a defined symbol, None for a free one."""
-
-    def lookup(self, symbol: Symbol) -> Term | None: ...
+__all__ = ["Lookup", "NotExact", "With", "Without", "reached"]
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from math import lcm
+from typing import TypeGuard
 
 from workbench.judge.subject import Lookup, NotExact, With
 from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector, turning_and_moving
@@ -38,7 +39,7 @@ def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
     return With(definitions, multiples) if multiples else definitions
 
 
-def is_free_angle(angle: Term) -> bool:
+def is_free_angle(angle: Term) -> TypeGuard[Symbol]:
     """Whether it is a symbol other than the time: the rate of t/2 is known, as that of ω t is, and no other
     symbol has it."""
     return isinstance(angle, Symbol) and not angle.declaration.clock

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from functools import partial
 
 from workbench.judge.subject import reached
 from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
@@ -63,7 +64,7 @@ def derivatives_of(
         slopes = _slopes(relation, sides, definitions) if has_functions and is_everywhere else []
         found += slopes
         for k in range(1, more + 1):
-            found += [_each_side(each, lambda side, k=k: derivative(side, k)) for each in (relation, *slopes)]
+            found += [_each_side(each, partial(derivative, order=k)) for each in (relation, *slopes)]
     return tuple(found)
 
 
@@ -107,9 +108,7 @@ def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> l
     by |= {part.body for part in by if isinstance(part, Derivative)}  # ∂ḟ/∂q̇ = ∂f/∂q
     found, relations = [], [relation]
     for _ in range(max((_depth(side, definitions) for side in sides), default=0)):
-        relations = [
-            _each_side(r, lambda side, x=x: apply("partial", side, x)) for r in relations for x in by
-        ]
+        relations = [_each_side(r, partial(_slope, x)) for r in relations for x in by]
         found += relations
     return found
 
@@ -120,6 +119,10 @@ def _depth(term: Term, definitions: Lookup) -> int:
     inside = term.children if body is None else (body,)
     is_slope = isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS
     return is_slope + max((_depth(part, definitions) for part in inside), default=0)
+
+
+def _slope(by: Term, side: Term) -> Term:
+    return apply("partial", side, by)
 
 
 def _each_side(relation: Relation, of: Callable[[Term], Term]) -> Relation:

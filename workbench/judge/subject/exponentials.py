@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from workbench.judge.subject import NotExact
 from workbench.judge.subject.angles import Sum, round_terms, sum_of_products
-from workbench.language.definitions import Definitions, expand
+from workbench.language.definitions import Lookup, expand
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, derivative, number, rebuild, relation, symbol, zero
 from workbench.language.typed.instances import raised
@@ -36,11 +36,11 @@ class Exponentials(NamedTuple):
     supposed: tuple[Statement, ...]
 
 
-def holds_exponentials(said: Relation, definitions: Definitions) -> bool:
+def holds_exponentials(said: Relation, definitions: Lookup) -> bool:
     return any(map(_is_exponential, round_terms((said.left, said.right), definitions, set())))
 
 
-def without_exponentials(said: Relation, definitions: Definitions) -> Exponentials:
+def without_exponentials(said: Relation, definitions: Lookup) -> Exponentials:
     """Raises NotExact for powers and derivatives beyond what is supposed."""
     sides = [expand(side, definitions) for side in (said.left, said.right)]
     sizes: dict[tuple[Term, ...], int] = {}
@@ -81,10 +81,10 @@ class _Pass:
         self.symbols: dict[tuple[Term, ...], Symbol] = {}
         self.done: dict[int, Term] = {}
 
-    def all(self, sides: Sequence[Term], definitions: Definitions) -> list[Term]:
+    def all(self, sides: Sequence[Term], definitions: Lookup) -> list[Term]:
         return [self.term(side, definitions) for side in sides]
 
-    def term(self, term: Term, definitions: Definitions) -> Term:
+    def term(self, term: Term, definitions: Lookup) -> Term:
         if id(term) not in self.done:
             children = [self.term(child, definitions) for child in term.children]
             if _is_exponential(term):

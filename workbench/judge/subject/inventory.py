@@ -185,7 +185,8 @@ class _Survey:
         if size.value == 1 and isinstance(angle, Symbol):
             self.inventory.angles[angle] = None
             return
-        self.inventory.angles.pop(angle, None)
+        if isinstance(angle, Symbol):
+            self.inventory.angles.pop(angle, None)
         self.inventory.circles[angle] = angle if size.value == 1 else apply("mul", size, angle)
         if angle not in self._known:
             self._turning = angle

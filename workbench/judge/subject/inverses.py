@@ -50,7 +50,7 @@ def _of_product(factors: tuple[Term, ...], definitions: Lookup, of_exponential: 
     if found == [None, None]:
         return None
     for scalar, other in zip(factors, reversed(found), strict=True):
-        if scalar.type.kind == "scalar":
+        if scalar.type.kind == "scalar" and other is not None:
             return apply("div", other, scalar)
     left, right = (known or apply("inverse", factor) for known, factor in zip(found, factors, strict=True))
     return apply("mul", right, left)

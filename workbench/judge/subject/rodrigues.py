@@ -74,8 +74,9 @@ def turned_vector(term: Term, definitions: Lookup) -> Term | None:
             return inner
         case Apply(head="neg" | "div" | "mul" | "add", arguments=arguments):
             places = [i for i, a in enumerate(arguments) if a.type.kind in ("tensor", "quaternion")]
-            found = [turned_vector(arguments[i], definitions) for i in places]
-            if not found or None in found or not (len(places) == 1 or term.head == "add"):
+            vectors = [turned_vector(arguments[i], definitions) for i in places]
+            found = [vector for vector in vectors if vector is not None]
+            if not found or len(found) < len(vectors) or not (len(places) == 1 or term.head == "add"):
                 return None
             parts = list(arguments)
             for place, vector in zip(places, found, strict=True):
@@ -98,8 +99,9 @@ def turning_and_moving(term: Term, definitions: Lookup) -> tuple[Term, Term] | N
             return (turning, moving) if all(multiple(each) == "zero" for each in lowest) else None
         case Apply(head="neg" | "div" | "mul" | "add", arguments=arguments):
             places = [i for i, a in enumerate(arguments) if a.type == term.type]
-            found = [turning_and_moving(arguments[i], definitions) for i in places]
-            if None in found or not (len(places) == 1 or term.head == "add"):
+            pairs = [turning_and_moving(arguments[i], definitions) for i in places]
+            found = [pair for pair in pairs if pair is not None]
+            if len(found) < len(pairs) or not (len(places) == 1 or term.head == "add"):
                 return None
             made = []
             for which in (0, 1):

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from workbench.judge.subject import NotExact
-from workbench.language.definitions import Definitions, expand, replaced
+from workbench.language.definitions import Lookup, expand, replaced
 from workbench.language.typed.construct import apply, dual_unit, relation
 from workbench.language.typed.operators import OPERATORS
 from workbench.language.typed.terms import (
@@ -38,11 +38,11 @@ class FirstOrder(NamedTuple):
     has_plain_side: bool
 
 
-def to_first_order(said: Relation, assume: Iterable[Statement], definitions: Definitions) -> FirstOrder:
+def to_first_order(said: Relation, assume: Iterable[Statement], definitions: Lookup) -> FirstOrder:
     """Raises NotExact where a reader may mean something else."""
     sides = [expand(side, definitions) for side in (said.left, said.right)]
     parts = [part for side in sides for part in side.walk()]
-    small = {part: part.declaration for part in parts if _is_small(part)}
+    small = {part: part.declaration for part in parts if isinstance(part, Symbol) and _is_small(part)}
     if not small:
         raise NotExact("nothing in it is declared small")
     if any(isinstance(part, DualUnit) or part.type.dual for part in parts):

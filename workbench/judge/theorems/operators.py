@@ -105,8 +105,8 @@ def _value(operator: Term, to: Term, definitions: Definitions) -> Term:
             return _value(left, _value(right, to, definitions), definitions)
         case BigSum(variables=bound, lower=lower, upper=upper, body=body) if not _captures(bound, to):
             return big_sum(bound, lower, upper, _value(body, to, definitions))
-        case Symbol() if (body := definitions.lookup(operator)) is not None:
-            return _value(_applied(body, definitions), to, definitions)
+        case Symbol() if (defined := definitions.lookup(operator)) is not None:
+            return _value(_applied(defined, definitions), to, definitions)
     return apply("mul", operator, to)
 
 

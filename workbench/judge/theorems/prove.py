@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.beyond import FIRST, FirstMembers
 from workbench.judge.kernel.equation import Equation
+from workbench.judge.kernel.families import InstanceJudge
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
@@ -53,6 +54,7 @@ from workbench.judge.theorems.sequents import (
 )
 from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import number, relation
 from workbench.language.typed.errors import IllFormedAt, ReadError
@@ -83,9 +85,9 @@ def prove(
     given = tuple(Premise(Atom(statement), False) for statement in assume)
     prover = _Prover(judge, {} if lemmas is None else lemmas)
     try:
-        if proven.proof is None and proven.against is None:
-            raise NotShown("expected a proof or what stands against the goal")
         if proven.proof is None:
+            if proven.against is None:
+                raise NotShown("expected a proof or what stands against the goal")
             return prover.refute(Sequent(goal, scope, given), proven.against)
         shown = prover.show(Sequent(goal, scope, given), proven.proof)
         if bare is None or shown.outcome != Outcome.PROVED:
@@ -114,6 +116,11 @@ SAME_ADDENDS = Evidence("operators applied, sums shifted and split", "both sides
 class _Prover:
     judge: Judge
     lemmas: Lemmas
+
+    @property
+    def definitions(self) -> Definitions:
+        """Those of the paper, which no premise adds to."""
+        return cast(Definitions, self.judge.definitions)
 
     def holds(self, sequent: Sequent, proof: Proof) -> Verdict:
         """As `show`, for what another verdict rests on: `proved`, or else `unchecked`. Here it is no matter
@@ -144,16 +151,20 @@ class _Prover:
     def _defined(self, obligation: Obligation) -> Verdict:
         """Whether what the judge of formulas does not look into is defined: the same term on both sides, and
         what maps are taken of."""
-        said, known = obligation.statement, self.judge.definitions
+        said, known = obligation.statement, self.definitions
         asked = list(taken_by_maps(said, known)) if isinstance(said, Relation) else []
-        if obligation.is_trivial and not is_defined_everywhere(said.left, known):
+        if (
+            isinstance(said, Relation)
+            and obligation.is_trivial
+            and not is_defined_everywhere(said.left, known)
+        ):
             asked.append(said.left)
         verdicts = (self._judge(replace(obligation, statement=that_is_defined(term))) for term in asked)
         return next((v for v in verdicts if v.outcome not in _SHOWN), Verdict(Outcome.PROVED))
 
     def _judge(self, obligation: Obligation) -> Verdict:
         used = _integers(obligation)
-        simpler = list(forms(obligation.statement, self.judge, used)) if used else []
+        simpler = list(forms(obligation.statement, cast(InstanceJudge, self.judge), used)) if used else []
         try:
             same = any(form.is_same_sum and form.holds_from(used) for form in simpler)
             if same and self._first_hold(obligation, used):
@@ -161,7 +172,7 @@ class _Prover:
             verdict = self._judged(obligation.statement, obligation, used)
             if verdict.outcome in (Outcome.REFUTED, Outcome.CONDITIONAL, *_SHOWN):
                 return verdict
-            simpler = simpler or list(forms(obligation.statement, self.judge, used))
+            simpler = simpler or list(forms(obligation.statement, cast(InstanceJudge, self.judge), used))
             soon = [form for form in simpler if form.holds_from(used)]
             if (shown := self._one_of(soon, obligation, used)) is not None:
                 return shown
@@ -181,14 +192,14 @@ class _Prover:
             values = {name: least + more for name, least in used.items()}
             said, *assume = (instantiate(s, values) for s in (obligation.statement, *obligation.assume))
             with suppress(NotExact):
-                if Equation(self.judge, said, tuple(assume)).screen() is False:
+                if isinstance(said, Relation) and Equation(self.judge, said, tuple(assume)).screen() is False:
                     return False
         return True
 
     def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:
         asked = (statement, obligation.assume, tuple(used.items()))
         if asked not in self.lemmas:
-            orders = FirstMembers(used, endless=used) if used else None
+            orders = FirstMembers(used, endless=frozenset(used)) if used else None
             self.lemmas[asked] = self.judge.judge(statement, obligation.assume, orders=orders)
         return self.lemmas[asked]
 

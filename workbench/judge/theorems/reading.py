@@ -238,7 +238,7 @@ def _variable(letter: str, domain: str, scope: Scope, fresh: bool) -> Variable:
     return Variable(known)
 
 
-def _in_set(name: str, domain: str, timed: bool) -> Declaration:
+def _in_set(name: Name, domain: str, timed: bool) -> Declaration:
     squeezed = _STYLE.sub("", domain)
     constant = not squeezed.endswith("^R")
     squeezed = squeezed.removesuffix("^R")

@@ -58,6 +58,7 @@ from workbench.judge.theorems.sequents import (
     Obligation,
     Premise,
     Sequent,
+    atoms_of,
     kind_of,
     refuse_used,
     relations_of,
@@ -144,14 +145,14 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             absurd = relation("=", denied.statement.left, denied.statement.right)
             yield from obligations(inner.of(Atom(absurd)), then)
         case Atom(statement), Each(proofs):
-            said = list(equations(statement))
-            if len(said) != len(proofs):
-                raise NotShown(f"expected {len(said)} proofs, one for each equation, got {len(proofs)}")
-            for one, own in zip(said, proofs, strict=True):
+            every = list(equations(statement))
+            if len(every) != len(proofs):
+                raise NotShown(f"expected {len(every)} proofs, one for each equation, got {len(proofs)}")
+            for one, own in zip(every, proofs, strict=True):
                 yield from obligations(sequent.of(Atom(one)), own)
         case Atom(statement), Kernel(using):
-            for one in _separate(statement):
-                yield Obligation(FORMULA, one, scope, tuple(supposed(sequent, using)))
+            for alone in _separate(statement):
+                yield Obligation(FORMULA, alone, scope, tuple(supposed(sequent, using)))
         case AtLeast(left, right), Squares(terms):
             yield from _squares(sequent, left, right, terms)
         case _:
@@ -329,8 +330,8 @@ def _instance(sequent: Sequent, use: Use):
                     yield from obligations(known.of(antecedent), Kernel())
                 goal = conclusion
             case Both(parts):
-                atoms = all(isinstance(part, Atom) for part in parts)
-                each = [Atom(e) for p in parts for e in equations(p.statement)] if atoms else parts
+                atoms = atoms_of(Both(parts))
+                each = parts if atoms is None else [Atom(e) for a in atoms for e in equations(a.statement)]
                 if not 0 <= use.part < len(each):
                     raise NotShown(f"the premise has no part {use.part}; it has {len(each)}")
                 goal = each[use.part]

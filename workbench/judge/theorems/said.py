@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 from workbench.judge.theorems.goals import All, AllFrom, Atom, Both, Goal, Iff, Implies
-from workbench.language.typed.terms import Equivalence, Statement
+from workbench.language.typed.terms import Conjunction, Equivalence, Statement
 
 #: Values of each integer that are looked at, from the least one on.
 MEMBERS = 3
@@ -29,9 +29,13 @@ class Said:
             yield dict(zip(names, values, strict=True))
 
 
+#: Of no goal yet.
+_NOTHING = Conjunction(())
+
+
 def said(goal: Goal, under: Said | None = None) -> Iterator[Said]:
     """The equations of a goal that stand behind no ∃ and no ⟹, whose premises are equations too."""
-    here = under or Said(None)
+    here = under or Said(_NOTHING)
     match goal:
         case Atom(statement):
             yield replace(here, statement=statement)
@@ -54,6 +58,6 @@ def _plain(premise: Goal) -> tuple[Statement, ...] | None:
         case Atom(statement):
             return (statement,)
         case Both(parts):
-            found = [_plain(part) for part in parts]
-            return None if None in found else tuple(s for given in found for s in given)
+            found = [given for part in parts if (given := _plain(part)) is not None]
+            return tuple(s for given in found for s in given) if len(found) == len(parts) else None
     return None

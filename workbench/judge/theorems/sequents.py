@@ -21,6 +21,7 @@ from workbench.judge.theorems.goals import (
     inside,
 )
 from workbench.language.typed.instances import free_integers
+from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Extremum, Naming, Relation, Statement, Symbol, Term
 
 FORMULA = "formula"
@@ -89,14 +90,20 @@ def kind_of(goal: Goal) -> str:
     return (names | {AllBelow: "∀ k < n"})[type(goal)]
 
 
+def atoms_of(goal: Both) -> tuple[Atom, ...] | None:
+    """Its parts, if all of them are atoms."""
+    atoms = tuple(part for part in goal.parts if isinstance(part, Atom))
+    return atoms if len(atoms) == len(goal.parts) else None
+
+
 def supposed(sequent: Sequent, using: tuple[int, ...] | None) -> Iterator[Statement]:
     for place, premise in enumerate(sequent.premises):
         if using is not None and place not in using:
             continue
         if isinstance(premise.goal, Atom):
             yield premise.goal.statement
-        elif isinstance(premise.goal, Both) and all(isinstance(p, Atom) for p in premise.goal.parts):
-            yield from (part.statement for part in premise.goal.parts)
+        elif isinstance(premise.goal, Both) and (atoms := atoms_of(premise.goal)) is not None:
+            yield from (atom.statement for atom in atoms)
         elif using is not None:
             raise NotShown(f"premise {place} is {kind_of(premise.goal)}, which the kernel cannot suppose")
 
@@ -110,7 +117,7 @@ def refuse_used(sequent: Sequent, variables: tuple[Variable, ...]) -> None:
             raise NotShown(f"{both} stands in a premise already; bind another letter")
 
 
-def _free_names(goal: Goal, scope: Scope) -> set[str]:
+def _free_names(goal: Goal, scope: Scope) -> set[Name]:
     match goal:
         case Atom(statement):
             return {
@@ -156,10 +163,10 @@ def relations_of(statement: Statement) -> Iterator[Relation]:
             yield from relations_of(statement.right)
 
 
-def names_of(term: Term, scope: Scope) -> set[str]:
+def names_of(term: Term, scope: Scope) -> set[Name]:
     """What the term depends on; a member of a family depends on what its definitions use."""
-    names: set[str] = set()
-    waiting: list[tuple[Term, frozenset[str]]] = [(term, frozenset())]
+    names: set[Name] = set()
+    waiting: list[tuple[Term, frozenset[Name]]] = [(term, frozenset())]
     while waiting:
         body, formals = waiting.pop()
         for part in body.walk():

@@ -121,8 +121,8 @@ class Substitution:
                     raise GoalError(f"{integer} is bound again where a term with it is put in")
                 return replace(goal, body=self.goal(body, lasting))
             case Implies(premise, conclusion, always):
-                parts = (self.goal(part, lasting or always) for part in (premise, conclusion))
-                return Implies(*parts, always)
+                before, after = (self.goal(part, lasting or always) for part in (premise, conclusion))
+                return Implies(before, after, always)
             case Iff(left, right):
                 return Iff(self.goal(left, lasting), self.goal(right, lasting))
             case Both(parts):
@@ -164,7 +164,7 @@ class Substitution:
         """Whether a member of a family, which stays as it is, depends on one of the letters."""
         return any(self._is_reached_by(definition, set()) for definition in self.definitions.about(part))
 
-    def _is_reached_by(self, definition: Definition, seen: set[str]) -> bool:
+    def _is_reached_by(self, definition: Definition, seen: set[Name]) -> bool:
         """Whether the definition uses one of the letters, and not as a formal argument of its own."""
         formals = {parameter.name for parameter in definition.parameters}
         for part in definition.body.walk():
@@ -226,8 +226,10 @@ def at_integer(goal: Goal, name: str, value: Linear | int) -> Goal:
         case AllFrom(integer, _, body) | AllBelow(integer, _, _, body):
             if integer == name or integer in as_linear(value).variables:
                 raise GoalError(f"{integer} is bound twice")
-            new = replace(goal, body=at_integer(body, name, value))
-            return replace(new, bound=goal.bound.substitute(values)) if isinstance(goal, AllBelow) else new
+            inner = at_integer(body, name, value)
+            if isinstance(goal, AllBelow):
+                return replace(goal, body=inner, bound=goal.bound.substitute(values))
+            return replace(goal, body=inner)
         case Implies(premise, conclusion, lasting):
             return Implies(at_integer(premise, name, value), at_integer(conclusion, name, value), lasting)
         case Iff(left, right):

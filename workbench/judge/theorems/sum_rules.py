@@ -24,7 +24,7 @@ def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
     """∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k), by induction on n with Pascal's rule: if G₀ = F(0, 0),
     Gₙ₊₁ = L Gₙ, L F(j, k) = F(j+1, k) + F(j, k+1) and L is additive."""
     n, scope = goal.integer, sequent.scope
-    total = _sum_on_the_right(goal)
+    left, total = _sum_on_the_right(goal)
     if goal.least != 0 or total.lower != Linear(0) or total.upper != Linear.variable(n):
         raise NotShown(f"expected a sum from 0 to {n}, for all {n} from 0 on")
     if not sequent.lasts:
@@ -32,7 +32,7 @@ def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
     j, k = "j", "k"
     if n in (j, k):
         raise NotShown(f"{n} is an integer already; take another letter")
-    term, left = read_term(proof.term, scope.table, {*scope.integers, j, k}), goal.body.statement.left
+    term = read_term(proof.term, scope.table, {*scope.integers, j, k})
     J, K = Linear.variable(j), Linear.variable(k)
 
     def at(first: Linear | int, second: Linear | int) -> Term:
@@ -99,8 +99,9 @@ def termwise(sequent: Sequent, said: Relation, proof: Termwise) -> Asked:
     yield replace(sequent, goal=goal, premises=premises), proof.then
 
 
-def _sum_on_the_right(goal: AllFrom) -> BigSum:
+def _sum_on_the_right(goal: AllFrom) -> tuple[Term, BigSum]:
+    """The left side of the equation, and the sum."""
     match goal.body:
-        case Atom(Relation("=", _, BigSum() as total)):
-            return total
+        case Atom(Relation("=", left, BigSum() as total)):
+            return left, total
     raise NotShown("expected one equation with a sum on its right side")

@@ -90,14 +90,15 @@ class _Sums:
     def _matched(self, total: BigSum, known: BigSum) -> Term | None:
         """The sum as a known one, shifted, with what it has more or less at its ends."""
         (k,), (j,) = total.variables, known.variables
+        (total_first, total_last), (first, last) = _bounds(total), _bounds(known)
         for shift in _SHIFTS:
             moved = instantiate(total.body, {k: Linear.variable(j) + shift})
             if moved != known.body:
                 continue
-            lower, upper = total.lower - shift, total.upper - shift
-            if not (self._at_least(upper - lower, -1) and self._at_least(known.upper - known.lower, -1)):
+            lower, upper = total_first - shift, total_last - shift
+            if not (self._at_least(upper - lower, -1) and self._at_least(last - first, -1)):
                 continue
-            more_below, more_above = known.lower - lower, upper - known.upper
+            more_below, more_above = first - lower, upper - last
             if not (more_below.is_number and more_above.is_number):
                 continue
             ends = [*_ends(known, j, lower, int(more_below), below=True)]
@@ -125,19 +126,27 @@ class _Sums:
         if chosen == top - Linear.variable(k):
             chosen = Linear.variable(k)
         offset = chosen - Linear.variable(k)
-        result = _product(_divided(total.body, found[0]), k, top, offset)
+        rest = _divided(total.body, found[0])
+        result = None if rest is None else _product(rest, k, top, offset)
         if result is None:
             return None
+        lowest, highest = _bounds(total)
         first, last = Linear(0) - offset, top - offset
-        less_below, less_above = total.lower - first, last - total.upper
+        less_below, less_above = lowest - first, last - highest
         if not all(less.is_number and 0 <= int(less) <= 3 for less in (less_below, less_above)):
             return None
-        if not self._at_least(total.upper - total.lower, -1):
+        if not self._at_least(highest - lowest, -1):
             return None
         missing = [first + i for i in range(int(less_below))] + [last - i for i in range(int(less_above))]
         for value in missing:
             result = apply("add", result, apply("neg", instantiate(_evaluated(total.body, k, value), {})))
         return result
+
+
+def _bounds(total: BigSum) -> tuple[Linear, Linear]:
+    """The bounds of a sum over a range."""
+    assert total.lower is not None and total.upper is not None, "a sum over a range"
+    return total.lower, total.upper
 
 
 def _evaluated(body: Term, k: str, value: Linear) -> Term:
@@ -161,11 +170,12 @@ def _ones(term: Term) -> Term:
 
 def _ends(known: BigSum, j: str, end: Linear, more: int, below: bool) -> Iterator[tuple[bool, Term]]:
     """What a sum that ends elsewhere has more (or, negative, less) than the known one."""
+    first, last = _bounds(known)
     for step in range(abs(more)):
         if below:
-            value = end + step if more > 0 else known.lower + step
+            value = end + step if more > 0 else first + step
         else:
-            value = end - step if more > 0 else known.upper - step
+            value = end - step if more > 0 else last - step
         yield more < 0, _evaluated(known.body, j, value)
 
 

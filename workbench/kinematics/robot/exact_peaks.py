@@ -7,6 +7,7 @@ Where a derivative jumps at a break of the path, the next ones have no bound.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -54,8 +55,8 @@ def exact_peaks(
         asked, search.best.tolist(), search.best_time.tolist(), search.jumps, strict=True
     ):
         if at:
-            options = {"at_least": np.inf, "at_most": np.inf, "reason": jump_reason(at)}
-            found.append(peak_at(one, np.inf, at[0].time, **options))
+            unbounded = peak_at(one, np.inf, at[0].time)
+            found.append(replace(unbounded, at_least=np.inf, at_most=np.inf, reason=jump_reason(at)))
         else:
             found.append(peak_at(one, value, time))
     return found

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from numbers import Real
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -44,7 +45,8 @@ class Task(NamedTuple):
         """(..., rows, velocities)"""
         frame = states.frame(self.body)
         if self.relative_to is not None:
-            J = frame.relative_to(states.frame(self.relative_to)).jacobian()
+            relative: Any = frame.relative_to(states.frame(self.relative_to))
+            J = relative.jacobian()
         else:
             J = frame.jacobian(0, expressed=self.expressed, point=self.point)
         return J[..., list(self.rows), :]
@@ -100,7 +102,7 @@ def damped_inverse(
     null_space: ArrayLike | None,
 ) -> DampedInverse:
     """See `Robot.inverse_damped`."""
-    if not (np.isscalar(damping) and np.isreal(damping) and 0 < damping < np.inf):
+    if not (isinstance(damping, Real) and 0 < damping < np.inf):
         raise ValueError(f"damping: expected a number > 0, got {damping!r}")
 
     def solver(J: np.ndarray, scale: np.ndarray) -> Solve:
@@ -138,7 +140,7 @@ def _order_by_order(
     count = len(robot.velocities)
     scale = np.ones(count) if weight is None else reals(weight, "weight")
     if scale.shape != (count,) or not (scale > 0).all():
-        raise ValueError(f"weight: expected {count} numbers > 0, one a velocity, got {weight}")
+        raise ValueError(f"weight: expected {count} numbers > 0, one a velocity, got {weight!s}")
     shape = (len(wanted), *q.shape[:-1], count)
     preferred = np.zeros(shape) if null_space is None else reals(null_space, "null_space")
     if preferred.shape != shape:

@@ -162,5 +162,10 @@ class Move(NamedTuple):
     velocity: int
 
     @property
+    def ball(self) -> str:
+        """The kind of a ball; "" for another joint."""
+        return self.joint if isinstance(self.joint, str) else ""
+
+    @property
     def sizes(self) -> tuple[int, int]:
         return {"quaternion": (4, 3), "rpy": (3, 3)}[self.joint] if isinstance(self.joint, str) else (1, 1)

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numba import njit
@@ -30,7 +31,7 @@ KAPPA = 2.0
 LEAST = 12  # samples of a window
 
 
-def compiled(function: Callable, **options: bool) -> Callable:
+def compiled(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
     """The function compiled by Numba, kept on disk where there is a place for it.
 
     Numba would not notice that a function of this module, which it calls, has changed since: what was kept

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import floor, log10
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -65,7 +65,7 @@ class Peak:
     @property
     def within(self) -> bool | None:
         """True for "within", False for "BEYOND", None for "not determined" and without a limit."""
-        return {WITHIN: True, BEYOND: False}.get(self.verdict)
+        return None if self.verdict is None else {WITHIN: True, BEYOND: False}.get(self.verdict)
 
     @property
     def name(self) -> str:
@@ -88,10 +88,10 @@ class Peak:
     def _bounds(self) -> str:
         """What is known of a size that is not determined, such as ", at least 10 rad/s^3"."""
         sign, words = (-1, ("at most", "at least")) if self.bound == "lower" else (1, ("at least", "at most"))
-        bounds = (self.at_least, self.at_most)
+        bounds = list(zip(words, (self.at_least, self.at_most), strict=True))
         if self.order and self.at_least == 0:
-            words, bounds = words[1:], bounds[1:]
-        told = [(word, value) for word, value in zip(words, bounds, strict=True) if np.isfinite(value)]
+            bounds = bounds[1:]
+        told = [(word, value) for word, value in bounds if np.isfinite(value)]
         return "".join(f", {word} {sign * value:.4g} {self.unit}" for word, value in told)
 
 
@@ -188,9 +188,7 @@ def body_curves(
     return dict(zip(of_body(motion.robot), curves, strict=True))
 
 
-def peak_at(
-    asked: Asked, value: float, time: float, **options: float | str | tuple[float, float] | None
-) -> Peak:
+def peak_at(asked: Asked, value: float, time: float, **options: Any) -> Peak:
     """The peak of what was asked; the value of a lower bound is that of −q. Options: see `Peak`."""
     signed = -value if asked.bound == "lower" else value
     found = Peak(asked.of, asked.order, signed + 0.0, time, asked.limit, asked.unit, asked.bound)

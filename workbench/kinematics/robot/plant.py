@@ -73,7 +73,9 @@ def tree_joints(plant: MultibodyPlant, mimics: Mapping[str, Mimic]) -> list[Tree
         found.append(
             (
                 joint.position_start() if joint.num_positions() else -1,
-                TreeJoint(name, kind, *ends, X_PF, X_MC, axis, pitch, _limits(joint), mimics.get(name)),
+                TreeJoint(
+                    name, kind, ends[0], ends[1], X_PF, X_MC, axis, pitch, _limits(joint), mimics.get(name)
+                ),
             )
         )
     return [joint for _, joint in sorted(found, key=lambda entry: entry[0])]

@@ -46,7 +46,8 @@ def find_breaks(
     t: np.ndarray, q: np.ndarray, first: int, last: int, floor: float, sums: np.ndarray, z: float
 ) -> list[Found]:
     """The breaks of the samples first, …, last − 1; t in s, sums of local variances, floor of the noise."""
-    found, previous, a = [], first, first
+    found: list[Found] = []
+    previous, a = first, first
     while True:
         b = a + longest_fit(t, q, a, last, floor)
         if b >= last - LEAST_SIDE:

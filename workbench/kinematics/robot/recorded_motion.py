@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -164,7 +166,7 @@ def _carried(
         one = asked[i]
         found[i] = _peak(samples, values, errors, own, one.order)
         if (one.of, one.order - 1) in places:
-            found[i] = below_noise(found[i], lambda at=places[one.of, one.order - 1]: found[at])
+            found[i] = below_noise(found[i], partial(found.__getitem__, places[one.of, one.order - 1]))
         places[one.of, one.order] = i
     return found
 
@@ -179,7 +181,7 @@ def _carried_values(
 ) -> dict[int, tuple[np.ndarray, np.ndarray, list[int]]]:
     """Of the body and of balls' velocities, by their places in `asked`: values (samples, components), errors
     (samples,) of their sizes, and the coordinates that they depend on."""
-    robot = motion.robot
+    robot: Any = motion.robot
     wanted = {i: one for i, one in enumerate(asked) if one.position is None}
     if not wanted:
         return {}

@@ -168,7 +168,7 @@ def motion_report(
     robot = Robot.from_urdf(urdf, base, rotations="rpy")
     path, described = _joint_path(joints, trajectory, robot)
     moving = robot.along(path, at, order)
-    motion = moving.frame(body)
+    motion: FrameMotion = moving.frame(body)
     if relative_to is not None:
         motion = motion.relative_to(moving.frame(relative_to))
     p = motion.point(point).p_FoP_F

@@ -248,7 +248,7 @@ class Robot(Structure):
         size, states = whole(size, "size", 1), q_derivatives.shape[axis]
         for start in range(0, states, size):
             block = slice(start, start + size)
-            if with_velocities:
+            if v_derivatives is not None:
                 yield self.motion(q_derivatives[block], v_derivatives[:, block])
             else:
                 yield self.motion(q_derivatives[:, block])

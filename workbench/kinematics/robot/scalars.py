@@ -51,7 +51,8 @@ def frame_motion(
     """
     robot.require_rates("this arithmetic")
     frame = robot.body(body)
-    way, at = [], frame.after
+    way: list[Step] = []
+    at = frame.after
     while at != WORLD:
         way.insert(0, robot.steps[at])
         at = robot.steps[at].parent
@@ -68,6 +69,7 @@ def frame_motion(
 
 
 def _after(step: Step, now: _Frame, q: Callable[[int, int], Any], order: int, do: Arithmetic) -> _Frame:
+    assert step.joint is not None, "no ball is left"
     point = step.joint.point if step.turn is not None else np.zeros(3)
     X = step.before
     offset = _carried(_turned(now.R, X[:3, 3] + X[:3, :3] @ point), now.w, order, do)

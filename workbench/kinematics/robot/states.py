@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import prod
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -35,6 +36,9 @@ ORIGIN = (0, 0, 0)
 EXPRESSED = ("world", "mixed", "body")
 
 
+S = TypeVar("S", bound="States")
+
+
 class States:
     """A robot at one state or at many, in motion. The states' axes, `shape`, come after the order's.
 
@@ -42,8 +46,12 @@ class States:
     times (...) in s and path, where it is a motion along one.
     """
 
-    times = path = None
-    _q = _q_derivatives = _rates = _channels = None
+    times: Any = None
+    path: Any = None
+    _q: Any = None
+    _q_derivatives: Any = None
+    _rates: Any = None
+    _channels: Any = None
 
     def __init__(self, robot: Structure, q: np.ndarray, rates: np.ndarray | None = None):
         self.robot = robot
@@ -194,6 +202,7 @@ class States:
         while at != WORLD:
             step = self.robot.steps[at]
             drive = step.turn or step.slide
+            assert drive is not None, "a step turns or slides"
             count = 3 if step.joint is None else 1
             own = rates[..., drive.velocity : drive.velocity + count].sum(axis=-1)
             total += abs(drive.factor) * own
@@ -227,14 +236,14 @@ class RobotFrame(FrameMotion):
         self.name, self.order = body.name, motion.order
 
     @property
-    def pose(self) -> np.ndarray:
+    def pose(self) -> np.ndarray:  # type: ignore[override]  # made on first use
         record = self.motion._record(self.name)
         if record.ndim == 1:
             return record[:16].reshape(4, 4)
         return record[..., :16].reshape(*record.shape[:-1], 4, 4)
 
     @property
-    def twists(self) -> np.ndarray:
+    def twists(self) -> np.ndarray:  # type: ignore[override]
         record = self.motion._record(self.name)
         if record.ndim == 1:
             return record[16:].reshape(self.order, 6)
@@ -360,7 +369,7 @@ class RelativeFrame(FrameMotion):
         return turned(transpose(R)[..., None, :, :], J)[order].swapaxes(-1, -2)
 
 
-def states_on_path(kind: type[States], robot: Structure, path: Path, times: np.ndarray, order: int) -> States:
+def states_on_path(kind: type[S], robot: Structure, path: Path, times: np.ndarray, order: int) -> S:
     """The states, of the class `kind`, of a robot on a path at the times (...) in s."""
     motion = kind(robot, robot.derivatives(path.derivatives(times, order)))
     motion.times, motion.path = times, path

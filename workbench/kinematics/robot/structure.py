@@ -22,7 +22,7 @@ from workbench.kinematics.robot.balls import (
 )
 from workbench.kinematics.robot.joints import ANGLES, Limits, Move, TreeJoint
 from workbench.kinematics.tree_engine import TreeEngine
-from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Step
+from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
 
 LARGE = 500_000  # doubles, which are more than a core's caches hold
 DOUBLE = np.dtype(np.float64)
@@ -159,7 +159,8 @@ class Structure:
         self.steps = tuple(steps)
         self.frames = bodies
         self.bodies = tuple(name for name in bodies if name != self.world)
-        self.engine = TreeEngine(steps, bodies, self._channels, len(self.velocities))
+        frames = {name: Frame(body.after, body.X_MB) for name, body in bodies.items()}
+        self.engine = TreeEngine(steps, frames, self._channels, len(self.velocities))
 
     @cached_property
     def limits(self) -> Mapping[str, Limits]:
@@ -284,7 +285,7 @@ class Structure:
         for own in self._free_moves():
             positions, velocities = own.move.sizes
             q = q_derivatives[..., own.position : own.position + positions]
-            v[..., own.velocity : own.velocity + velocities] = _RATES.get(own.move.joint, _rate)(q)
+            v[..., own.velocity : own.velocity + velocities] = _RATES.get(own.move.ball, _rate)(q)
         return v
 
     def channels(self, q: np.ndarray, rates: np.ndarray) -> np.ndarray:
@@ -294,9 +295,9 @@ class Structure:
             positions, velocities = own.move.sizes
             of_q = q[..., own.position : own.position + positions]
             of_v = rates[..., own.velocity : own.velocity + velocities]
-            ball = isinstance(own.move.joint, str)
+            ball = own.move.ball
             inputs[0, ..., own.channel : own.channel + (4 if ball else 1)] = (
-                unit_quaternion(own.move.joint, of_q) if ball else of_q
+                unit_quaternion(ball, of_q) if ball else of_q
             )
             first = own.channel + (1 if ball else 0)
             inputs[1:, ..., first : first + velocities] = of_v

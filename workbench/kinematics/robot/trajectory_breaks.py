@@ -30,7 +30,8 @@ def _told(trajectory: Any) -> list[float] | None:
         if not hasattr(trajectory, "segment"):
             return times
         parts = [_told(trajectory.segment(i)) for i in range(trajectory.get_number_of_segments())]
-        return None if None in parts else times + [t for part in parts for t in part]
+        known = [part for part in parts if part is not None]
+        return None if len(known) < len(parts) else times + [t for part in known for t in part]
     if hasattr(trajectory, "basis"):  # a B-spline; a Bézier curve has a basis of polynomials
         basis = trajectory.basis
         return list(basis().knots()) if callable(basis) and hasattr(trajectory, "InsertKnots") else None

@@ -145,7 +145,7 @@ def _joint(element: ET.Element) -> TreeJoint:
             _attribute(_child(element, "child", what), "link", f"{what}: child"),
             X_PF,
             X_MC,
-            axis,
+            np.array(axis),
             0.0 if pitch is None else _numbers(pitch, "value", (0.0,), f"{what}: pitch")[0] / (2 * pi),
             _limits(element.find("limit"), kind, what),
             _mimic(element.find("mimic"), kind, what),

@@ -139,7 +139,10 @@ class SyntaxCode(Code):
     NOTHING_MAY_FOLLOW_FACTORIAL = "nothing may follow a factorial sign without brackets"
     NOT_A_FORMULA_SIGN = "{text}: {EXPECTED}"
     NOT_DEFINED = "{text} is not defined; defined before it: {known}"
-    INTEGER_WITHOUT_RANGE = "the integer variable {missing} in {spelling} has no range here"
+    INTEGER_WITHOUT_RANGE = (
+        "the integer variable {missing} in {spelling} has no range here"
+        "; if {first} is no index, declare it as a symbol"
+    )
     NUMBER_DIGITS_AT_MOST = "a number of {text} digits; at most {LONGEST_NUMBER}"
     NUMBER_FORMULA_OR_FACTOR = "the number of the formula, or a factor? leave it out"
     ODD_POWER_VECTOR_QUATERNION = "an odd power of a vector: is it a quaternion? write (0, x)"

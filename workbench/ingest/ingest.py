@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from workbench.core.reasons import Reason
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.ingest.definitions import (
     Formula,
@@ -276,7 +277,7 @@ class _Reading:
         gains = is_read if proposal.reads else before != now
         return self if lost or not (proposal.stands or gains) else new
 
-    def progress(self, places: Sequence[int]) -> list[tuple[bool, str]]:
+    def progress(self, places: Sequence[int]) -> list[tuple[bool, Reason | None]]:
         readable = [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
         return [self.outcome(readable[place]).progress for place in places]
 

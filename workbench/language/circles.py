@@ -36,8 +36,9 @@ def _refuse_overlap(key: str, definition: Definition, table: SymbolTable) -> Non
     for other in table.defined.get(name, ()):
         if all(place.is_number for place in other):
             continue
-        common = [_common(one, two) for one, two in zip(definition.index, other, strict=True)]
-        if None not in common:
+        tried = [_common(one, two) for one, two in zip(definition.index, other, strict=True)]
+        common = [place for place in tried if place is not None]
+        if len(common) == len(tried):
             both, known = (name.shown(index) for index in (tuple(map(as_linear, common)), other))
             raise SpecError(
                 DeclarationCode.DEFINES_SO_DOES_EACH(both=both, known=known),

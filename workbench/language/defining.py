@@ -91,7 +91,8 @@ def _head(key: str, table: SymbolTable, labels: Collection[str] = ()) -> _Head:
         raise SpecError(DeclarationCode.FAULT_AT_COLUMN(value=fault.at + 1, fault=fault), key) from None
     if len(lines) != 1 or len(lines[0]) != 1:
         raise SpecError(DeclarationCode.EXPECTED_ONE_SYMBOL(), key)
-    node, formals = lines[0][0], ()
+    node = lines[0][0]
+    formals: tuple[Declaration, ...] = ()
     match node:
         case Product(items=(*name, Bracket(kind="(", parts=parts))):
             formals = tuple(_formal(part, table, key) for part in parts)
@@ -219,7 +220,7 @@ def _recurrence(
     if free or len(head.own[1]) != 1:
         raise SpecError(DeclarationCode.DECLARE_WHOLE_FAMILY_SYMBOLS(), head.key)
     rest = {name: d for name, d in symbols.items() if name not in bases}
-    outer = replace(table, **{"functions" if head.formals else "symbols": rest})
+    outer = replace(table, functions=rest) if head.formals else replace(table, symbols=rest)
     step = _Step(head, body, outer, {bases[name]: d for name, d in declared.items()})
     first = next(iter(declared.values()))
     untyped = table.untyped.get(first.name)

@@ -200,9 +200,9 @@ def only_turns(term: Term, pi: Symbol) -> bool:
 
 
 def _is_addend(term: Term, pi: Symbol) -> bool:
-    is_linear = isinstance(term, Apply) and term.head in ("add", "neg", "mul", "div")
+    head = term.head if isinstance(term, Apply) else ""
     rest = [part for part in term.children if not isinstance(part, Number)]
-    if is_linear and (term.head in ("add", "neg") or len(rest) == 1):
+    if head in ("add", "neg") or (head in ("mul", "div") and len(rest) == 1):
         return all(_is_addend(part, pi) for part in rest)
     return term == pi or pi not in term.walk()
 

@@ -65,13 +65,12 @@ def _either(latex: str, upper: Statement, lower: Statement) -> Statement:
     """Of two equations of scalars, that one holds: the product of their differences is 0."""
     if upper == lower:
         return upper
-    is_read = isinstance(upper, Relation) and upper.operator == "=" and upper.left.type == SCALAR
-    if not is_read:
-        at = _SIGNS.search(latex).start()
-        raise ReadError(EXPECTED["pm"], *place(latex, at))
-    differences = (
-        construct.apply("add", each.left, construct.apply("neg", each.right)) for each in (upper, lower)
-    )
+    both = [each for each in (upper, lower) if isinstance(each, Relation)]
+    if len(both) < 2 or both[0].operator != "=" or both[0].left.type != SCALAR:
+        sign = _SIGNS.search(latex)
+        assert sign is not None, "\\pm"
+        raise ReadError(EXPECTED["pm"], *place(latex, sign.start()))
+    differences = (construct.apply("add", each.left, construct.apply("neg", each.right)) for each in both)
     product = construct.apply("mul", *differences)
     return construct.relation("=", product, construct.zero())
 

@@ -10,8 +10,8 @@ from typing import Any, TypeAlias
 
 from workbench.core.declaration_codes import DeclarationCode
 from workbench.core.reasons import Reason
-from workbench.core.syntax_codes import UNKNOWN_SYMBOLS, SyntaxCode
 from workbench.core.schema import choices
+from workbench.core.syntax_codes import UNKNOWN_SYMBOLS, SyntaxCode
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key

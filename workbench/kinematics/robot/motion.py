@@ -20,14 +20,12 @@ from workbench.kinematics.robot.time_scaling import RetimedPath, Slowdown, retim
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from workbench.kinematics.robot.robot import Robot
-
 
 class Motion(States):
     """What `Robot.motion` and `Robot.along` return: `frame(name)` and `frames`, and what is asked of a
     whole path."""
 
-    robot: Robot
+    robot: Any  # a `Robot`, which makes motions
 
     def torques(self, order: int = 0, gravity: ArrayLike = GRAVITY) -> np.ndarray:
         """The generalized forces τ that the motion needs and their derivatives to the `order`, (order + 1,

@@ -122,8 +122,8 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
 
 def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
     """Whether no type tells the product from the function: A(g) and A(g^{-1}) of two matrices."""
-    is_inverse = isinstance(value, Apply) and value.head == "inverse"
-    if not isinstance(value.arguments[0] if is_inverse else value, Symbol):
+    inverted = value.arguments[0] if isinstance(value, Apply) and value.head == "inverse" else value
+    if not isinstance(inverted, Symbol):
         return False
     same = function.type.with_dual(False) == value.type.with_dual(False)
     return same and function.type.is_square and not _is_constant(function)
@@ -196,8 +196,9 @@ def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
     if len(bracket.parts) != 1 or not is_accented_symbol(function) or scope.table.notations.shapes(bracket):
         return
     (part,) = bracket.parts
-    leaves = [each for _, _, each in part.addends] if isinstance(part, Sum) else [part]
-    if not all(isinstance(each, Leaf) for each in leaves):
+    parts = [each for _, _, each in part.addends] if isinstance(part, Sum) else [part]
+    leaves = [each for each in parts if isinstance(each, Leaf)]
+    if len(leaves) < len(parts):
         return
     letters = "".join(sorted(each.text for each in leaves if each.kind == "LETTER"))
     (symbol,) = (each for each in function.walk() if isinstance(each, Symbol))
@@ -243,8 +244,7 @@ def _require_all_once(scope: Scope, bracket: Bracket, function: Symbol) -> None:
 
 
 def _is_rate_of(part: Node, known: Collection[str]) -> bool:
-    is_dotted = isinstance(part, Accented) and part.accent != "~"
-    return is_dotted and latex_of(part.body) in known
+    return isinstance(part, Accented) and part.accent != "~" and latex_of(part.body) in known
 
 
 def _take_instant(scope: Scope, bracket: Bracket, function: Term) -> None:

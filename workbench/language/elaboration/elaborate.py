@@ -120,12 +120,13 @@ class Elaborator(Scope):
     # sums and brackets
 
     def sum(self, node: Sum) -> Term:
-        addends, places = [], []
+        addends: list[Term] = []
+        places: list[int] = []
         for sign, at, addend in node.addends:
             term = self.term(addend)
             if sign == "-":
-                literal_number = isinstance(term, Number) and not isinstance(addend, Bracket | Group)
-                if not addends and literal_number:
+                is_bare = not isinstance(addend, Bracket | Group)
+                if not addends and isinstance(term, Number) and is_bare:
                     term = construct.number(-term.value)
                 elif isinstance(term, Integer):
                     term = construct.integer(-term.value)

@@ -32,11 +32,16 @@ def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
     if len(values) > 1:
         raise Fault(SyntaxCode.SEVERAL_SIDES_BESIDE_MINIMUM(), values[1].at)
     value = reader.term(values[0])
-    return [_extremum(reader, side, value) for side in chain.sides if is_extremal(side)]
+    return [
+        _extremum(reader, side, value)
+        for side in chain.sides
+        if isinstance(side, Product) and is_extremal(side)
+    ]
 
 
 def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:
     operator, *rest = side.items
+    assert isinstance(operator, Extremal), "an extremal side"
     if any(isinstance(item, Extremal) for item in rest):
         raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_WITHIN(), side.at)
     if isinstance(rest[0], Infix):
@@ -80,7 +85,8 @@ def _letter(table: SymbolTable, reader: Elaborator, node: Node, members: Members
     name = letter_name(node)
     if name is None or str(name) in reader.variables:
         raise Fault(SyntaxCode.EXPECTED_LETTER_SUCH_X(), node.at)
-    if table.find(letter_spelling(node)) is None:
+    spelling = letter_spelling(node)
+    if spelling is None or table.find(spelling) is None:
         if members is None:
             raise Fault(SyntaxCode.OVER_SET_EXPECTED_LETTER(), node.at)
         declaration = members.letter(name)

@@ -62,8 +62,10 @@ class Row:
                 raise Fault(SyntaxCode.MIXED_NUMBER_OR_PRODUCT(), factor.at)
             if result.type.kind == "operator" and term.type.kind not in ("operator", "scalar"):
                 self.operand(factor, factors[place + 1 :])
-            if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
-                result = construct.integer(term.value * int(result.value))
+            number = result.value if place == 1 and isinstance(result, Number) else None
+            is_count = number is not None and _is_integer(factors[0])
+            if number is not None and is_count and isinstance(term, Integer) and _is_bare(factor.node):
+                result = construct.integer(term.value * int(number))
             else:
                 result = self._product(result, factors[: place + 1])
         return result
@@ -76,7 +78,7 @@ class Row:
             raise Fault(SyntaxCode.MATRIX_BEFORE_PRODUCT_QUATERNIONS(), factors[-1].at)
         pair = (result, factors[-1].term)
         if self.scope.table.has_quaternions and all(map(_is_scalar_above_vector, pair)):
-            pair = tuple(map(construct.as_quaternion, pair))
+            pair = construct.as_quaternion(pair[0]), construct.as_quaternion(pair[1])
         return self.scope.apply(factors[-1].at, "mul", *pair)
 
     def operand(self, factor: Factor, more: Sequence[Factor]) -> None:
@@ -103,8 +105,8 @@ def _is_scalar_above_vector(term: Term) -> bool:
 
 
 def _is_integer(factor: Factor) -> bool:
-    literal = isinstance(factor.node, Leaf) and isinstance(factor.term, Number)
-    return literal and factor.term.value.denominator == 1
+    term = factor.term
+    return isinstance(factor.node, Leaf) and isinstance(term, Number) and term.value.denominator == 1
 
 
 def _is_bare(node: Node) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Any
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.core.type_codes import TypeCode
@@ -42,6 +43,7 @@ def function(row: Row, place: int) -> Factor:
     """det, sym, vect … take the run of tensors that follows, the others take one factor."""
     item = row.items[place]
     leaf = item.nucleus if isinstance(item, Scripted) else item
+    assert isinstance(leaf, Leaf), "a function"
     head = leaf.text
     if (own := _of_the_paper(row, item, leaf, place)) is not None:
         return own
@@ -63,7 +65,7 @@ def function(row: Row, place: int) -> Factor:
     behind = row.items[place + 1]
     if item is leaf and (found := of_angle_between(row.scope, head, behind)) is not None:
         return Factor(found, leaf.at, place + 2, item)
-    if item is leaf and _is_power_of_value(row, head, behind):
+    if item is leaf and isinstance(behind, Scripted) and _is_power_of_value(row, head, behind):
         item, argument, end = replace(behind, nucleus=leaf), row.scope.term(behind.nucleus), place + 2
     else:
         argument, end = _argument(row, head, leaf, place + 1)
@@ -86,7 +88,7 @@ def _is_power_of_value(row: Row, head: str, behind: Node) -> bool:
     return is_power and head in OF_ANGLES and "values" in row.scope.table.loose
 
 
-def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor | None:
+def _of_the_paper(row: Row, item: Any, leaf: Leaf, place: int) -> Factor | None:
     """\\operatorname{Exp}(x) and \\mathrm{Ad}_T, as [notation] explains them; what is raised is the value."""
     sup = item.sup if isinstance(item, Scripted) else None
     bare = leaf if item is leaf else replace(item, sup=None)
@@ -140,7 +142,8 @@ def _applied_in_a_row(row: Row, word: Node, place: int) -> Factor | None:
 
 
 def _root(row: Row, leaf: Leaf, place: int) -> Factor:
-    item, power = row.items[place + 1], None
+    item: Any = row.items[place + 1]
+    power: Node | None = None
     if isinstance(item, Scripted) and item == Scripted(item.at, item.nucleus, sup=item.sup):  # (√x)²
         item, power = item.nucleus, item.sup
     is_bare = isinstance(item, Leaf) and item.kind in ("NUMBER", "LETTER") and len(item.text.strip("\\")) == 1
@@ -244,7 +247,7 @@ def derivative(row: Row, place: int, found: Rate) -> Factor:
     if place + 1 == len(row.items) and not found.behind:
         if found.frame is not None:
             raise Fault(SyntaxCode.DERIVATIVE_FRAME_WHAT(), item.at)
-        operator = construct.time_operator()
+        operator: Term = construct.time_operator()
         if orders[0] != Linear(1):
             operator = construct.power(operator, orders[0])
         return Factor(operator, item.at, place + 1, item)

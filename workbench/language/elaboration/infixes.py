@@ -54,8 +54,9 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
 
 def _is_matrix_product(term: Term) -> bool:
     """Whether brackets change nothing in a row of such."""
-    is_product = isinstance(term, Apply) and term.head == "mul"
-    return is_product and all(factor.type.is_square for factor in term.arguments)
+    if not isinstance(term, Apply) or term.head != "mul":
+        return False
+    return all(factor.type.is_square for factor in term.arguments)
 
 
 def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:
@@ -80,8 +81,9 @@ def _is_triple(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:
 
 def _moved(term: Term) -> Term:
     """The vector without the scalars before it."""
-    is_multiple = isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "scalar"
-    return _moved(term.arguments[1]) if is_multiple else term
+    if isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "scalar":
+        return _moved(term.arguments[1])
+    return term
 
 
 def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Term:
@@ -123,6 +125,7 @@ def _last(product: Term) -> Term | None:
 def explained(scope: Scope, sign: Infix, left: Term, right: Term) -> Term | None:
     """a ∧ b, or p · q of quaternions, as the paper's [notation] explains it; None where it does not."""
     for entry in scope.table.notations.signs(sign.operator):
+        assert entry.sign is not None, "of a sign"
         terms = dict(zip(entry.sign[1:], (left, right), strict=True))
         if entry.fits(terms):
             return scope.term(entry.filled(terms))

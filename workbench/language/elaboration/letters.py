@@ -92,8 +92,8 @@ class _Lettering:
                 return self.accented_by_the_paper(node, scripts, styles)
             case Styled():
                 return self.read(node.body, scripts, (*styles, node.style))
-            case Accented(accent="~") if (found := self.own_tilde(node, scripts, styles)) is not None:
-                return found
+            case Accented(accent="~") if (tilde := self.own_tilde(node, scripts, styles)) is not None:
+                return tilde
             case Accented():
                 over_all = scripts.sup if _is_braced(node.body) else None  # \widetilde{x + y}^T
                 term, sup = self.read(
@@ -131,10 +131,10 @@ class _Lettering:
             raise Fault(SyntaxCode.PRIME_EXPRESSION(), node.at)
         for sup in dict.fromkeys((scripts.sup, None)):  # [x]_\\times, also under a superscript
             shape = Scripted(node.at, core(node), scripts.sub, sup)
-            if scripts.primes == 0 and (term := self.scope.spelt(shape)) is not None:
-                return term, scripts.sup if sup is None else None
-        if (found := self.labelled(core(node), scripts)) is not None:
-            return found
+            if scripts.primes == 0 and (spelt := self.scope.spelt(shape)) is not None:
+                return spelt, scripts.sup if sup is None else None
+        if (labelled := self.labelled(core(node), scripts)) is not None:
+            return labelled
         if self.scope.table.notations.below(scripts.sub):
             term, self.below = self.scope.term(node), scripts.sub
         else:
@@ -250,6 +250,7 @@ class _Lettering:
 
     def function(self, leaf: Leaf, declaration, index) -> Term:
         self.takes_bracket = True
+        assert self.bracket is not None, "a function before its bracket"
         arguments = [self.scope.term(part) for part in self.bracket.parts]
         self.scope.build(leaf.at, self.scope.table.check_arguments, declaration, arguments)
         return self.scope.build(leaf.at, construct.symbol, declaration, index, arguments)
@@ -297,11 +298,13 @@ class _Lettering:
             case "\\mathbf{D}":
                 return construct.time_operator()
         if name in EXPONENTIALS:
+            assert scripts.sup is not None, "no constant without its exponent"
             exponent = self.scope.term(with_quotients(scripts.sup))
             return self.scope.build(scripts.sup.at, value_of, self.scope, "exp", exponent)
         if self.scope.table.has_letter(name.base):
             what = "write the number of combinations as \\binom{n}{k}"
             raise Fault(SyntaxCode.LETTER_IS_SYMBOL(name=name, what=what), at)
+        assert scripts.sub is not None and scripts.sup is not None, "C_n^k"
         return self.scope.combinations(scripts.sub, scripts.sup)
 
     def zero(self, scripts: Scripts, at: int) -> Term:
@@ -321,8 +324,9 @@ class _Lettering:
                 missing = sorted(letters - scope.variables)
                 if not missing:
                     break
-                message = SyntaxCode.INTEGER_WITHOUT_RANGE(missing=", ".join(missing), spelling=spelling)
-                message += f"; if {missing[0]} is no index, declare it as a symbol"
+                message = SyntaxCode.INTEGER_WITHOUT_RANGE(
+                    missing=", ".join(missing), spelling=spelling, first=missing[0]
+                )
                 members = scope.table.defined.get(found[0].name, ())
                 is_free = not any(place.is_number or place.constant for each in members for place in each)
                 return Unranged(missing[0], message, at) if is_free else Fault(message, at)
@@ -378,5 +382,6 @@ def _column(scope: Scope, row: Bracket) -> Term:
 def _upright(term: Term) -> Term:
     if term.type.columns == 1:
         return term
-    is_transposed = isinstance(term, Apply) and term.head == "transpose"
-    return term.arguments[0] if is_transposed else construct.apply("transpose", term)
+    if isinstance(term, Apply) and term.head == "transpose":
+        return term.arguments[0]
+    return construct.apply("transpose", term)

@@ -60,7 +60,7 @@ def meaning(
     such a name."""
     if leaf.kind == "LETTER" and not (styles or scripts.primes or scripts.left_sub or scripts.left_sup):
         variable = variable_name(Scripted(leaf.at, leaf, scripts.sub) if scripts.sub else leaf)
-        if variable in variables:
+        if variable is not None and variable in variables:
             return Meaning(variable, scripts.sup)
     letter = Name.styled(styles, leaf.text)
     for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
@@ -79,8 +79,8 @@ def meaning(
             return replace(bare, below=scripts.sub)
     if scripts.primes and table.notations.primes():
         fewer = replace(scripts, primes=scripts.primes - 1)
-        if (found := meaning(table, variables, leaf, styles, fewer, has_bracket)) is not None:
-            return replace(found, primes=found.primes + 1)
+        if (inner := meaning(table, variables, leaf, styles, fewer, has_bracket)) is not None:
+            return replace(inner, primes=inner.primes + 1)
     return _built_in(letter, scripts)
 
 

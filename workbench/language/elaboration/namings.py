@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.core.type_codes import TypeCode
@@ -27,6 +28,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import relation
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
 from workbench.language.typed.terms import (
     Apply,
     Conjunction,
@@ -60,17 +62,17 @@ def is_set(clause: Node) -> bool:
 
 def wants_value(clause: Node) -> bool:
     """Whether it is f : A → B, of which what follows says what f(x) is."""
-    return is_map(clause) and not any(sign == "↦" for sign, _ in clause.relations)
+    return is_map(clause) and "↦" not in _signs(clause)
 
 
-def _signs(clause: Node) -> list[str]:
+def _signs(clause: Node | None) -> list[str]:
     return [sign for sign, _ in clause.relations] if isinstance(clause, Chain) else []
 
 
 # maps
 
 
-def named_map(reader: Elaborator, clause: Chain, value: Node | None) -> Naming:
+def named_map(reader: Elaborator, clause: Chain, value: Any) -> Naming:
     """A map: its values must be members of the second set. Raises Fault and Misfit."""
     sides, signs = list(clause.sides), _signs(clause)
     name = sides.pop(0) if signs[0] == ":" else None
@@ -179,7 +181,7 @@ class _Described:
             rest = [pattern, *rest]
         waiting: list[Node] = []
         for part in rest:
-            if _signs(part) == ["∈"]:
+            if isinstance(part, Chain) and _signs(part) == ["∈"]:
                 members = _known(part.sides[1])
                 described.domains += [(node, members) for node in (*waiting, part.sides[0])]
                 waiting = []
@@ -196,8 +198,13 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
     """A set by a pattern and what its letters are. What speaks of no letter must be true; a set that is known
     must have just these members. Raises Fault and Misfit."""
     name, bracket = clause.sides
+    assert isinstance(bracket, Bracket), "a set"
     described = _Described.of(bracket)
-    table, letters, sorts, others, given = reader.table, [], [], [], []
+    table = reader.table
+    letters: list[Symbol] = []
+    sorts: list[str] = []
+    others: list[tuple[Node, Members]] = []
+    given: list[Statement] = []
     for node, members in described.domains:
         bound = bound_letter(table, node, members)
         if bound is None:
@@ -209,7 +216,7 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
         sorts.append(f"{letter.declaration.name} \\in {members.name}")
     inner = Elaborator(table, reader.variables)
     member = inner.term(described.pattern)
-    said = [read(inner, part) for part in described.held]
+    said: list[Statement] = [read(inner, part) for part in described.held]
     for node, members in others:
         said += _conditions(members, inner.term(node), node.at)
     names = {letter.declaration.name for letter in letters}
@@ -252,7 +259,7 @@ def _is_general(member: Term, letters: Sequence[Symbol]) -> bool:
     return False
 
 
-def _speaks_of(statement: Statement, names: set[str]) -> bool:
+def _speaks_of(statement: Statement, names: set[Name]) -> bool:
     match statement:
         case Relation():
             terms = (statement.left, statement.right)

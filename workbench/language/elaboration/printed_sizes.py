@@ -36,8 +36,7 @@ def sized_as_printed(term: Term, sub: Node | None, at: int) -> Term:
     """A zero or a unit matrix of any size, as one of the size below it; any other term itself. Raises
     Misfit."""
     size, is_single = size_below(sub)
-    is_open = isinstance(term, Zero | Identity) and filling(term) is not None and not term.printed
-    if not is_open or size is None:
+    if not isinstance(term, Zero | Identity) or filling(term) is None or term.printed or size is None:
         return term
     if isinstance(term, Identity) and not size.is_square:
         raise Misfit(IllFormed(TypeCode.UNIT_MATRIX_NOT_SQUARE(sizes=sizes([size]))), at)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import zip_longest
+from typing import Any
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.elaboration.arguments import is_argument, is_own_variable, refuse_member
@@ -179,8 +180,8 @@ def _factor(row: Row, place: int) -> Factor:
     if (directed := along(item)) is not None:
         return of_field(row, place, directed[1], directed[0])
     match item:
-        case Product(items=(_, Infix())):
-            return Factor(row.scope.spelt(item), item.at, place + 1, item)
+        case Product(items=(_, Infix())) if (spelt := row.scope.spelt(item)) is not None:
+            return Factor(spelt, item.at, place + 1, item)
         case Product(items=(Summation() as head, *rest)):
             term = summation(row.scope, head, lambda: _body(row.scope, head, rest))
             return Factor(term, item.at, place + 1, item)
@@ -214,7 +215,7 @@ def _as_name(scope: Scope, item: Node) -> Node | None:
     """Ad_T, where that is a symbol."""
     nucleus = item.nucleus if isinstance(item, Scripted) else item
     letter = as_letter(nucleus)
-    if letter is nucleus or not scope.table.has_letter(letter.text):
+    if letter is nucleus or not isinstance(letter, Leaf) or not scope.table.has_letter(letter.text):
         return None
     return replace(item, nucleus=letter) if isinstance(item, Scripted) else letter
 
@@ -226,7 +227,7 @@ def _body(scope: Scope, head: Summation, rest: Sequence[Node]) -> Term:
 
 
 def _with_left_scripts(row: Row, place: int) -> Factor:
-    left = row.items[place]
+    left: Any = row.items[place]
     following = core(row.items[place + 1]) if place + 1 < len(row.items) else None
     if isinstance(following, Fraction) and left.sup is not None and left.sub is None:
         found = rate(row.scope, following)
@@ -268,8 +269,9 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
         refuse_member(scope, behind, term)
     end = place + 1
     is_labelled = isinstance(following, Scripted) and following.sub is not None  # R (x)_B
-    may_say = bracket is not None and not is_labelled
-    if takes_bracket or (may_say and is_own_variable(scope, bracket, term)):
+    if not takes_bracket and bracket is not None and not is_labelled:
+        takes_bracket = is_own_variable(scope, bracket, term)
+    if following is not None and takes_bracket:
         if isinstance(following, Scripted) and sup is not None:
             raise Fault(SyntaxCode.SCRIPTS_ARGUMENT_FUNCTION_BRACKET(), following.at)
         term = _behind(scope, term, following)
@@ -298,9 +300,10 @@ def _called(scope: Scope, item: Node, argument: Node) -> Term | None:
     """S(x) and c \\theta, as the paper spells them."""
     inner = argument.nucleus if isinstance(argument, Scripted) else argument
     bare = inner if isinstance(core(inner), Bracket) else argument
-    if isinstance(core(bare), Leaf) and core(bare).kind != "LETTER":
+    plain = core(bare)
+    if isinstance(plain, Leaf) and plain.kind != "LETTER":
         return None
-    value = scope.spelt(Product(item.at, (item, core(bare))))
+    value = scope.spelt(Product(item.at, (item, plain)))
     if value is None and isinstance(item, Scripted) and (above := _sup_alone(item)) is not None:
         own = scope.spelt(Product(item.at, (item.nucleus, core(bare))))
         return own if own is None else _raised_function(scope, own, above, argument)

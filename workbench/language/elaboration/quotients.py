@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction as Rational
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.core.type_codes import TypeCode
@@ -24,7 +24,6 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import spell_label
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import HYPERBOLIC, QUOTIENTS
 from workbench.language.typed.terms import IllFormed, Number, Term, Unread, Zero
@@ -56,7 +55,8 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
     above, below = _factors(fraction.numerator), _factors(fraction.denominator)
     frame, above = _frame(above)
     if frame is None and len(below) == 2 and (label := _frame_of_time(scope, below[1])) is not None:
-        frame, below = label, (below[0], below[1].nucleus)
+        labelled: Any = below[1]
+        frame, below = label, (below[0], labelled.nucleus)
     upper, lower = _letter(above[0]), _letter(below[0])
     if _PARTIAL in (upper.text, lower.text):
         return _partial(fraction, upper, above, below, frame)
@@ -102,8 +102,9 @@ def _partial(
 def _split_order(variable: tuple[Node, ...]) -> tuple[tuple[Node, ...], Node | None]:
     """x and 2 of x^2, which below a ∂ is no power."""
     *before, last = variable
-    inner = last.sup if isinstance(last, Scripted) else None
-    inner = core(inner)
+    if not isinstance(last, Scripted):
+        return variable, None
+    inner = core(last.sup)
     if isinstance(inner, Leaf) and inner.kind == "NUMBER":
         bare = replace(last, sup=None)
         unscripted = bare.sub is None and not bare.primes
@@ -179,7 +180,9 @@ def slope(scope: Scope, at: int, found: Rate, body: Term) -> Term:
     """∂/∂x of the body as often as it is said."""
 
     def count(order: Node | None) -> int:
-        number = Linear(1) if order is None else scope.integer(order)
+        if order is None:
+            return 1
+        number = scope.integer(order)
         if not number.is_number or int(number) < 1:
             raise Fault(SyntaxCode.PARTIAL_DERIVATIVE_ORDER(number=number), order.at)
         return int(number)
@@ -215,8 +218,9 @@ class _Letter(NamedTuple):
     order: Node | None
 
 
-def _letter(node: Node) -> _Letter:
-    order, styles = None, ()
+def _letter(node: Any) -> _Letter:
+    order: Node | None = None
+    styles: tuple[str, ...] = ()
     if isinstance(node, Scripted) and node.sub is None and not node.primes and not node.factorial:
         node, order = node.nucleus, node.sup
         if order == Group(getattr(order, "at", 0), ()):

@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import Any
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import (
@@ -30,7 +31,7 @@ from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, linear, s
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.construct import apply, block, identity, number, relation, zero
 from workbench.language.typed.errors import Fault
-from workbench.language.typed.integers import Linear
+from workbench.language.typed.integers import Linear, as_linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, Block, Relation, Symbol, Term
 from workbench.language.typed.types import TENSOR, VECTOR, Type
@@ -116,7 +117,7 @@ def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> boo
     signs = [sign for sign, _ in clause.relations]
     if clause.universal and set(signs) <= {"="}:
         names = {_index_name(side, table) for side in clause.sides[:1]}
-        return None not in names and not any(name in table for name in names)
+        return all(name is not None and name not in table for name in names)
     if "∈" in signs or "≥" in signs or ">" in signs:
         return True
     if signs != ["="]:
@@ -133,7 +134,8 @@ def qualifies(clause: Node, table: SymbolTable, integers: frozenset[str]) -> boo
         return False
     numbers = [side for side in clause.sides if isinstance(side, Leaf) and side.text.isdigit()]
     names = {_index_name(side, table) for side in clause.sides if side not in numbers}
-    of_integers = names <= integers | INDEX_LETTERS and not any(name in table for name in names)
+    letters = {name for name in names if name is not None and name not in table}
+    of_integers = letters == names and letters <= integers | INDEX_LETTERS
     return (bool(names) and of_integers) or all(sign == "≠" for sign, _ in clause.relations)
 
 
@@ -172,10 +174,11 @@ def ranges_of(
     if name in table:
         raise _no_variable(name, left.at)
     ends = _bar(right) or (right,)
-    bounds = [linear(end, integers | {each for each in _letters(end) if each not in table}) for end in ends]
-    if None in bounds:
+    read = [linear(end, integers | {each for each in _letters(end) if each not in table}) for end in ends]
+    bounds = [bound for bound in read if bound is not None]
+    if len(bounds) < len(read):
         raise Fault(SyntaxCode.EXPECTED_INTEGER_BOUND(), right.at)
-    lower = bounds[0] + 1 if sign == ">" else bounds[0]
+    lower = as_linear(bounds[0] + 1) if sign == ">" else bounds[0]
     return [Range(name, lower, bounds[-1] if sign == "=" else None)]
 
 
@@ -196,9 +199,12 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
     lower = NATURALS.get(set_name(where))
     if lower is None:
         return [Membership(members, where)]
-    names = [_index_name(member, table) for member in members]
-    if None in names:
-        raise Fault(SyntaxCode.EXPECTED_INTEGER_VARIABLES_BEFORE(), members[names.index(None)].at)
+    names: list[str] = []
+    for member in members:
+        name = _index_name(member, table)
+        if name is None:
+            raise Fault(SyntaxCode.EXPECTED_INTEGER_VARIABLES_BEFORE(), member.at)
+        names.append(name)
     for name, member in zip(names, members, strict=True):
         if name in table:
             raise _no_variable(name, member.at)
@@ -231,8 +237,8 @@ def member_claims(term: Term, where: Node, at: int, table: SymbolTable) -> list[
     """What says that a term is in the set: equations, none for what is declared to be in it, or for a matrix
     of free numbers, of which it only says what they are. Raises Fault."""
     kind = kind_of_members(where)
-    is_shaped = term.type in _EQUATIONS.get(kind, {})
-    if is_shaped and not isinstance(term, Symbol) and not _is(term, kind):
+    is_shaped = kind is not None and term.type in _EQUATIONS.get(kind, {})
+    if kind is not None and is_shaped and not isinstance(term, Symbol) and not _is(term, kind):
         is_said = kind in ("rotation", "transform", "unit vector") and _is_of_free_numbers(term, table)
         return [] if is_said else [relation("=", *sides) for sides in _EQUATIONS[kind][term.type](term)]
     require_member(term, where, at)
@@ -300,12 +306,15 @@ def set_name(node: Node) -> str:
             nucleus = in_a_row(node.at, letters)
             return set_name(Scripted(node.at, nucleus, size))
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
+    letter: Any
     styles, letter = unstyled(scripted.nucleus)
     if isinstance(letter, Product) and all(isinstance(item, Styled) for item in letter.items):
-        styles = (*styles, letter.items[0].style)
-        letter = Product(letter.at, tuple(item.body for item in letter.items))
+        items: Any = letter.items
+        styles = (*styles, items[0].style)
+        letter = Product(letter.at, tuple(item.body for item in items))
     if isinstance(letter, Product) and all(isinstance(item, Leaf) for item in letter.items):
-        letter = Leaf(letter.at, "LETTER", "".join(item.text for item in letter.items))  # SO
+        leaves: Any = letter.items
+        letter = Leaf(letter.at, "LETTER", "".join(leaf.text for leaf in leaves))  # SO
     scripts = Scripts(sub=scripted.sub, sup=scripted.sup)
     spelling = None
     if isinstance(letter, Leaf):

@@ -115,8 +115,9 @@ def _of_family(head: Node, parts: tuple[Node, ...]) -> Members | None:
     plain = letter
     while isinstance(plain, Styled | Group):
         plain = plain.body if isinstance(plain, Styled) else plain.parts[0]
-    inner = [members_of(part) for part in parts]
-    if None in inner or not isinstance(plain, Leaf):
+    found = [members_of(part) for part in parts]
+    inner = [members for members in found if members is not None]
+    if len(inner) < len(found) or not isinstance(plain, Leaf):
         return None
     dual = inner[0].type.dual
     if plain.text == "L" and [m.type.with_dual(False) for m in inner] == [VECTOR, VECTOR]:

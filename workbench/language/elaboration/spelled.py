@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.syntax import (
@@ -71,7 +72,7 @@ def _is_bare_letter(node: Node) -> bool:
 def letters_in_one_font(item: Node) -> Iterator[Node]:
     """\\mathbf{pq}^* is \\mathbf{p} \\mathbf{q}^*: no symbol has two letters in one font. The hat of
     \\hat{pq} stands over the product."""
-    inner = item.nucleus if isinstance(item, Scripted) else item
+    inner: Any = item.nucleus if isinstance(item, Scripted) else item
     body = core(inner.body) if isinstance(inner, Styled) and inner.style in FONTS else None
     if not isinstance(body, Product) or not all(_is_letter(part) for part in body.items):
         yield item
@@ -109,7 +110,8 @@ def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
     while place < len(items):
         ends = range(min(place + scope.table.longest_word, len(items)), place + 1, -1)
         words = ((word_of(scope, items[place:end]), end) for end in ends)
-        word, end = next((each for each in words if each[0] is not None), (items[place], place + 1))
+        known = ((word, end) for word, end in words if word is not None)
+        word, end = next(known, (items[place], place + 1))
         found.append(word)
         place = end
     return found
@@ -148,8 +150,9 @@ def _styled_letter(node: Node) -> tuple[tuple[str, ...], str]:
 def subscripted_norm(scope: Scope, node: Node, sub: Node) -> Term | None:
     """\\|x\\|_2 of a column and \\|A\\|_F, which is \\sqrt{\\operatorname{tr} A^T A}."""
     letter = core(sub)
-    is_norm = isinstance(node, Bracket) and node.kind in ("|", "\\|") and len(node.parts) == 1
-    if not is_norm or not isinstance(letter, Leaf) or letter.text not in ("2", "F"):
+    if not isinstance(node, Bracket) or node.kind not in ("|", "\\|") or len(node.parts) != 1:
+        return None
+    if not isinstance(letter, Leaf) or letter.text not in ("2", "F"):
         return None
     body = scope.term(node.parts[0])
     is_column = body.type.columns == 1

@@ -171,7 +171,10 @@ class _Row:
                 members += clause.sides
             elif isinstance(clause, Chain) and is_range(clause, table, integers):
                 for said in ranges_of(clause, members, table, integers):
-                    (self.ranges if isinstance(said, Range) else self.memberships).append(said)
+                    if isinstance(said, Range):
+                        self.ranges.append(said)
+                    else:
+                        self.memberships.append(said)
                 members = []
             elif isinstance(clause, Given):
                 refuse_alone(members)
@@ -206,10 +209,11 @@ class _Row:
         self.claims = own
 
     def statements(self, reader: Elaborator) -> list[Statement]:
-        claimed, waiting = [], list(self.claims)
+        claimed: list[Statement] = []
+        waiting = list(self.claims)
         while waiting:
             claim = waiting.pop(0)
-            if is_map(claim):
+            if isinstance(claim, Chain) and is_map(claim):
                 value = waiting.pop(0) if wants_value(claim) and waiting else None
                 claimed.append(named_map(reader, claim, value))
             else:
@@ -245,10 +249,12 @@ def _statements(reader: Elaborator, clause: Node) -> list[Statement]:
 def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
     """x = { a, if p; b, if q } says p ⇒ x = a and q ⇒ x = b."""
     said: list[Statement] = []
-    for line in clause.sides[-1].lines:
+    cases = clause.sides[-1]
+    assert isinstance(cases, Lines), "a brace"
+    for line in cases.lines:
         value, *conditions = line
         if conditions and isinstance(conditions[0], Given):
-            conditions = conditions[0].conditions
+            conditions = list(conditions[0].conditions)
         if len(conditions) != 1 or not isinstance(conditions[0], Chain | Joined):
             raise Fault(SyntaxCode.EXPECTED_VALUE_CONDITION_EACH(), line[0].at)
         chain = Chain(clause.at, (*clause.sides[:-1], value), clause.relations)
@@ -257,7 +263,7 @@ def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
 
 
 def _statement(reader: Elaborator, clause: Node) -> Statement:
-    if is_set(clause):
+    if isinstance(clause, Chain) and is_set(clause):
         return named_set(reader, clause, _statement)
     match clause:
         case Conditional():

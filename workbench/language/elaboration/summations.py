@@ -26,7 +26,8 @@ def summation(scope: Scope, node: Summation, body: Callable[[], Term]) -> Term:
     over_all = variable_name(lower) if lower is not None else None
     if over_all:
         last = node.upper and _upper_bound(scope, node.upper)
-        names, start, end = [over_all], Linear(1), last or _last_of_all(scope, expected, node.at)
+        start: Linear | None = Linear(1)
+        names, end = [over_all], last or _last_of_all(scope, expected, node.at)
     elif not isinstance(lower, Chain) or [sign for sign, _ in lower.relations] != ["="]:
         raise Fault(expected, node.at)
     else:
@@ -86,7 +87,9 @@ def _labelled(node: Node) -> str | None:
 
 
 def _parts_of(node: Node) -> list[str]:
-    names = [variable_name(addend) for _, _, addend in node.addends] if isinstance(node, Sum) else [None]
-    if None in names or any(sign == "-" for sign, _, _ in node.addends):
+    addends = node.addends if isinstance(node, Sum) else ()
+    letters = [variable_name(addend) for _, _, addend in addends]
+    names = [name for name in letters if name is not None]
+    if not addends or len(names) < len(addends) or any(sign == "-" for sign, _, _ in addends):
         raise Fault(SyntaxCode.EXPECTED_SUMMATION_VARIABLES_K(), node.at)
     return names

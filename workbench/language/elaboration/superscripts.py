@@ -55,8 +55,9 @@ def refuse_label(term: Term, sup: Node) -> None:
     inner = core(sup)
     while isinstance(term, Derivative):
         term = term.body
-    is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
-    if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
+    if not isinstance(inner, Leaf) or inner.kind != "NUMBER" or not inner.text.isdigit():
+        return
+    if isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
         raise Fault(SyntaxCode.POWER_OR_LABEL_FRAME(text=inner.text), sup.at)
 
 

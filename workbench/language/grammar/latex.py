@@ -94,9 +94,9 @@ def latex_of(node: Node) -> str:
             marked = scripted(latex_of(nucleus), _inside(sub)) + "'" * primes
             return scripted(marked, sup=_inside(sup)) + "!" * factorial
         case Fraction(numerator=top, denominator=bottom):
-            return fraction(_inside(top), _inside(bottom))
+            return fraction(_inside(top) or "", _inside(bottom) or "")
         case Binomial(top=top, bottom=bottom):
-            return binomial(_inside(top), _inside(bottom))
+            return binomial(_inside(top) or "", _inside(bottom) or "")
         case Infix(operator=operator):
             return written("INFIX", operator)
         case Product(items=items):
@@ -127,9 +127,9 @@ def latex_of(node: Node) -> str:
         case Given(conditions=conditions):
             return FOR.lstrip() + BESIDE.join(map(latex_of, conditions))
         case Lines(lines=lines):
-            rows = [BESIDE.join(map(latex_of, line)).replace(BESIDE.rstrip() + FOR, FOR) for line in lines]
-            inside = " \\\\ ".join(rows)
-            return rows[0] if len(rows) == 1 else f"\\begin{{aligned}} {inside} \\end{{aligned}}"
+            texts = [BESIDE.join(map(latex_of, line)).replace(BESIDE.rstrip() + FOR, FOR) for line in lines]
+            inside = " \\\\ ".join(texts)
+            return texts[0] if len(texts) == 1 else f"\\begin{{aligned}} {inside} \\end{{aligned}}"
     raise TypeError(f"no LaTeX for {type(node).__name__}")
 
 

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
+from typing import Any, cast
 
 from lark import Lark, Token, Transformer
 from lark.exceptions import UnexpectedInput
@@ -223,7 +224,7 @@ def _braced(argument: Node) -> Node:
 
 def _scripts(scripts: Sequence[tuple[str, int, Node | None]]) -> tuple[Node | None, Node | None, int, bool]:
     """The subscript, the superscript, the number of primes, and whether it is a factorial."""
-    found: dict[str, Node] = {}
+    found: dict[str, Node | None] = {}
     primes, factorial = 0, False
     for kind, at, body in scripts:
         if factorial:
@@ -243,7 +244,7 @@ class _Tokens(Lexer):
     def __init__(self, lexer_conf) -> None:
         pass
 
-    def lex(self, data: str):
+    def lex(self, data: Any) -> Any:  # type: ignore[override]  # called with the text alone
         return tokenize(data)
 
 
@@ -269,7 +270,7 @@ def parse(text: str) -> Lines:
     if len(text) > MOST_CHARACTERS:
         raise Fault(SyntaxCode.FORMULA_CHARACTERS_UP_READ(text=len(text), MOST_CHARACTERS=MOST_CHARACTERS), 0)
     try:
-        return _parser().parse(text)
+        return cast(Lines, _parser().parse(text))
     except UnexpectedInput as error:
         token = getattr(error, "token", None)
         if token is None or token.type == "$END":

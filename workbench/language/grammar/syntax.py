@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TypeGuard, overload
 
 from workbench.language.typed.operators import FUNCTIONS
 
@@ -57,6 +58,10 @@ class Accented(Node):
     body: Node
 
 
+@overload
+def core(node: Node) -> Node: ...
+@overload
+def core(node: Node | None) -> Node | None: ...
 def core(node: Node | None) -> Node | None:
     """The node without braces around it."""
     while isinstance(node, Group) and len(node.parts) == 1:
@@ -202,7 +207,7 @@ def is_function(node: Node) -> bool:
     return isinstance(leaf, Leaf) and leaf.kind == "FUNCTION"
 
 
-def is_own_word(node: Node) -> bool:
+def is_own_word(node: Node) -> TypeGuard[Leaf]:
     """Whether only a paper can say what the function is."""
     return isinstance(node, Leaf) and node.kind == "FUNCTION" and node.name not in FUNCTIONS
 

@@ -307,7 +307,8 @@ def _collide(one: Notation, other: Notation) -> bool:
     found: dict[str, Node] = {}
     if not agrees(one.pattern, other.pattern, one.formals, found):
         return False
-    letters = {letter: core(node).text for letter, node in found.items() if isinstance(core(node), Leaf)}
+    inner = {letter: core(node) for letter, node in found.items()}
+    letters = {letter: node.text for letter, node in inner.items() if isinstance(node, Leaf)}
     return len(letters) == len(one.formals) and all(
         other.formals.get(letters[letter]) == kind for letter, kind in one.formals.items()
     )

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cache
-from typing import Any
+from typing import Any, cast
 
 from workbench.language.grammar.syntax import Bracket, Chain, Infix, Leaf, Node, Product, Sum, core, in_a_row
 from workbench.language.typed.terms import Term
@@ -19,7 +19,7 @@ class Known(Node):
 
 
 @cache
-def _fields(kind: type[Node]) -> tuple[str, ...]:
+def _fields(kind: Any) -> tuple[str, ...]:
     """What a kind of node says, but its place."""
     return tuple(each.name for each in fields(kind) if each.name != "at" and each.compare)
 
@@ -31,7 +31,7 @@ def parts_of(value: Any) -> Iterable[Any]:
     if isinstance(value, Chain):
         return [*value.sides, *(sign for sign, _ in value.relations)]
     if isinstance(value, Node):
-        return [getattr(value, name) for name in _fields(type(value))]
+        return [getattr(value, name) for name in _fields(cast(Hashable, type(value)))]
     return value if isinstance(value, tuple) else ()
 
 
@@ -82,7 +82,7 @@ def fill(value: Any, given: Mapping[str, Node]) -> Any:
     if isinstance(value, Leaf) and value.kind == "LETTER" and value.text in given:
         return replace(given[value.text], at=value.at)
     if isinstance(value, Node):
-        changed = {name: fill(getattr(value, name), given) for name in _fields(type(value))}
+        changed = {name: fill(getattr(value, name), given) for name in _fields(cast(Hashable, type(value)))}
         return type(value)(value.at, **changed)
     if isinstance(value, tuple):
         return tuple(fill(part, given) for part in value)

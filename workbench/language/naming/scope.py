@@ -36,6 +36,7 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import (
     Apply,
     Block,
+    CountingName,
     Derivative,
     IllFormed,
     Power,
@@ -285,7 +286,7 @@ class Scope(ABC):
         """n over k, or over k_1, k_2, …."""
         parts = bottom.parts if isinstance(bottom, Group) else (bottom,)
         lower = [self.integer(part) for part in parts]
-        name = "multinomial" if len(lower) > 1 else "binomial"
+        name: CountingName = "multinomial" if len(lower) > 1 else "binomial"
         return construct.counting(name, self.integer(top), *lower)
 
     def known_variables(self) -> str:

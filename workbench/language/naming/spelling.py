@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Any
 
 from workbench.core.declaration_codes import DeclarationCode
 from workbench.core.syntax_codes import SyntaxCode
@@ -137,10 +138,11 @@ def linear(node: Node, variables: Collection[str]) -> Linear | None:
             return total
         case Product(items=(Leaf(kind="NUMBER") as factor, other)):
             size, value = linear(factor, ()), linear(other, variables)
-            is_multiple = size not in (None, Linear(1)) and value is not None and not value.is_number
-            return value * int(size) if is_multiple else None  # 1j are two indices
+            if size in (None, Linear(1)) or size is None or value is None or value.is_number:
+                return None  # 1j are two indices
+            return value * int(size)
     name = variable_name(node)
-    return Linear.variable(name) if name in variables else None
+    return Linear.variable(name) if name is not None and name in variables else None
 
 
 def linear_or_none(node: Node, variables: Collection[str]) -> Linear | None:
@@ -164,7 +166,8 @@ class Spelling:
 
     def named(self, is_index: Sequence[bool]) -> Named:
         """The name and its indices, where it is said for each place whether it is one."""
-        places, index, made = iter(is_index), [], {}
+        places, index = iter(is_index), list[Linear]()
+        made: dict[str, Any] = {}
         for field, pieces in self.scripts:
             texts = [""]
             for piece in pieces:
@@ -207,8 +210,9 @@ class Spelling:
     def _regrouped(self) -> Iterator[Named]:
         """With other signs, or none, between the indices of a script: 12 for 1 2, and both for 1,2."""
         for field, pieces in self.scripts:
-            parts, between = pieces[::2], {*pieces[1::2]}
-            if not parts or not all(isinstance(part, Linear) for part in parts) or not between <= {" ", ","}:
+            parts: Sequence[Linear] = [piece for piece in pieces[::2] if isinstance(piece, Linear)]
+            between = {*pieces[1::2]}
+            if not parts or len(parts) < len(pieces[::2]) or not between <= {" ", ","}:
                 continue
             if not between:
                 parts = _apart(parts[0])
@@ -301,8 +305,9 @@ def under_accent(node: Node, styles: tuple[str, ...] = ()) -> Pair | None:
 
 
 def _pair(nodes: Sequence[Node], styles: tuple[str, ...] = ()) -> Pair | None:
-    spelled = [_spell_script(each, ()) for each in nodes]
-    if (len(spelled) != 2 and not styles) or not all(map(_is_label, nodes)):
+    scripts = [_spell_script(each, ()) for each in nodes]
+    spelled = [pieces for pieces in scripts if pieces is not None]
+    if (len(nodes) != 2 and not styles) or not all(map(_is_label, nodes)) or len(spelled) < len(nodes):
         return None
     return Pair(tuple("".join(map(str, pieces)) for pieces in spelled), styles)
 
@@ -360,18 +365,20 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
         case Product():
             return _spell_list(node.items, " ", () if _is_word(node) else variables)
         case Sum(addends=addends):
-            inner = [(sign, _spell_script(addend, ())) for sign, _, addend in addends]
-            if any(pieces is None for _, pieces in inner):
-                return None
-            return ["".join(sign + "".join(map(str, pieces)) for sign, pieces in inner)]
+            text = ""
+            for sign, _, addend in addends:
+                if (pieces := _spell_script(addend, ())) is None:
+                    return None
+                text += sign + "".join(map(str, pieces))
+            return [text]
         case Scripted(sub=None, sup=None, primes=primes, factorial=False):
             inner = _spell_script(node.nucleus, ())
             return None if inner is None else [*inner, "'" * primes]
-        case Scripted(sup=None, primes=0, factorial=False):
-            inner = _spell_list((node.nucleus, node.sub), "_{", variables)
+        case Scripted(sup=None, sub=Node() as sub, primes=0, factorial=False):
+            inner = _spell_list((node.nucleus, sub), "_{", variables)
             return None if inner is None else [*inner, "}"]
-        case Scripted(sub=None, primes=0, factorial=False):  # the star of B^* beside B
-            inner = _spell_list((node.nucleus, node.sup), "^{", ())
+        case Scripted(sub=None, sup=Node() as sup, primes=0, factorial=False):  # the star of B^* beside B
+            inner = _spell_list((node.nucleus, sup), "^{", ())
             return None if inner is None or linear_or_none(node.nucleus, variables) else [*inner, "}"]
         case Infix(operator=operator):
             return [written("INFIX", operator)]

@@ -136,9 +136,9 @@ class SymbolTable:
                 symbols[other] = declared
         for key, spec in specs.items():
             name, index = read_key(key, letters)
-            own = frozenset().union(*(place.variables for place in index))
-            if own and key in bodies and not speaks_of(bodies[key], own):
-                name, index = read_key(key, {*letters, *own})
+            variables = frozenset[str]().union(*(place.variables for place in index))
+            if variables and key in bodies and not speaks_of(bodies[key], variables):
+                name, index = read_key(key, {*letters, *variables})
             if name not in symbols:  # T_m beside a symbol m
                 symbols[name] = read_declaration(key, name, index, _unindexed(spec))
         try:

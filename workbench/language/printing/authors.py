@@ -70,7 +70,9 @@ def declared(term: Term, printed: Callable[[Term], Text], over_letter: OverLette
     """The term in the paper's own notation, if it has one that is read as this term. printed: any other
     term.   over_letter: a term whose accents stand over its letter alone."""
     own = author()
-    for entry, arguments in own.spellings(term) if own is not None else ():
+    if own is None:
+        return None
+    for entry, arguments in own.spellings(term):
         for text in _spelt(entry, arguments, term, printed, over_letter):
             if own.reads(text.text, term):
                 return text
@@ -97,7 +99,9 @@ def _spelt(
 def accent_of(term: Term, over_letter: OverLetter) -> tuple[str, Term] | None:
     """The accent that the paper has for the operation, and what is below it."""
     own = author()
-    for entry, arguments in own.spellings(term) if own is not None else ():
+    if own is None:
+        return None
+    for entry, arguments in own.spellings(term):
         if entry.accent is not None:
             (body,) = arguments.values()
             text = over_letter(body, (entry.accent,))

@@ -49,8 +49,8 @@ def to_latex(formula: Term | Statement) -> str:
         case Equivalence():
             return f"{to_latex(formula.left)} \\Leftrightarrow {to_latex(formula.right)}"
         case Implication():
-            left = formula.left.parts if isinstance(formula.left, Conjunction) else (formula.left,)
-            premises = latex.AND.join(map(to_latex, left))
+            before = formula.left.parts if isinstance(formula.left, Conjunction) else (formula.left,)
+            premises = latex.AND.join(to_latex(part) for part in before)
             if isinstance(formula.right, Equivalence | Implication):
                 return f"{to_latex(formula.right)}{latex.FOR}{premises}"
             return f"{premises} \\Rightarrow {to_latex(formula.right)}"
@@ -66,10 +66,11 @@ def to_latex(formula: Term | Statement) -> str:
 def _chain(parts: tuple[Statement, ...]) -> str:
     """a = b = c if each part goes on where the last one ended, else the parts side by side."""
     texts = [to_latex(part) for part in parts]
-    if not all(isinstance(part, Relation) for part in parts):
+    relations = [part for part in parts if isinstance(part, Relation)]
+    if len(relations) < len(parts):
         return latex.BESIDE.join(texts)
     text = texts[0]
-    for before, part, alone in zip(parts, parts[1:], texts[1:], strict=False):
+    for before, part, alone in zip(relations, relations[1:], texts[1:], strict=False):
         right = _beside((before.left, before.right))[1].text
         goes_on = alone.startswith(right + " ") and _beside((part.left, part.right))[0].text == right
         joint = latex.BESIDE if before.operator == part.operator == "=" else latex.AND
@@ -374,7 +375,7 @@ def _mul(left: Term, right: Term) -> Text:
 
 
 def _ends_in_gradient(term: Term) -> bool:
-    while _is_mul(term):
+    while isinstance(term, Apply) and _is_mul(term):
         term = term.arguments[1]
     return isinstance(term, Apply) and term.head in GRADIENTS
 

@@ -25,6 +25,7 @@ from workbench.language.typed.terms import (
     BigSum,
     Block,
     Counting,
+    CountingName,
     Derivative,
     DualUnit,
     Identity,
@@ -51,7 +52,7 @@ def integer(value: Linear | int) -> Term:
     return number(value.constant) if value.is_number else Integer(SCALAR, Linear(0), value)
 
 
-def counting(name: Literal["factorial", "binomial", "multinomial"], *arguments: Linear | int) -> Counting:
+def counting(name: CountingName, *arguments: Linear | int) -> Counting:
     return Counting(SCALAR, Linear(0), name, tuple(as_linear(a) for a in arguments))
 
 
@@ -74,10 +75,10 @@ def time_operator() -> TimeOperator:
 def symbol(
     declaration: Declaration, index: Sequence[Linear | int] = (), arguments: Sequence[Term] = ()
 ) -> Symbol:
-    index = tuple(as_linear(i) for i in index)
-    if len(index) != declaration.indices:
+    places = tuple(as_linear(i) for i in index)
+    if len(places) != declaration.indices:
         raise IllFormed(
-            TypeCode.INDEX_COUNT(name=declaration.name, indices=declaration.indices, count=len(index))
+            TypeCode.INDEX_COUNT(name=declaration.name, indices=declaration.indices, count=len(places))
         )
     if len(arguments) != declaration.parameters:
         raise IllFormed(
@@ -87,9 +88,9 @@ def symbol(
         )
     weight = declaration.weight
     if weight is not None:
-        weight = weight.substitute({f"@{i}": value for i, value in enumerate(index)})
+        weight = weight.substitute({f"@{i}": value for i, value in enumerate(places)})
     type_ = declaration.type.with_dual(declaration.type.dual or any(a.type.dual for a in arguments))
-    return Symbol(type_, weight, declaration, index, tuple(arguments))
+    return Symbol(type_, weight, declaration, places, tuple(arguments))
 
 
 def derivative(body: Term, order: Linear | int) -> Term:

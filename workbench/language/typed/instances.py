@@ -28,6 +28,7 @@ from workbench.language.typed.terms import (
     BigSum,
     Conjunction,
     Counting,
+    CountingName,
     Derivative,
     Equivalence,
     Extremum,
@@ -70,6 +71,10 @@ class Instantiation:
         self.values = values
         self.done: dict[int, tuple[Term, Term]] = {}
 
+    @overload
+    def formula(self, formula: Term) -> Term: ...
+    @overload
+    def formula(self, formula: Statement) -> Statement: ...
     def formula(self, formula: Term | Statement) -> Term | Statement:
         match formula:
             case Relation():
@@ -79,7 +84,7 @@ class Instantiation:
             case Conjunction():
                 return Conjunction(tuple(self.formula(part) for part in formula.parts))
             case Naming():
-                parts, given = (tuple(map(self.formula, s)) for s in (formula.parts, formula.given))
+                parts, given = (tuple(self.formula(p) for p in s) for s in (formula.parts, formula.given))
                 return replace(formula, terms=tuple(map(self.term, formula.terms)), parts=parts, given=given)
             case Extremum():
                 sides = self.term(formula.body), self.term(formula.value)
@@ -183,7 +188,7 @@ def raised(base: Term, exponent: Linear) -> Term:
     return power(base, exponent)
 
 
-def count(name: str, arguments: tuple[Linear, ...]) -> Term:
+def count(name: CountingName, arguments: tuple[Linear, ...]) -> Term:
     """factorial, binomial or multinomial; a number where all arguments are numbers."""
     if not all(argument.is_number for argument in arguments):
         return counting(name, *arguments)

@@ -104,7 +104,8 @@ class Name:
         """The name whose scripts have these integers in the places of the indices."""
         places = iter(index)
         given = zip(SCRIPTS, self.scripts, strict=True)
-        return replace(self, **{field: ("".join(_filled(s, places)),) for field, s in given if s})
+        filled: dict[str, Any] = {field: ("".join(_filled(s, places)),) for field, s in given if s}
+        return replace(self, **filled)
 
     def index_of(self, other: Name) -> tuple[Linear, ...] | None:
         """The numbers at which the other is a member of this family: 1 for Φ_1 in Φ_n; None if it is none."""
@@ -123,7 +124,8 @@ class Name:
         return tuple(Linear(int(number)) for number in found)
 
     def without_scripts(self) -> Name:
-        return replace(self, **dict.fromkeys(SCRIPTS, ()))
+        bare: dict[str, Any] = dict.fromkeys(SCRIPTS, ())
+        return replace(self, **bare)
 
     def without_arguments(self) -> Name:
         return replace(self, parameters=0)

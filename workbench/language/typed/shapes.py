@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import Literal
+from typing import Any, Literal
 
 from workbench.core.type_codes import TypeCode
 from workbench.language.typed.integers import Linear
@@ -66,11 +66,12 @@ def sizes(types: Iterable[Type]) -> str:
     return " and ".join(dict.fromkeys(f"{each.rows}×{each.columns}" for each in types))
 
 
-def shaped(term: Term, type_: Type) -> Term:
+def shaped(term: Any, type_: Type) -> Any:
     """A multiple of zero or of the unit tensor, as one of this type; it stays dual if it is. Raises
     IllFormed."""
     if term.type.with_dual(False) == type_.with_dual(False):
         return term
+    arguments: tuple[Term, ...]
     match term:
         case Identity() if type_.rows == 1:
             raise IllFormed(TypeCode.UNIT_TENSOR_IN_ONE_ROW())

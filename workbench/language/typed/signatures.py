@@ -308,7 +308,7 @@ def partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         raise IllFormed(TypeCode.PARTIAL_DERIVATIVE_OF_OPERATOR())
     if by.type.dual or not (by.type.kind == "scalar" or by.type.is_column):
         raise Unread(TypeCode.PARTIAL_DERIVATIVE_BY(type=by.type))
-    weight = None if None in (body.weight, by.weight) else body.weight - by.weight
+    weight = None if body.weight is None or by.weight is None else body.weight - by.weight
     if by.type.kind == "scalar":
         return body.type, weight
     if body.type.kind != "scalar" and not body.type.is_column:

@@ -9,12 +9,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from functools import lru_cache
-from typing import Literal, dataclass_transform
+from typing import Any, Literal, dataclass_transform
 
 from workbench.core.reasons import Code, Reason
 from workbench.core.type_codes import TypeCode
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.types import Declaration, Type, Weight
+
+CountingName = Literal["factorial", "binomial", "multinomial"]
 
 
 class IllFormed(ValueError):
@@ -56,7 +58,7 @@ class Term:
 
 
 @dataclass_transform(frozen_default=True)
-def _node(cls: type) -> type:
+def _node(cls: Any) -> Any:
     """A frozen dataclass that computes its hash once: terms are keys everywhere, and deep ones are costly."""
     cls = dataclass(frozen=True, slots=True)(cls)
     structural = cls.__hash__
@@ -93,7 +95,7 @@ class Integer(Term):
 class Counting(Term):
     """factorial(n), binomial(n, k) or multinomial(n; k₁, …) as a scalar."""
 
-    name: Literal["factorial", "binomial", "multinomial"]
+    name: CountingName
     arguments: tuple[Linear, ...]
 
 

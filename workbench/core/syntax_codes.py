@@ -11,9 +11,14 @@ from workbench.core.reasons import Code
 class SyntaxCode(Code):
     """One row for each fault of a formula that the reader finds, and each question that it asks."""
 
+    ALIGNMENT_MARK = "& outside of a matrix or an aligned environment"
     ALONE = "expected a relation (= or \\neq), got an expression alone"
     AN_EXPRESSION = "an expression, which claims nothing"
     APPROXIMATION = "\\approx: an approximation is not read unless symbols are declared `small = true`"
+    AT_OR_TIMES = (
+        "a function of what is in the bracket, or a product? {one} says {own} at {inside}, {other} "
+        "{own} \\cdot ({inside})"
+    )
     AT_TWO_INSTANTS_SAY = "{name} at two instants; say each by a symbol of its own"
     AT_TWO_PLACES_SAY = "{name} at two places; say what it depends on by a symbol for each"
     BRACES_PRINT_NOTHING_WHAT = "braces print nothing: what is the superscript on? round brackets say it"
@@ -28,6 +33,7 @@ class SyntaxCode(Code):
     )
     COMPONENTS_FRAME_OR_VECTOR = "the components in that frame, or the vector that has them?"
     COMPONENT_OR_MEMBER_OR = "a component or a member, or a factor? write a factor in front"
+    COMPOSITION_OF = "∘ of a {type} and a {type_2}: is one a function of the other?"
     CONDITIONS_OF_NOTHING = (
         "conditions of nothing: write them behind what they qualify, or \\text{{if}} … "
         "\\text{{then}} … with what follows from them"
@@ -36,10 +42,10 @@ class SyntaxCode(Code):
     CONDITION_OF_WHICH_LINE = "a condition of what is before it, or of what follows? write one line for each"
     CONDITION_UNDER_MINIMUM_OR = "a condition under a minimum or maximum; expected letters and sets only"
     CONDITION_UNREAD = "its condition {formula} cannot be read: {why}"
+    CROSS_OF = "× of a {type} and a {type_2}: × is read between vectors"
     DECLARED_ANOTHER_THING_THAN = "{name} is declared as another thing than what varies here"
     DECLARED_FUNCTION_TOO_THIS = "{own} is declared as a function of {names}, too, which this bracket lacks"
     DECLARES_ONLY = "says only what its symbols are declared to be"
-    STAR_OF = "* on a {type}; declare the symbol with it, or say it in [notation]"
     DEFINED_CANNOT_ANY_MEMBER = "{name} is defined, and cannot be any member of {name_2}"
     DEFINED_TAKEN_AT_ANOTHER = "{name} is defined by {min}, and taken at another place"
     DENIED = "the words beside it deny it: {words}"
@@ -47,7 +53,6 @@ class SyntaxCode(Code):
     DERIVATIVE_BY_OTHER_THAN_TIME = (
         "a derivative by anything but the time t, or a quotient of products with d?"
     )
-    RATE_IN_FRAME = "the derivative of a {type} in a frame: of its components, or of itself?"
     DERIVATIVE_FRAME_FRAMES_DECLARED = (
         "a derivative in the frame {name}? frames declared in [frames]: {known}"
     )
@@ -57,8 +62,8 @@ class SyntaxCode(Code):
         "a derivative, or a quotient of the symbols d and t? write \\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}"
     )
     DERIVATIVE_RATE_CONSTANT = "a derivative by the rate of a constant"
-    TENSOR_RATE_IN_FRAME = "the derivative of a tensor, in which frame? write out that of each factor"
     DIVISION_ZERO = "division by zero"
+    DYAD_OF = "⊗ of a {type} and a {type_2}: of vectors it is the dyad"
     D_AS_FACTOR = "{message} set d behind its factor for a product"
     ELLIPSIS = "{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"
     EXPECTED_DIRECTION_CDOT_NABLA = "expected a direction, (a \\cdot \\nabla)"
@@ -104,6 +109,10 @@ class SyntaxCode(Code):
     INFINITE_SUM_SUMS_HAVE = "an infinite sum; sums have integer bounds"
     INTEGER_TOO_LARGE_HERE = "the integer {text} is too large here; at most {LARGEST_INTEGER}"
     INTEGER_VARIABLE_DECLARED_SYMBOL = "{name} is an integer variable and a declared symbol"
+    INTEGER_WITHOUT_RANGE = (
+        "the integer variable {missing} in {spelling} has no range here; if {first} is no index, "
+        "declare it as a symbol"
+    )
     INVERSE_FUNCTION_OR_INVERSE = "an inverse function or an inverse value? bracket the value"
     INVERSE_FUNCTION_OR_RECIPROCAL = "the inverse function, or its reciprocal? bracket what the power is of"
     LEFT_SCRIPTS_MUST_STAND = "left scripts must stand before a symbol"
@@ -139,24 +148,15 @@ class SyntaxCode(Code):
     NOTHING_MAY_FOLLOW_FACTORIAL = "nothing may follow a factorial sign without brackets"
     NOT_A_FORMULA_SIGN = "{text}: {EXPECTED}"
     NOT_DEFINED = "{text} is not defined; defined before it: {known}"
-    INTEGER_WITHOUT_RANGE = (
-        "the integer variable {missing} in {spelling} has no range here"
-        "; if {first} is no index, declare it as a symbol"
-    )
     NUMBER_DIGITS_AT_MOST = "a number of {text} digits; at most {LONGEST_NUMBER}"
     NUMBER_FORMULA_OR_FACTOR = "the number of the formula, or a factor? leave it out"
     ODD_POWER_VECTOR_QUATERNION = "an odd power of a vector: is it a quaternion? write (0, x)"
-    COMPOSITION_OF = "∘ of a {type} and a {type_2}: is one a function of the other?"
     ONE_SIDED_BRACKET_LEFT = "a one-sided bracket \\left. or \\right.; {EVALUATED}"
     ONLY_POWER_MAY_STAND = "only a power may stand on {word_of}"
     OPAQUE_MACROS = "the macro {names} could not be expanded; --macros can say what it is"
     OPERATION_OF_NOTATION = "{spelled} of a {type}; [notation] has it for: {known}"
     ORDER_OF_DERIVATIVE = "the {what} of the derivative, or the derivative of the {what}?"
     OR_A_DYAD = "⊗ of vectors is read as their dyad; [notation] can say what it is"
-    AT_OR_TIMES = (
-        "a function of what is in the bracket, or a product? {one} says {own} at {inside}, "
-        "{other} {own} \\cdot ({inside})"
-    )
     OR_A_PRODUCT = (
         "a function of what is in the bracket, or a product? [conventions] arguments says the "
         'former, square brackets or brackets = "factors" the latter'
@@ -164,7 +164,6 @@ class SyntaxCode(Code):
     OR_DYADS = 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so'
     OR_MERE_BRACKETS = "square brackets as the paper's [notation] has them, or mere brackets? round ones are"
     OR_UNIT_TENSORS = 'is the number beside tensors one of unit tensors? [conventions] one = "unit" says so'
-    ALIGNMENT_MARK = "& outside of a matrix or an aligned environment"
     OVER_SET_EXPECTED_LETTER = "over which set? expected a letter and its set, as in x \\in V_3"
     OVER_WHAT_WRITE_UNDER = "a {what} over what? write it under the sign, as in \\min_{{x \\in V_3}}"
     PARTIAL_DERIVATIVE_NOTHING = "a partial derivative by nothing"
@@ -183,6 +182,7 @@ class SyntaxCode(Code):
         "the product of quaternions, or the scalar product of two columns of four?"
     )
     QUATERNIONS_THEIR_PRODUCT_OR = "× of quaternions: their product, or that of their vector parts?"
+    RATE_IN_FRAME = "the derivative of a {type} in a frame: of its components, or of itself?"
     REACH_OF_CONDITION = (
         "how far does the condition in front reach? join what follows from it by \\text{{and}}"
     )
@@ -194,7 +194,6 @@ class SyntaxCode(Code):
         "how far does the implication reach? join its conditions, or its claims, by \\text{{and}}"
     )
     REACH_OF_SLASH = "how far does / reach? write \\frac{{…}}{{…}}"
-    CROSS_OF = "× of a {type} and a {type_2}: × is read between vectors"
     RELATION_INSIDE_EXPRESSION = "a relation ({sign}) inside an expression"
     ROOT_QUATERNION_NO_NUMBER = "the root of a quaternion, which is no number"
     ROWS_OR_COLUMNS_CONVENTIONS = 'rows or columns? [conventions] gradient = "row" or "column" says it'
@@ -211,6 +210,7 @@ class SyntaxCode(Code):
     SIGN_OF_THE_TEXT = "{what}: {OWN_SIGNS}"
     SIGN_WITHOUT_OPERANDS = "a sign without its operands"
     STANDS_TWICE_AMONG_ARGUMENTS = "{repeated} stands twice among the arguments; expected each argument once"
+    STAR_OF = "* on a {type}; declare the symbol with it, or say it in [notation]"
     STATES_RANGE_ONLY_STATEMENTS = "{sign} states a range only; statements are made with = and \\neq"
     SUBSCRIPT_ON_EXPRESSION = "a subscript on an expression; indices belong to symbols"
     SUMMATION_VARIABLE_ALREADY_HAS = "the summation variable {name} already has a meaning here"
@@ -219,6 +219,7 @@ class SyntaxCode(Code):
     SUM_HAS_NO_UPPER = "the sum has no upper bound"
     SUM_OVER_K_K = "a sum over k_1 + k_2 + … = k has no upper bound"
     SYMBOL_WHAT_ASSUMED_SYMBOLS = "{name} is a symbol; what is assumed of symbols is written with = and \\neq"
+    TENSOR_RATE_IN_FRAME = "the derivative of a tensor, in which frame? write out that of each factor"
     TEX_TAKES_ONLY_FIRST = "TeX takes only the first digit of {text} here; write {{…}}"
     THREE_VECTORS_BESIDE_EACH = "three vectors beside each other; write (a b) \\cdot c"
     TILDE_DOES_NOT_FIT = "\\tilde{{x}} as the skew tensor of x does not fit; a symbol of its own is declared"
@@ -240,7 +241,6 @@ class SyntaxCode(Code):
     UNREADABLE = "{message}"
     UNUSABLE_ORDERS = "{orders_fault}"
     VECTORS_BELOW_EACH_OTHER = "vectors below each other: the rows of a matrix? write x^T"
-    DYAD_OF = "⊗ of a {type} and a {type_2}: of vectors it is the dyad"
     VECTORS_OR_QUATERNIONS_WRITE = "of vectors, or of quaternions? write \\cdot, \\times or (0, x)"
     WHAT_DIVIDED_WHAT_WRITE = "what is divided by what? write \\frac{{…}}{{…}}"
     WHAT_DOES_NABLA_ACT = "what does ∇ act on? bracket it"

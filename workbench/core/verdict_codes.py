@@ -39,14 +39,6 @@ class VerdictCode(Code):
     FAILS_FOR_SOME_SUMS = (
         "fails for some sums, which it may say something of, or where two indices are the same"
     )
-    NEEDED_ONCE = (
-        "{outcome} if {kinds}, which only this formula needs; if {name} is a {other}, this formula is wrong"
-    )
-    OF_FRAMES = (
-        "{outcome} for free frames and points; `orientation` in [frames] and `fixed` in [points] say more"
-    )
-    NOT_AS_DRAFTED = "does not fit the drafted kinds and notation: {reason}"
-    FITS = "fits by its types; nothing here tells it from other forms that fit"
     FALSE_FOR_ANY_MOTION = (
         "false for any motion, and the text states a law of it ({places}); `given` says what it follows from"
     )
@@ -65,6 +57,7 @@ class VerdictCode(Code):
         "false without what the text says beside it, {conditions}; an `assume` of it makes it a "
         "claim, or `given = []`, if it needs none"
     )
+    FITS = "fits by its types; nothing here tells it from other forms that fit"
     FOR = "for {values}"
     FOR_BECAUSE = "for {values}: {reason}"
     FOR_THOUGH_HOLDS = "for {values}, though it holds for {orders}"
@@ -79,9 +72,13 @@ class VerdictCode(Code):
     MAY_BE_CONDITION = "may be the condition of {formula}, which stands before it and is false without it"
     MEANT_OTHERWISE = "{meant}"
     MOTIONS_CONTRADICT = "proved, but Drake's motions contradict it: a binding or the workbench is wrong"
+    NEEDED_ONCE = (
+        "{outcome} if {kinds}, which only this formula needs; if {name} is a {other}, this formula is wrong"
+    )
     NEGATIVE_NORM = "a norm is not negative"
     NESTS_TOO_DEEP = "what it is made of nests too deep for the engines"
     NONE_EXISTS = "there is none"
+    NOT_AS_DRAFTED = "does not fit the drafted kinds and notation: {reason}"
     NOT_DEFINED_FOR_ALL = "{left} is not seen to be defined for all of these: {reason}"
     NOT_FROM_EXPONENTIALS = "does not follow from what derivatives of e^x are"
     NOT_SHOWN = "not shown"
@@ -91,18 +88,21 @@ class VerdictCode(Code):
     NO_RANGE = "no range is stated for {variables}"
     NO_WITNESS = "no witness against the bare statement was found"
     NO_ZERO_FOUND = "no zero was found and none was excluded"
+    OF_FRAMES = (
+        "{outcome} for free frames and points; `orientation` in [frames] and `fixed` in [points] say more"
+    )
     OF_SQUARES = "{reason}; the two sides are given as squares"
     ON_PRINCIPAL_BRANCH = "holds on the principal branch, which the text does not state"
     OPEN_WHERE_POSITIVE = "not decided where {name} is positive"
     OUTSIDE_OF_ARC = "outside of the arc's domain it is undefined"
     OUT_OF_BUDGET = "{limit}"
+    SAID_BEFORE = "a line before it says what {symbol} is; a definition of {symbol} makes it a claim"
     SAID_ELSEWHERE = "the text says so elsewhere ({places})"
     SAID_ELSEWHERE_BECAUSE = "the text says so elsewhere ({places}); {reason}"
-    SAID_BEFORE = "a line before it says what {symbol} is; a definition of {symbol} makes it a claim"
+    SAME_TERM = "both sides are the same term, so nothing is tested"
     SAYS_WHAT_IT_IS = (
         "says what {symbol} is, which nothing defines; a definition of {symbol} makes it a claim"
     )
-    SAME_TERM = "both sides are the same term, so nothing is tested"
     SECOND_ENGINE_LEFT_OUT = "second engine left out"
     SECOND_ENGINE_OPEN = "the second engine does not see that the equations imply it"
     SEEN_OF_SOME = "{seen}; {why}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from workbench.core.reasons import Reason
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum

@@ -43,7 +43,7 @@ class VerdictCode(Code):
         "false for any motion, and the text states a law of it ({places}); `given` says what it follows from"
     )
     FALSE_FOR_FREE = (
-        "false for a free {symbols}, of which the text says something; a definition makes it a "
+        "false for a free {symbols}, and the text says something of it; a definition makes it a "
         "claim, or `given = []`, if it needs none"
     )
     FALSE_WITHOUT_DECLARATION = (

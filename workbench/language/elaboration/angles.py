@@ -26,8 +26,9 @@ _ANGLES = frozenset(
 def of_angle_between(scope: Scope, head: str, argument: Node) -> Term | None:
     """\\cos\\langle a, b\\rangle of two vectors, a · b by their lengths, and the sine, |a × b| by them; None
     where ⟨a, b⟩ is a name, or no angle."""
-    is_pair = isinstance(argument, Bracket) and argument.kind == "\\langle" and len(argument.parts) == 2
-    if not is_pair or head not in ("cos", "sin") or scope.spelt(argument) is not None:
+    if not isinstance(argument, Bracket) or argument.kind != "\\langle" or len(argument.parts) != 2:
+        return None
+    if head not in ("cos", "sin") or scope.spelt(argument) is not None:
         return None
     one, other = (scope.term(part) for part in argument.parts)
     if not (one.type == other.type and one.type.is_column) or (head == "sin" and one.type.kind != "vector"):

@@ -193,7 +193,7 @@ class _Cells:
 
     def nodes(self, left_out: Collection[int], at: int) -> tuple[Node, ...]:
         """The entries; an empty one is {}, at the mark before it."""
-        places = [at, *(mark.start_pos for mark in self.marks)]
+        places = [at, *(mark.start_pos or 0 for mark in self.marks)]
         cells = zip(self.contents, places, strict=True)
         kept = (cell for place, cell in enumerate(cells) if place not in left_out)
         return tuple(Group(where, ()) if node is None else node for node, where in kept)

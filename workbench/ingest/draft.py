@@ -10,16 +10,14 @@ from workbench.core.reasons import Reason
 from workbench.core.verdict_codes import VerdictCode
 from workbench.ingest.inference.infer import Thin, kind_name
 from workbench.ingest.ingest import Ingested, ingest
-from workbench.ingest.model_file import model_text
+from workbench.ingest.model_file import loaded_model
 from workbench.ingest.typefaces import flat
 from workbench.judge.verdict import Outcome, Strength, Verdict
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Symbol
 from workbench.papers.model import Claim, Paper
 from workbench.papers.said import terms_of
-from workbench.papers.text_claims.text_load import load_model
-from workbench.papers.text_claims.text_paper import TextPaper
-from workbench.papers.toml.toml_file import TomlFile
+from workbench.papers.text_claims.text_paper import TextPaper, text_paper
 from workbench.verify.results import ClaimResult
 
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
@@ -57,9 +55,8 @@ def draft_of(path: Path) -> Draft:
 def draft_from(ingested: Ingested) -> Draft:
     """Returns a text under the model that was found for it. Raises PaperError."""
     path = ingested.text.path
-    beside = path.with_suffix(".toml")
-    toml = TomlFile(beside, model_text(ingested, beside, is_confirmed=True))
-    return Draft(ingested, replace(load_model(toml, ingested.text), paths=(path,)))
+    _, model = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
+    return Draft(ingested, text_paper(ingested.text, model, path.name, None, (path,)))
 
 
 def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:

@@ -12,22 +12,29 @@ from workbench.ingest.proposal import tables_of
 from workbench.ingest.scopes import Scope
 from workbench.papers.faults import Faults
 from workbench.papers.text_claims.text_load import model_of
+from workbench.papers.text_claims.text_model import TextModel
 from workbench.papers.texts.titles import own_title
 from workbench.papers.toml.toml_file import TomlFile
 
 _WIDTH = 100
 
 
-def model_text(ingested: Ingested, path: Path, is_confirmed: bool = False) -> str:
+def model_text(ingested: Ingested, path: Path) -> str:
     """Returns the model for a file at `path`. Definitions that the loader refuses are left as comments, with
-    its reason. is_confirmed: nothing is listed as guessed."""
+    its reason."""
+    return loaded_model(ingested, path, is_confirmed=False)[0]
+
+
+def loaded_model(ingested: Ingested, path: Path, is_confirmed: bool) -> tuple[str, TextModel]:
+    """Returns the model as text and as loaded. is_confirmed: nothing is listed as guessed."""
     chosen = [proposed for proposed in ingested.definitions if proposed.sure]
     refused: dict[str, str] = {}
     ingested = replace(ingested, scopes=list(ingested.scopes))
     while True:
         written = "\n".join(_lines(ingested, path, chosen, refused, is_confirmed)) + "\n"
         faults = Faults()
-        model_of(TomlFile(path, written), ingested.text, faults).notations()
+        model = model_of(TomlFile(path, written), ingested.text, faults)
+        model.notations()
         wrong = {str(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("definitions",)}
         if scopes := [fault.path[1] for fault in faults if fault.path[:1] == ("scope",)]:
             del ingested.scopes[int(scopes[0])]
@@ -37,7 +44,7 @@ def model_text(ingested: Ingested, path: Path, is_confirmed: bool = False) -> st
             continue
         if not wrong:
             faults.stop()
-            return written
+            return written, model
         refused |= wrong
         chosen = [proposed for proposed in chosen if proposed.name not in refused]
 

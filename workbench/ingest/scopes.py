@@ -13,6 +13,8 @@ from workbench.ingest.sentences import Quaternion
 from workbench.ingest.typefaces import Guess
 from workbench.papers.texts import Display
 
+#: Each scope reads all definitions again; so many readings of definitions are made.
+_MOST_READ = 200
 _TURNS = ("rotation", "transform")
 #: Which part of a quaternion the index of a scalar names, where all parts are scalars.
 _SCALAR_PARTS = ("0", "w", "s", "4")
@@ -72,6 +74,8 @@ def scopes_of(
             if name in users
         ):
             found.append(Scope(display, f"gives {each.name}", definitions={each.name: each.body}))
+    most = _MOST_READ // max(len(defined), 1) // 2
+    found = sorted(found, key=lambda scope: places[id(scope.display)])[:most]
     ends = [end for scope in found for end in _end(scope, displays, places, users, guesses)]
     return sorted([*found, *ends], key=lambda scope: places[id(scope.display)])
 

@@ -35,10 +35,10 @@ def load_text(path: Path) -> TextPaper:
     return text_paper(text, model, title or own_title(text) or text.path.name, None, (path,))
 
 
-def load_model(toml: TomlFile, text: Text | None = None) -> TextPaper:
-    """A model and the text that it names, which may have been read before. Raises PaperError."""
+def load_model(toml: TomlFile) -> TextPaper:
+    """A model and the text that it names. Raises PaperError."""
     path, faults = _beside(toml, "source"), Faults()
-    text = text or faults.past(lambda: _with_macros(toml, path))
+    text = faults.past(lambda: _with_macros(toml, path))
     if text is None:
         faults.stop()
     model, past = model_of(toml, text, faults), faults.past

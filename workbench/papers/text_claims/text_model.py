@@ -82,9 +82,15 @@ class TextModel:
     guessed: tuple[str, ...] = ()
     entries: list[Entry] = field(default_factory=list)
     faults: Faults = field(default_factory=Faults)
+    _made: list[tuple[int, Notation]] | None = None
 
     def notations(self) -> list[tuple[int, Notation]]:
         """From which display on each notation holds. Raises PaperError."""
+        if self._made is None:
+            self._made = self._notations()
+        return self._made
+
+    def _notations(self) -> list[tuple[int, Notation]]:
         made = []
         for count in range(len(self.scopes) + 1):
             start = self.scopes[count - 1][0] if count else 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from ingest.true_kinds import TRUE, symbols_of
+from ingest.true_kinds import TRUE, UNSEEN, symbols_of
 
 from workbench.ingest.inference.infer import Inference, Source, infer, kind_name
 from workbench.ingest.inference.pieces import operations_of
@@ -27,6 +27,12 @@ def test_at_least_97_of_100_symbols_of_all_texts_have_their_kind() -> None:
     symbols = [symbol for path in TRUE for symbol in symbols_of(path)]
     wrong = [symbol for symbol in symbols if not symbol.is_right]
     assert len(symbols) == 371 and len(wrong) <= 3 * len(symbols) / 100, wrong
+
+
+def test_at_least_90_of_100_symbols_of_unseen_texts_have_their_kind() -> None:
+    symbols = [symbol for path in UNSEEN for symbol in symbols_of(path)]
+    wrong = [symbol for symbol in symbols if not symbol.is_right]
+    assert len(symbols) > 50 and len(wrong) <= len(symbols) / 10, wrong
 
 
 def kinds(*formulas: str, words: str = "") -> dict[str, str]:

@@ -11,7 +11,7 @@ from workbench.ingest.inference.signatures import Kind
 from workbench.ingest.inference.tables import Costs
 
 #: How many kinds of a symbol, joint kinds of a formula, and joint kinds for each kind of a value are kept.
-_LEAF, _BEAM, _PER_KIND = 8, 30, 6
+_LEAF, _BEAM, _PER_KIND = 10, 30, 6
 
 Kinds = dict[str, Kind]
 #: What kinds cost their symbols, what the tree costs with them, and the kinds.

@@ -29,6 +29,7 @@ FACES = {
     "omega": (4, 0, 20, 12, 30, 30, 25),
     "greek": (0, 14, 30, 18, 36, 38, 30),
     "small": (0, 16, 32, 18, 36, 38, 22),
+    "mass": (0, 35, 45, 40, 50, 50, 45),
     "position": (3, 4, 32, 14, 36, 38, 18),
     "coordinate": (0, 12, 32, 7, 36, 38, 22),
     "framed small": (10, 0, 25, 12, 30, 35, 20),
@@ -104,8 +105,8 @@ def _plain_face(inner: str, letter: str, is_capital: bool) -> str:
         return "omega"
     if inner in ("q", "\\tau", "\\xi", "\\eta"):
         return "coordinate"
-    if letter == "p":
-        return "position"
+    if letter in ("p", "m"):
+        return "position" if letter == "p" else "mass"
     return "greek" if letter.startswith("\\") else "small"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.ingest.inference.operations import MARKED, SYMBOL, Forest, Operation
+from workbench.ingest.inference.operations import SYMBOL, Forest, Operation
 from workbench.language.grammar.syntax import (
     Bracket,
     Extremal,
@@ -88,8 +88,7 @@ class RowWalker:
         if isinstance(inner, Bracket) and inner.kind == "[" and len(inner.parts) == 1:
             if (pair := in_bracket(inner)) is not None:
                 return self.make("either", self.forest.symbol(str(pair.name)), self.term(inner))
-            term = self.term(inner)
-            return self.make("bracketed", term) if term.op in (SYMBOL, MARKED) else term
+            return self.term(inner)
         return self.term(node)
 
     def _function(self, node: Node, behind: Node | None) -> Operation:

@@ -264,6 +264,8 @@ class Walker(RowWalker):
             return self.make("inner", *parts)
         if node.kind == "\\{":
             return self.forest.anything(*parts)
+        if node.kind == "[" and len(parts) == 1 and parts[0].op in (SYMBOL, MARKED):
+            return self.make("bracketed", *parts)
         return parts[0] if len(parts) == 1 else self.make("tuple", *parts)
 
     def _matrix(self, node: Matrix) -> Operation:

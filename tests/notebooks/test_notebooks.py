@@ -10,6 +10,7 @@ import pytest
 
 NOTEBOOKS = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
 NAMES = [
+    "00_start_here",
     "01_a_formula_and_its_verdict",
     "02_acceleration_fields",
     "03_errata_step_by_step",
@@ -18,8 +19,10 @@ NAMES = [
     "06_chains_2C_3C",
     "07_jerk_of_a_robot",
     "08_from_the_printed_line_to_a_theorem",
+    "09_my_own_paper",
 ]
 LONGEST_CELL = 80
+LONGEST_FUNCTION = 15
 LARGEST = 1_000_000  # bytes, with its figures
 
 
@@ -161,6 +164,60 @@ def test_code_is_python_that_names_no_machine_path_and_needs_no_network(path):
     for cell in cells(path, "code"):
         ast.parse(cell.source)
         assert not re.search(r"https?://|/home/|/tmp/|/root/|^[!%]", cell.source, flags=re.MULTILINE)
+
+
+@each_notebook
+def test_no_function_is_longer_than_a_reader_follows(path):
+    functions = [
+        node
+        for cell in cells(path, "code")
+        for node in ast.walk(ast.parse(cell.source))
+        if isinstance(node, ast.FunctionDef)
+    ]
+    lengths = {node.name: node.end_lineno - node.lineno + 1 for node in functions}
+    assert {name: length for name, length in lengths.items() if length > LONGEST_FUNCTION} == {}
+
+
+def pictureless_figures(notebook: nbformat.NotebookNode) -> list[str]:
+    """The captions "*Figure n" that do not stand behind a picture."""
+    shown, found = False, []
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            shown = any("image/png" in out.get("data", {}) for out in cell.outputs)
+        for caption in re.findall(r"^\*Figure \d+\.", cell.source, flags=re.MULTILINE):
+            found += [] if shown else [caption]
+    return found
+
+
+@each_notebook
+def test_each_figure_has_its_picture(path):
+    assert pictureless_figures(nbformat.read(path, as_version=4)) == []
+
+
+def test_a_caption_without_a_picture_is_noticed():
+    notebook = nbformat.v4.new_notebook(
+        cells=[nbformat.v4.new_code_cell("plt.show()"), nbformat.v4.new_markdown_cell("*Figure 1. A curve.*")]
+    )
+    assert pictureless_figures(notebook) == ["*Figure 1."]
+
+
+@each_notebook
+def test_tells_its_time_and_goal_and_ends_with_three_exercises(path):
+    first, *_, last = nbformat.read(path, as_version=4).cells
+    assert re.search(r"^\*\S+ minutes\b.* Goal: [^*]+\*$", first.source, flags=re.MULTILINE)
+    assert last.source.startswith("## Exercises\n")
+    assert re.findall(r"^(\d)\. ", last.source, flags=re.MULTILINE) == ["1", "2", "3"]
+    assert last.source.count("<details><summary>Answer</summary>") == last.source.count("</details>") == 3
+
+
+@each_notebook
+def test_slider_has_a_static_picture_before_it(path):
+    notebook = nbformat.read(path, as_version=4)
+    for number, cell in enumerate(notebook.cells):
+        if "ipywidgets" in cell.source:
+            assert cell.source.startswith("# NBVAL_IGNORE_OUTPUT") and not cell.outputs
+            before = notebook.cells[number - 2].outputs
+            assert any("image/png" in out.get("data", {}) for out in before)
 
 
 @each_notebook

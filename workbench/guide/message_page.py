@@ -43,6 +43,14 @@ _BY_TABLE = {
         "meaning": "This is why the claim has its verdict.",
         "way_out": "See `workbench help why-not-judged`.",
     },
+    "ModelCode": {
+        "meaning": "A table of a paper file or a model lacks something.",
+        "way_out": "Add the key; `workbench help model-keys` explains it.",
+    },
+    "ErrorCode": {
+        "meaning": "The message is that of an error without a code of its own.",
+        "way_out": "Follow the message.",
+    },
     "MotionCode": {
         "meaning": "No simulated motion tests the claim.",
         "way_out": "Nothing; or bind its symbols in [motion].",

@@ -17,7 +17,7 @@ collect_ignore_glob = ["judge/papers/*.toml", "errata/*/*.toml"]
 HERE = Path(__file__).parent
 
 #: What is judged matters there, and not in which process: a fork takes several times as long as most judgements.
-JUDGED_HERE = {"judge", "language", "texts"}
+JUDGED_HERE = {"context", "judge", "language", "texts"}
 
 #: Of processor time; no default test takes a tenth of it. What never ends, ends its process.
 SECONDS = 120

@@ -109,7 +109,7 @@ def test_what_is_written_as_a_definition_of_something_free_is_not_false(sign):
     assert outcome("c := a + b", ["c = a - b"]) == Outcome.REFUTED
     assert outcome("c := a + b", ["c = b + a"]) == Outcome.PROVED
     for open_ in ("c := c + a", "u := a", "a + b := c", r"\dot{c} := a", "c := a = b", r"c := a, b \neq 0"):
-        assert outcome(open_) == Outcome.UNCHECKED, open_
+        assert outcome(open_) == Outcome.DEFINITION, open_
     assert outcome("a + b := b + a") == Outcome.PROVED
     assert outcome(r"c := a \cdot b") == Outcome.ILL_FORMED
 
@@ -123,8 +123,8 @@ def test_an_assignment_is_no_falsehood(sign, definitions):
         return check(latex.replace(":=", sign), known, definitions=definitions).verdict
 
     for step in (r"c := \frac{c}{\|c\|}", "c := c + a", r"c := c + a, b \neq 0"):
-        assert verdict(step).outcome == Outcome.UNCHECKED
-        assert "an assignment" in verdict(step).reason
+        assert verdict(step).outcome == Outcome.DEFINITION
+        assert "assigns a value" in verdict(step).reason
     assert verdict("c = c + a").outcome == Outcome.REFUTED
     assert verdict("c := b").outcome == (Outcome.REFUTED if definitions else Outcome.DEFINITION)
 

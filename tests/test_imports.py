@@ -19,6 +19,7 @@ LAYERS = (
     ("core",),
     ("algebra", "budget", "language", "drake", "memory", "typeset"),
     ("kinematics", "judge"),
+    ("context",),
     ("papers",),
     ("repair",),
     ("verify",),

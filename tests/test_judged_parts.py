@@ -15,7 +15,9 @@ from click.testing import CliRunner
 
 import workbench
 from workbench.cli.commands import main
+from workbench.context.facts import Act, Fact, Origin, Provider, Supposition
 from workbench.judge.theorems.goals import Atom
+from workbench.judge.verdict import Strength
 from workbench.language.definitions import Definitions
 from workbench.language.naming.notations import Notations
 from workbench.language.naming.symbols import SymbolTable
@@ -25,7 +27,7 @@ from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Definition, Relation, Symbol
 from workbench.language.typed.types import SCALAR, VECTOR, Declaration, Type
 from workbench.papers import load_paper
-from workbench.papers.model import Aside, Claim, Formula, Mend, Notation, OnMotions, Robot, Said, Span, Stated
+from workbench.papers.model import Claim, Formula, Mend, Notation, OnMotions, Robot, Span, Stated
 from workbench.papers.orders import Orders
 from workbench.verify.claims import ClaimJudge
 from workbench.verify.judged_parts import UNSEEN, JudgedParts
@@ -187,7 +189,7 @@ def _verdicts(answer: Any) -> Any:
 
 X, Y = (Relation("=", *(symbol(Declaration(Name(letter), SCALAR)),) * 2) for letter in "xy")
 FORMULAS_OF = [Formula(letter, said) for letter, said in (("x = x", X), ("y = y", Y))]
-SAID = Said("x", "1", None, X, (), None)
+FACT = Fact(X, frozenset({Name("x")}), Origin(Provider.FORMULA, "x = x", "1"), Strength.STATED)
 #: Two values of each kind of field.
 VALUES: dict[str, tuple[Any, Any]] = {
     "str": ("one", "two"),
@@ -202,8 +204,8 @@ VALUES: dict[str, tuple[Any, Any]] = {
     "Name": (Name("x"), Name("y")),
     "tuple[str, ...]": (("one",), ("two",)),
     "tuple[Formula, ...]": ((FORMULAS_OF[0],), (FORMULAS_OF[1],)),
-    "tuple[Said, ...]": ((SAID,), (replace(SAID, earlier=False),)),
-    "tuple[Aside, ...]": ((Aside("x", 1, X),), (Aside("x", 2, X),)),
+    "tuple[Fact, ...]": ((FACT,), (replace(FACT, earlier=False),)),
+    "tuple[Act, Symbol | None]": ((Act.ASSERT, None), (Act.DEFINE, X.left)),
     "frozenset[Name]": (frozenset({Name("x")}), frozenset({Name("y")})),
     "frozenset[str]": (frozenset({"dyads"}), frozenset({"unit"})),
     "Mapping[str, OnMotions]": ({"1": OnMotions(none="algebra")}, {"1": OnMotions(none="words")}),
@@ -289,7 +291,21 @@ def test_each_field_of_a_table_is_in_the_key(field: Field, is_whole: bool) -> No
 
 @pytest.mark.parametrize(
     "kind",
-    [Declaration, Name, Type, Linear, Formula, Said, Aside, Orders, OnMotions, Relation, Symbol, Definition],
+    [
+        Declaration,
+        Name,
+        Type,
+        Linear,
+        Formula,
+        Fact,
+        Origin,
+        Supposition,
+        Orders,
+        OnMotions,
+        Relation,
+        Symbol,
+        Definition,
+    ],
 )
 def test_each_field_of_a_part_is_told(kind: type) -> None:
     """Whatever fields are added, two values that differ are told apart."""

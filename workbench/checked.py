@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 from workbench import papers
 from workbench.budget import Budget
+from workbench.context.facts import Act, Fact, Origin, Provider
+from workbench.context.free_symbols import free_in, terms_of
 from workbench.core.code_labels import suffix
 from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.verdict_codes import VerdictCode
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.judge.verdict import Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import Range
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Statement
 from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
@@ -28,7 +28,7 @@ from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
 from workbench.papers.respell.in_models import with_rows
-from workbench.papers.said import free_in, introduced, introduces, terms_of
+from workbench.papers.said import introduced, introduces
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.counterexamples import told
@@ -148,16 +148,17 @@ def _claims(
     given = None if orders is None else Orders.parse(orders)
     lines = split_lines(*latex)
     claims: list[Claim] = []
-    said: set[Name] = set()
+    said: list[Fact] = []
     for number, line in enumerate(lines, start=1):
         formula, values = _formula(line, known, given)
         terms = [] if formula.statement is None else terms_of(formula.statement)
-        names = said & {each.name for each in free_in(terms, known.definitions)}
-        before = VerdictCode.SAID_BEFORE(symbol=min(names, key=str)) if names else None
+        names = {each.name for each in free_in(terms, known.definitions)}
+        before = tuple(fact for fact in said if fact.about & names)
         if (definition := introduced(formula, known)) is not None:
             known = replace(known, definitions=Definitions([*known.definitions, definition]))
-        else:
-            said |= introduces(formula, known)
+        elif names := introduces(formula, known):
+            origin = Origin(Provider.FORMULA, formula.latex, f"line {number}")
+            said.append(Fact(formula.statement, frozenset(names), origin, Strength.STATED, act=Act.DEFINE))
         supposed = tuple(_formula(whole_line(text), known, values, "assume")[0] for text in conditions)
         for condition in supposed:
             if condition.ill_formed:
@@ -168,7 +169,7 @@ def _claims(
             if is_conclusion(premise, claimed, known.definitions):
                 raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
-        claims.append(Claim(name, formula, known, assume=supposed, orders=values, unsettled=before))
+        claims.append(Claim(name, formula, known, assume=supposed, orders=values, facts=before))
     return claims
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.texts.written import told
 from workbench.budget import Budget
 from workbench.judge.kernel.judge import Judge
 from workbench.language.printing.printer import to_latex
@@ -19,7 +20,7 @@ def outcomes(folder: Path, text: str, model: str, suffix: str = "md") -> list[st
     (folder / "p.toml").write_text(f"source = 'p.{suffix}'\n{model}")
     paper = load_paper(folder / "p.toml")
     assert not paper.faults
-    return [result.verdict.outcome.value for result in judge_paper(paper)]
+    return [told(result.verdict) for result in judge_paper(paper)]
 
 
 def displayed(*formulas: str) -> str:
@@ -29,9 +30,9 @@ def displayed(*formulas: str) -> str:
 @pytest.mark.parametrize(
     ("claim", "excused", "alone"),
     [
-        (r"w = a \times b", "unchecked", "refuted"),
+        (r"w = a \times b", "said", "refuted"),
         (r"a \times (b + c) = a \times b + a \times c", "proved", "proved"),
-        (r"\dot a = a \times b", "unchecked", "refuted"),
+        (r"\dot a = a \times b", "said", "refuted"),
     ],
 )
 def test_what_follows_from_nothing_has_no_excuse(
@@ -66,7 +67,7 @@ def test_a_law_is_one_in_its_own_scope(tmp_path: Path) -> None:
     )
     model = "[symbols]\nx = 'scalar'\ny = 'scalar'\n[definitions]\nk = '2'\n"
     scope = "[[scope]]\nfrom = 'Other'\ndefinitions = { k = '3' }\n"
-    assert outcomes(tmp_path, text, model + scope) == ["unchecked", "conditional", "unchecked", "conditional"]
+    assert outcomes(tmp_path, text, model + scope) == ["said", "conditional", "said", "conditional"]
 
 
 def test_a_symbol_of_another_size_in_a_later_scope_ends_nothing(tmp_path: Path) -> None:
@@ -84,7 +85,7 @@ def test_a_symbol_of_another_size_in_a_later_scope_ends_nothing(tmp_path: Path) 
         "\n"
     )  # fmt: skip
     both = text + "\n\n# Other\n\n" + displayed(r"\dot w = \dot u")
-    assert outcomes(tmp_path, both, model) == ["unchecked", "conditional", "unchecked"]
+    assert outcomes(tmp_path, both, model) == ["said", "conditional", "said"]
 
 
 ROWS = {
@@ -116,7 +117,7 @@ def test_words_in_a_column_of_their_own_are_a_remark(tmp_path: Path, remark: str
 def test_such_words_may_say_where_a_row_holds(tmp_path: Path) -> None:
     rows = r"\begin{align} y &= 3 x & \text{for small angles} \\ y &= 4 x & \text{by (3)} \end{align}"
     model = "[symbols]\nx = { kind = 'scalar', free = true }\n[definitions]\ny = '2 x'\n"
-    assert outcomes(tmp_path, rows, model) == ["unchecked", "refuted"]
+    assert outcomes(tmp_path, rows, model) == ["doubtful", "refuted"]
 
 
 def test_a_typeface_may_hold_a_sum_and_an_angle_be_typed(tmp_path: Path) -> None:
@@ -207,7 +208,7 @@ d = '{across[1]}'
 r = 'l {along[0]}'
 v = '\\dot{{r}}'
 """
-    assert outcomes(tmp_path, text, model) == ["refuted", "refuted", "proved", "unchecked"]
+    assert outcomes(tmp_path, text, model) == ["refuted", "refuted", "proved", "said"]
 
 
 def test_two_rates_beside_each_other_are_no_rate_of_a_product(tmp_path: Path) -> None:
@@ -224,7 +225,7 @@ def test_two_rates_beside_each_other_are_no_rate_of_a_product(tmp_path: Path) ->
 
 def test_a_base_that_no_definition_reaches_may_be_said(tmp_path: Path) -> None:
     model = "[symbols]\n'w_i' = 'vector'\n'a_i' = 'vector'\n[definitions]\n'a_{i+1}' = '\\dot{w}_{i+1}'\n"
-    assert outcomes(tmp_path, displayed("a_0 = 0", r"a_1 = 2 \dot{w}_1"), model) == ["unchecked", "refuted"]
+    assert outcomes(tmp_path, displayed("a_0 = 0", r"a_1 = 2 \dot{w}_1"), model) == ["said", "refuted"]
 
 
 def test_what_goes_wrong_in_one_formula_costs_no_other_its_verdict(

@@ -16,6 +16,7 @@ from tests.texts.written import (
     paper_of,
     renamed,
     text_of,
+    told,
     verdicts,
 )
 from workbench.papers.model import PaperError
@@ -52,8 +53,8 @@ def test_a_law_of_a_free_symbol_is_no_claim(
     for formula in LAWS + FALSE:
         text = text_of([display(renamed(formula, letters), form)], form)
         (verdict,) = verdicts(tmp_path, text, model, form)
-        assert verdict.outcome == ("unchecked" if formula in LAWS else "refuted"), formula
-        assert ("states a law" in (verdict.reason or "")) is (formula in LAWS)
+        assert told(verdict) == ("said" if formula in LAWS else "refuted"), formula
+        assert ("law" in (verdict.reason or "")) is (formula in LAWS)
 
 
 @pytest.mark.parametrize(("letters", "form"), WRITTEN)
@@ -144,9 +145,9 @@ def test_a_component_that_is_said_leaves_the_whole_open(tmp_path: Path, name: st
         text = text_of(
             ["It is known that", shape(said, form), "Then", display(TRACE.replace("J", name), form)], form
         )
-        for flag, expected in (("", "unchecked"), (", free = true", "refuted")):
+        for flag, expected in (("", "doubtful"), (", free = true", "refuted")):
             model = f"source = 'p.{form}'\n[symbols]\n{symbols % flag}"
-            assert verdicts(tmp_path, text, model, form)[-1].outcome == expected, component
+            assert told(verdicts(tmp_path, text, model, form)[-1]) == expected, component
     other = text_of(
         [display(r"M_{xx} = \int_\Omega \rho dV", form), display(TRACE.replace("J", name), form)], form
     )

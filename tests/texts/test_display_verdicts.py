@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.texts.written import told
 from workbench.papers.load import load_paper
 from workbench.verify.claims import judge_paper
 
@@ -24,7 +25,8 @@ T = "tensor"
 R = "rotation"
 u = { kind = "vector", unit = true }
 """
-TRUE, FALSE, OPEN = {"proved"}, {"refuted"}, {"unchecked"}
+TRUE, FALSE = {"proved"}, {"refuted"}
+OPEN = {"unchecked", "said", "doubtful", "conditional"}
 
 
 def verdicts(tmp_path: Path, body: str) -> dict[str, set[str]]:
@@ -34,7 +36,7 @@ def verdicts(tmp_path: Path, body: str) -> dict[str, set[str]]:
     found: dict[str, set[str]] = {}
     for result in judge_paper(load_paper(tmp_path / "x.toml")):
         label = result.claim.id.partition(".")[0]
-        found.setdefault(label, set()).add(result.verdict.outcome.value)
+        found.setdefault(label, set()).add(told(result.verdict))
     return found
 
 
@@ -107,4 +109,4 @@ def test_a_false_formula_is_not_proved_by_what_is_beside_it(tmp_path: Path, body
     wrong = body.replace("a^2 + b^2", "a^2 - b^2").replace("a^2+b^2", "a^2-b^2")
     found = verdicts(tmp_path, wrong)
     is_limited = DISPLAYS[body]["x"] == OPEN
-    assert found["x"] == OPEN if is_limited else "refuted" in found["x"]
+    assert found["x"] <= OPEN | FALSE if is_limited else "refuted" in found["x"]

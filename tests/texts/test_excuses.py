@@ -18,6 +18,7 @@ from tests.texts.written import (
     paper_of,
     renamed,
     text_of,
+    told,
     verdicts,
 )
 from workbench.cli.commands import main
@@ -66,7 +67,7 @@ def test_a_postulate_that_is_given_proves_what_follows(
     text = text_of([display(given, form), display(follows, form)], form)
     entry = f"[[claim]]\nat = '{line_of(follows, text)}'\ngiven = ['{line_of(given, text)}']\n"
     first, last = verdicts(tmp_path, text, model_of(letters, form, entry), form)
-    assert (first.outcome, last.outcome) == ("unchecked", "proved")
+    assert (told(first), last.outcome) == ("said", "proved")
 
 
 #: Sentences before a falsehood about a and b that speak of no symbol of it, or say what is known anyway.
@@ -276,11 +277,11 @@ POSSIBLE = [r"<f>^2 = 1", r"\cos <x> = 1", r"<a> \cdot <b> = 1"]
 def test_what_no_values_satisfy_says_nothing_of_a_symbol(
     tmp_path: Path, letters: dict[str, str], form: str
 ) -> None:
-    for formulas, expected in ((IMPOSSIBLE, "refuted"), (POSSIBLE, "unchecked")):
+    for formulas, expected in ((IMPOSSIBLE, "refuted"), (POSSIBLE, "said")):
         for formula in formulas:
             text = text_of([display(renamed(formula, letters), form)], form)
             (verdict,) = verdicts(tmp_path, text, model_of(letters, form), form)
-            assert verdict.outcome == expected, formula
+            assert told(verdict) == expected, formula
 
 
 #: A definition, a falsehood that seems to say what a symbol is, and one that does.
@@ -300,7 +301,7 @@ def test_a_symbol_behind_a_definition_is_not_said(
     more = f"[definitions]\n'Q' = '{renamed(body, letters)}'\n"
     text = text_of([display(renamed(each, letters), form) for each in (false, says)], form)
     first, last = verdicts(tmp_path, text, model_of(letters, form, more), form)
-    assert (first.outcome, last.outcome) == ("refuted", "unchecked")
+    assert (first.outcome, told(last)) == ("refuted", "said")
 
 
 DENIALS = [

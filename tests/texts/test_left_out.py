@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.texts.written import doubts, told
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
 from workbench.verify.claims import judge_paper
@@ -16,20 +17,20 @@ OF_A_TURN = r"2 s v^T v - (s^2 + v^T v)^2 s = 2 s v^T v - s"
 
 #: The formula, what it holds for, and the same formula where it is false for that, too.
 LEFT_OUT = [
-    ("R^{-1} = R^T", "orthogonal R", "R^{-1} = -R^T"),
-    ("R^T S R = R^{-1} S R", "orthogonal R", "R^T S R = R^{-1} R S"),
-    (r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 + \|y\|^2", "orthogonal R", r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 - \|y\|^2"),
-    (r"Q \Omega Q^T \in \mathfrak{so}(3)", r"skew \Omega", r"Q \Omega Q^T + \Omega^2 = \Omega^2 + \Omega"),
-    (r"a^T \Omega b + b^T \Omega a = 0", r"skew \Omega", r"a^T \Omega b + b^T \Omega a = a^T b"),
-    ("M = M^T", "symmetric M", "M = 2 M^T"),
-    ("x^T S y = y^T S x", "symmetric S", "x^T S y = 2 y^T S x"),
-    (f"\\det {TURN} = 1", r"length 1: c_{\theta}, s_{\theta}", f"\\det {TURN} = 2"),
-    (f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - 2 (q_2^2 + q_3^2))", "length 1: q_{0}, q_{1}, q_{2}, q_{3}", f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - q_2^2 - q_3^2)"),
-    (r"a \sin\theta = a \theta", r"a small \theta, to first order", r"a \sin\theta = 2 a \theta"),
-    (r"\exp \tilde{v} = \mathbf{I} + \tilde{v}", "a small v, to first order", r"\exp \tilde{v} = \mathbf{I} - \tilde{v}"),
-    ("Q Q^T I a = I^2 a", "the unit matrix I", "Q Q^T I a = 2 I^2 a"),
-    ("R^{-1} R E x = E^2 x", "the unit matrix E", "R^{-1} R E x = -E^2 x"),
-    (OF_A_TURN, "length 1: s, v", OF_A_TURN.replace("- s =", "+ s =").replace("- s", "- 2 s")),
+    ("R^{-1} = R^T", ": rotation", "R^{-1} = -R^T"),
+    ("R^T S R = R^{-1} S R", ": rotation", "R^T S R = R^{-1} R S"),
+    (r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 + \|y\|^2", ": rotation", r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 - \|y\|^2"),
+    (r"Q \Omega Q^T \in \mathfrak{so}(3)", r"\Omega: skew", r"Q \Omega Q^T + \Omega^2 = \Omega^2 + \Omega"),
+    (r"a^T \Omega b + b^T \Omega a = 0", r"\Omega: skew", r"a^T \Omega b + b^T \Omega a = a^T b"),
+    ("M = M^T", "M: symmetric", "M = 2 M^T"),
+    ("x^T S y = y^T S x", "S: symmetric", "x^T S y = 2 y^T S x"),
+    (f"\\det {TURN} = 1", r"c_{\theta}, s_{\theta}: the cosine", f"\\det {TURN} = 2"),
+    (f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - 2 (q_2^2 + q_3^2))", "q_{0}, q_{1}, q_{2}, q_{3}: of length 1", f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - q_2^2 - q_3^2)"),
+    (r"a \sin\theta = a \theta", r"\theta: small", r"a \sin\theta = 2 a \theta"),
+    (r"\exp \tilde{v} = \mathbf{I} + \tilde{v}", "v: small", r"\exp \tilde{v} = \mathbf{I} - \tilde{v}"),
+    ("Q Q^T I a = I^2 a", "I: the identity", "Q Q^T I a = 2 I^2 a"),
+    ("R^{-1} R E x = E^2 x", "E: the identity", "R^{-1} R E x = -E^2 x"),
+    (OF_A_TURN, "s, v: of length 1", OF_A_TURN.replace("- s =", "+ s =").replace("- s", "- 2 s")),
 ]  # fmt: skip
 KINDS = {
     **dict.fromkeys(("R", "S"), "matrix 2×2"), "M": "matrix 6×6", "E": "matrix 2×2", "I": "tensor", **dict.fromkeys("xy", "matrix 2×1"),
@@ -50,7 +51,7 @@ def test_a_property_that_the_model_leaves_out_is_asked_for(
     tmp_path: Path, formula: str, what: str, false: str
 ) -> None:
     (asked,) = verdicts(tmp_path, formula)
-    assert asked.outcome is Outcome.UNCHECKED and what in asked.reason
+    assert told(asked) in ("doubtful", "conditional", "said") and what in doubts(asked)
     (refuted,) = verdicts(tmp_path, false)
     assert refuted.outcome is Outcome.REFUTED
 
@@ -69,7 +70,7 @@ def test_what_the_text_says_of_a_matrix_may_stand_for_an_example(tmp_path: Path)
     applied = r"K \begin{bmatrix} 1 \\ 0 \end{bmatrix} = \begin{bmatrix} 0 \\ 1 \end{bmatrix}"
     turning = r"K = \begin{bmatrix} \cos\Delta & -\sin\Delta \\ \sin\Delta & \cos\Delta \end{bmatrix}"
     _, example = verdicts(tmp_path, turning, applied)
-    assert example.outcome is Outcome.UNCHECKED and "the numbers of an example" in example.reason
+    assert told(example) == "said" and "says what" in doubts(example)
     _, false = verdicts(tmp_path, r"K = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", applied)
     assert false.outcome is Outcome.REFUTED
 
@@ -81,8 +82,8 @@ def test_a_unit_matrix_has_the_letter_of_another_one(tmp_path: Path) -> None:
     model += r"I = '\begin{bmatrix} 2 & 0 & 0 \\ 0 & 3 & 0 \\ 0 & 0 & 4 \end{bmatrix}'"
     (tmp_path / "p.toml").write_text(model)
     meant, also, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
-    assert [each.outcome for each in (meant, also)] == [Outcome.UNCHECKED] * 2
-    assert "the unit matrix I" in meant.reason and false.outcome is Outcome.REFUTED
+    assert [told(each) for each in (meant, also)] == ["conditional"] * 2
+    assert "I: the identity" in doubts(meant) and false.outcome is Outcome.REFUTED
 
 
 COORDINATES = """source = 'p.md'
@@ -101,8 +102,8 @@ def test_what_the_slopes_of_any_function_are_said_to_be_is_a_condition_on_it(tmp
     (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in formulas))
     (tmp_path / "p.toml").write_text(COORDINATES)
     condition, follows, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
-    assert condition.outcome is Outcome.UNCHECKED and "a condition on x" in condition.reason
-    assert follows.outcome is Outcome.UNCHECKED and "(L1)" in follows.reason
+    assert told(condition) == "said" and "says what x is" in doubts(condition)
+    assert told(follows) == "conditional" and "(L1)" in doubts(follows)
     assert false.outcome is not Outcome.PROVED
     (tmp_path / "p.toml").write_text(COORDINATES.replace("'q_2'] }", "'q_2'], free = true }"))
     free, *_ = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))

@@ -47,9 +47,10 @@ def test_members_declared_one_by_one(tmp_path: Path, formula: str, expected: str
 
 
 def test_what_a_figure_shows_of_them_is_asked_about(tmp_path: Path) -> None:
-    assert (
-        outcome(tmp_path, rf"e_i \cdot (e_i \times e_i) + e_i \cdot e_i = 1 {RANGE}", VECTORS) == "unchecked"
-    )
+    formula = rf"e_i \cdot (e_i \times e_i) + e_i \cdot e_i = 1 {RANGE}"
+    assert outcome(tmp_path, formula, VECTORS) == "refuted"
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"), motions=False)
+    assert result.verdict.grade == "warning" and result.verdict.unless == ("e_{1}, e_{2}, e_{3}: unit",)
     assert outcome(tmp_path, rf"e_i \times (e_i \times e_i) = e_i {RANGE}", VECTORS) == "refuted"
 
 

@@ -34,15 +34,15 @@ def test_letters_that_are_symbols_are_labels_of_several_names(tmp_path: Path) ->
     model = "[symbols]\ni = 'scalar'\nj = 'scalar'\nr_i = 'vector'\nr_j = 'vector'\n"
     model += "p_l = 'vector'\n[definitions]\nd_p = '2 p_1 + r_i - r_j'\n"
     text = "$$ d_p = r_i - r_j + 2 p_1 $$\n\n$$ r_i = r_j $$\n\n$$ d_p = r_j - r_i $$"
-    assert outcomes(tmp_path, text, model) == ["proved", "unchecked", "refuted"]
+    assert outcomes(tmp_path, text, model) == ["proved", "definition", "refuted"]
 
 
 def test_what_an_equation_says_of_its_unknowns_leaves_open_what_follows_from_it(tmp_path: Path) -> None:
     model = "[symbols]\nA = 'scalar'\nB = 'scalar'\nT = 'tensor'\nu = 'vector'\n"
     assumed, used = r"$$ T = A \mathbf{I} + B T^2 $$", r"$$ T u - A u + A B u = B T T u + A B u $$"
     assert outcomes(tmp_path, used, model) == ["refuted"]
-    assert outcomes(tmp_path, f"{assumed}\n\n{used}", model) == ["unchecked"] * 2
-    assert outcomes(tmp_path, f"{used}\n\n{assumed}", model) == ["refuted", "unchecked"]
+    assert outcomes(tmp_path, f"{assumed}\n\n{used}", model) == ["definition", "conditional"]
+    assert outcomes(tmp_path, f"{used}\n\n{assumed}", model) == ["refuted", "definition"]
 
 
 def test_a_letter_that_is_a_symbol_is_a_label_of_what_a_definition_names_too(tmp_path: Path) -> None:
@@ -77,20 +77,20 @@ def test_a_display_that_begins_with_a_sign_goes_on_with_the_one_before(tmp_path:
         return [str(result.verdict.outcome) for result in judge_paper(load_paper(tmp_path / "p.toml"))]
 
     chain = CHAIN[ending]
-    assert judged(chain) == ["unchecked", "proved", "refuted"]
-    assert judged(chain.replace("b + b", "b + b.")) == ["unchecked", "refuted"]
+    assert judged(chain) == ["definition", "proved", "refuted"]
+    assert judged(chain.replace("b + b", "b + b.")) == ["definition", "refuted"]
 
 
 def test_a_chain_in_a_quotation(tmp_path: Path) -> None:
     model = "[symbols]\na = 'scalar'\nb = 'scalar'\n"
     text = "> $$ a = b + b $$\n>\n> $$ = 2 b $$\n> $$ = 3 b $$\n"
-    assert outcomes(tmp_path, text, model) == ["unchecked", "proved", "refuted"]
-    assert outcomes(tmp_path, text.replace(">\n", "> which is\n"), model) == ["unchecked", "refuted"]
+    assert outcomes(tmp_path, text, model) == ["definition", "proved", "refuted"]
+    assert outcomes(tmp_path, text.replace(">\n", "> which is\n"), model) == ["definition", "refuted"]
 
 
 def test_a_display_behind_a_sentence_begins_anew(tmp_path: Path) -> None:
     text = "$$ a = b + b $$\n\nwhich is\n\n$$ = 2 b $$"
-    assert outcomes(tmp_path, text, "[symbols]\na = 'scalar'\nb = 'scalar'\n") == ["unchecked"] * 2
+    assert outcomes(tmp_path, text, "[symbols]\na = 'scalar'\nb = 'scalar'\n") == ["definition", "unchecked"]
 
 
 @pytest.mark.parametrize(
@@ -273,7 +273,7 @@ def test_columns_of_four_beside_each_other_are_quaternions(
 @pytest.mark.parametrize(
     ("formula", "expected"),
     [
-        ("d = 10 - 239 \\varepsilon", "unchecked"),
+        ("d = 10 - 239 \\varepsilon", "definition"),
         ("d = 0", "refuted"),
         ("d = 2 f + \\varepsilon g", "refuted"),
     ],

@@ -11,9 +11,9 @@ from workbench.judge.verdict import Outcome, Verdict
 from workbench.papers import load_paper
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim, Formula
+from workbench.verify import claims as claims_module
 from workbench.verify.claims import ClaimJudge
 from workbench.verify.keys import Keys
-from workbench.verify.under import Under
 
 QUESTION = "A = B; -C = D or A = B - C = D?"
 SYMBOLS = "\n".join(
@@ -198,13 +198,13 @@ def test_a_conditional_is_proved_under_its_hypothesis(
 def test_a_witness_that_meets_an_undecided_condition_stands(
     template: Claim, monkeypatch: pytest.MonkeyPatch, printed: str, beside: str, meets: bool
 ) -> None:
-    decided = Under.verdict
+    decided = claims_module.judged_alone
 
-    def undecided(under: Under, claim: Claim, *how: object) -> Verdict:
+    def undecided(claim: Claim, *how: object) -> Verdict:
         is_asked = claim.printed.latex == printed
-        return Verdict(Outcome.UNCHECKED) if is_asked else decided(under, claim, *how)
+        return Verdict(Outcome.UNCHECKED) if is_asked else decided(claim, *how)
 
-    monkeypatch.setattr(Under, "verdict", undecided)
+    monkeypatch.setattr(claims_module, "judged_alone", undecided)
     expected = Outcome.REFUTED if meets else Outcome.UNCHECKED
     assert judged(template, printed, perhaps=(beside,)).outcome is expected
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from workbench.judge.verdict import Verdict
+from workbench.judge.verdict import Grade, Outcome, Verdict
 from workbench.papers import load_paper
 from workbench.papers.text_claims.text_paper import TextPaper
 from workbench.verify.claims import judge_paper
@@ -70,3 +70,17 @@ def verdicts(folder: Path, text: str, model: str, form: str) -> list[Verdict]:
     paper = paper_of(folder, text, model, form)
     assert not paper.faults
     return [result.verdict for result in judge_paper(paper, motions=False, jobs=1)]
+
+
+def told(verdict: Verdict) -> str:
+    """Returns the outcome, with "doubtful" for a refutation that is no error and "said" for a formula that claims
+    nothing."""
+    if verdict.outcome is Outcome.REFUTED and verdict.grade is not Grade.ERROR:
+        return "doubtful"
+    is_said = verdict.outcome is Outcome.DEFINITION and verdict.code is not None
+    return "said" if is_said else str(verdict.outcome)
+
+
+def doubts(verdict: Verdict) -> str:
+    """Returns all that is said beside the outcome."""
+    return "; ".join([verdict.reason or "", *verdict.unless])

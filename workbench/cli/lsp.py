@@ -196,7 +196,8 @@ def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | 
     levels = {"error": DiagnosticSeverity.Error, "warning": DiagnosticSeverity.Warning}
     severity = levels.get(finding.level, DiagnosticSeverity.Information)
     reason = result.verdict.reason if result is not None else None
-    if finding.level == "note" and reason is not None and not reason.codes.isdisjoint(_HINTS):
+    waits = finding.code == "definition" or (reason is not None and not reason.codes.isdisjoint(_HINTS))
+    if finding.level == "note" and waits:
         severity = DiagnosticSeverity.Hint
     data: dict[str, Any] = {"claim": finding.claim}
     if result is not None:

@@ -160,6 +160,7 @@ SCHEMA: dict[str, tuple[Key, ...]] = {
             ("right",),
         ),
         Key("brackets", "text", "k (x) is the product k x.", 'brackets = "factors"', ("factors",)),
+        Key("letters", "text", "A hat, an I or a letter says nothing.", 'letters = "none"', ("none",)),
         Key("arguments", "list of texts", "Brackets that are arguments.", "arguments = ['\\mathbf{q}']"),
         Key(
             "functions",

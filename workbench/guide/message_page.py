@@ -51,6 +51,10 @@ _BY_TABLE = {
         "meaning": "The message is that of an error without a code of its own.",
         "way_out": "Follow the message.",
     },
+    "ContextCode": {
+        "meaning": "The verdict rests on what the text says around the formula.",
+        "way_out": "Say in the model what holds; `given = []` says that the formula needs nothing else.",
+    },
     "MotionCode": {
         "meaning": "No simulated motion tests the claim.",
         "way_out": "Nothing; or bind its symbols in [motion].",

@@ -6,12 +6,13 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.context.free_symbols import terms_of
 from workbench.ingest.reading import Outcome
 from workbench.ingest.typefaces import Guess, without_bold
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol, Term
-from workbench.papers.said import stated, terms_of
+from workbench.papers.said import stated
 from workbench.papers.texts import Display
 
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)

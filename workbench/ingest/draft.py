@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from workbench.context.free_symbols import terms_of
 from workbench.core.reasons import Reason
 from workbench.core.verdict_codes import VerdictCode
 from workbench.ingest.inference.infer import Thin, kind_name
@@ -16,7 +17,6 @@ from workbench.judge.verdict import Outcome, Strength, Verdict
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Symbol
 from workbench.papers.model import Claim, Paper
-from workbench.papers.said import terms_of
 from workbench.papers.text_claims.text_paper import TextPaper, text_paper
 from workbench.verify.results import ClaimResult
 

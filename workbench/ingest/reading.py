@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
+from workbench.context.free_symbols import terms_of
 from workbench.core.reasons import Reason
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.ingest.typefaces import ADJOINT, LABELLED, Guess, bare_name, flat
@@ -16,7 +17,6 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, unclaimed
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.terms import Statement, Symbol
-from workbench.papers.said import terms_of
 
 #: e with an exponent, which is no transpose and no number.
 EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")

@@ -53,7 +53,9 @@ def grade_of(outcome: Outcome, basis: Strength, unless: Sequence[str]) -> Grade:
         case Outcome.REFUTED | Outcome.ILL_FORMED:
             doubts = max(len(unless), int(basis < Strength.STATED))
             return (Grade.ERROR, Grade.WARNING, Grade.NOTE)[min(doubts, 2)]
-        case Outcome.PROVED | Outcome.CONDITIONAL:
+        case Outcome.PROVED:
+            return Grade.OK
+        case Outcome.CONDITIONAL:
             return Grade.OK if basis >= Strength.STATED else Grade.NOTE
         case Outcome.DEFINITION | Outcome.ARGUED:
             return Grade.NOTE

@@ -19,10 +19,11 @@ from workbench.language.reader import read_term
 from workbench.language.typed.construct import apply, block, identity, zero
 from workbench.language.typed.errors import Fault, ReadError, SpecError
 from workbench.language.typed.names import Name
+from workbench.language.typed.properties import PROPERTIES
 from workbench.language.typed.terms import Definition, IllFormed, Term
 from workbench.language.typed.types import TENSOR, VECTOR, Declaration
 from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, plus, turned
-from workbench.papers.promises import is_rotation, unseen
+from workbench.papers.promises import unseen
 from workbench.papers.toml.toml_file import TomlFile
 
 _FRAME_KEYS = key_names("frames")
@@ -46,7 +47,7 @@ class Turn(NamedTuple):
 def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
     """Raises PaperError for a matrix that is not seen to be a rotation wherever it is defined."""
     for turn in turns:
-        if (why := unseen(is_rotation(turn.matrix), definitions)) is not None:
+        if (why := unseen(PROPERTIES["rotation"].statement_of(turn.matrix), definitions)) is not None:
             message = f"orientation: that of {turn.frame} is not seen to be a rotation: {why}"
             raise turn.file.error_at_key(("frames", "orientation"), message)
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import Budget
+from workbench.context.facts import Act, Fact
 from workbench.core.reasons import Reason
 from workbench.core.schema import key_names
 from workbench.judge.verdict import Outcome
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from workbench.language.hand import Hand
     from workbench.language.naming.symbols import SymbolTable
     from workbench.language.typed.names import Name
-    from workbench.language.typed.terms import Definition, Relation, Statement, Symbol
+    from workbench.language.typed.terms import Statement, Symbol
     from workbench.papers.toml.toml_places import KeyPath
 
 
@@ -192,46 +192,6 @@ class Notation:
 
 
 @dataclass(frozen=True)
-class Said:
-    """What the claim `place` of a text says of the symbol `name`, perhaps as a definition: its statement,
-    under what it supposes; None where it stands in a scope that means something else by it. earlier:
-    whether it stands before what it is said for."""
-
-    name: str
-    place: str
-    definition: Definition | None
-    statement: Statement | None
-    supposed: tuple[Statement, ...]
-    orders: Orders | None
-    earlier: bool = True
-
-
-@dataclass(frozen=True)
-class Aside:
-    """A condition in a sentence of a text, such as x > 0, and what it supposes. bound: (x, >, 0), to which
-    values of x must keep.   seen: False where it says more than that, and nothing looks at it."""
-
-    latex: str
-    line: int
-    premise: Relation | None
-    bound: tuple[str, str, Fraction] | None = None
-    seen: bool = True
-
-    def __str__(self) -> str:
-        return f"{self.latex} (line {self.line})"
-
-    def allows(self, values: Mapping[str, tuple[str, ...]]) -> bool:
-        if self.bound is None or self.bound[0] not in values:
-            return self.seen
-        name, sign, number = self.bound
-        try:
-            value = Fraction(values[name][0])
-        except ValueError:
-            return False
-        return {"<": value < number, ">": value > number, "≤": value <= number, "≥": value >= number}[sign]
-
-
-@dataclass(frozen=True)
 class Claim:
     """One `[[claim]]` of a paper file, or one line of it, or one step of a display in a text.
 
@@ -241,11 +201,9 @@ class Claim:
     name of the proof that its right form, which is judged for some n, holds for every n.   fault: what kind
     of fault the claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps
     before it in its chain, `skip` why its author leaves it out, `unread` why its model expects no verdict,
-    `states` the symbol that it may define, `guessed` its symbols whose kinds nobody has confirmed, `rests`
-    what earlier claims say of its symbols, `laws` the claims that write rates of the same, `beside` what its
-    sentence and earlier ones suppose of them, `says` and `unsettled` why it may be true although it is false
-    for free symbols: it may say what one is (`says_of`), or the text says more of them than was read;
-    `moving` of what the text writes rates, `alone` that its model says that it follows from nothing else.
+    `act` what its formula does and to which symbol, `guessed` its symbols whose kinds nobody has confirmed,
+    `facts` what the text says of its symbols, `moving` of what the text writes rates, `alone` that its model
+    says that it follows from nothing else.
     Where a display has two readings: `perhaps` holds the equations beside the formula that may be its
     conditions, `serves` the formulas whose condition it may be, `otherwise` the formulas that the display
     states if its rows are joined the other way, and `question` names both readings.
@@ -280,14 +238,9 @@ class Claim:
     chain: tuple[str, ...] = ()
     skip: str | None = None
     unread: str | None = None
-    states: str | None = None
+    act: tuple[Act, Symbol | None] = (Act.ASSERT, None)
     guessed: tuple[str, ...] = ()
-    rests: tuple[Said, ...] = ()
-    laws: tuple[Said, ...] = ()
-    unsettled: str | None = None
-    says: str | None = None
-    says_of: Name | None = None
-    beside: tuple[Aside, ...] = ()
+    facts: tuple[Fact, ...] = ()
     moving: frozenset[Name] = frozenset()
     perhaps: tuple[Formula, ...] = ()
     serves: tuple[Formula, ...] = ()

@@ -31,7 +31,7 @@ from workbench.papers.toml.toml_file import TomlFile
 HAMILTON = "hamilton, scalar first"
 #: What each convention may be.
 CONVENTIONS = choices("conventions")
-_LOOSE = ("products", "one", "powers", "cross", "brackets")
+_LOOSE = ("products", "one", "powers", "cross", "brackets", "letters")
 #: A definition as a file has it: the file, what is defined, and its body.
 _Entry: TypeAlias = tuple[TomlFile, str, str]
 _GROUPS = re.compile(r"[\s{}]")

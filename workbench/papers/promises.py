@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
 from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.construct import apply, derivative, identity, number, relation, symbol, zero
-from workbench.language.typed.terms import Conjunction, IllFormed, Statement, Term
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.properties import FLAGS, PROPERTIES
+from workbench.language.typed.terms import IllFormed, Statement
 from workbench.papers.toml.toml_file import TomlFile
 
 
@@ -19,20 +20,6 @@ class Promise(NamedTuple):
 
     key: str
     flag: str
-
-
-def is_rotation(matrix: Term) -> Statement:
-    square = relation("=", apply("mul", apply("transpose", matrix), matrix), identity())
-    return Conjunction((square, relation("=", apply("det", matrix), number(1))))
-
-
-#: The equation that a flag is.
-_SAYS: Mapping[str, Callable[[Term], Statement]] = {
-    "constant": lambda x: relation("=", derivative(x, 1), zero(x.type)),
-    "unit": lambda x: relation("=", apply("norm", x), number(1)),
-    "symmetric": lambda x: relation("=", apply("transpose", x), x),
-    "rotation": is_rotation,
-}
 
 
 def without_promises(
@@ -45,7 +32,7 @@ def without_promises(
     for key, spec in specs.items():
         plain[key] = spec
         if key in defined:
-            flags = [flag for flag in _SAYS if spec.get(flag) is True or spec.get("kind") == flag]
+            flags = [flag for flag in FLAGS if spec.get(flag) is True or spec.get("kind") == flag]
             promises += [Promise(key, flag) for flag in flags]
             kind = "tensor" if "rotation" in flags else spec.get("kind")
             flags += ["free"] * (key in anew)
@@ -61,7 +48,7 @@ def require_kept(
         names = (read_key(key, INDEX_LETTERS), read_key(key))  # T_m may be one name, m being a symbol
         name, index = next(each for each in names if each[0] in table.symbols)
         try:
-            why = unseen(_SAYS[flag](symbol(table.symbols[name], index)), known)
+            why = unseen(PROPERTIES[flag].statement_of(symbol(table.symbols[name], index)), known)
         except IllFormed as fault:
             why = str(fault)
         if why is not None:

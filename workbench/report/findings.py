@@ -32,6 +32,7 @@ _RULES = {
     "conditional": "The formula holds only under a condition that the text does not state.",
     "probable": "The formula was tested at random points only.",
     "unchecked": "The formula could not be judged.",
+    "definition": "The formula says what a symbol is, of which the model says nothing.",
     "known": "A fault that the model names, with its proved correction.",
     "unexpected": "The verdict is not the one that the model announces.",
     "model": "What a model or a paper file says cannot be used, or does not fit the text.",
@@ -74,7 +75,7 @@ def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
             broken.add(claim.id)
         else:
             is_first = False
-        if result.passed and outcome in HOLDS:
+        if result.passed and outcome in HOLDS and _is_settled(result):
             if claim.unread is not None:
                 message = f"is judged now: {outcome}; its model can do without `unread`"
                 yield Finding("note", "unexpected", message, place_of(result), claim.id, claim.printed.latex)
@@ -88,6 +89,13 @@ def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
         message = _message(result, bool(claim.chain), is_first)
         edits = result.edits if result.proposed and result.proposed[0].verdict is Outcome.PROVED else ()
         yield Finding(level, code, message, place_of(result), claim.id, claim.printed.latex, edits)
+
+
+def _is_settled(result: ClaimResult) -> bool:
+    """Returns whether there is nothing to tell; of a formula that only says what a symbol is there is."""
+    return (
+        result.verdict.outcome is Outcome.PROVED or result.verdict.code is None or bool(result.claim.unread)
+    )
 
 
 def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:

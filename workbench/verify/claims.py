@@ -21,11 +21,11 @@ from workbench.language.printing.authors import in_the_hand_of
 from workbench.language.typed.terms import Relation
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.selection import select_claims
+from workbench.verify.decide import judged_alone, undisturbed
+from workbench.verify.explain import Explainer
 from workbench.verify.keys import Keys, Memory
-from workbench.verify.meant import Meant
 from workbench.verify.results import FORMS, ClaimResult
 from workbench.verify.two_readings import in_both_readings, served_by, with_what_stands_beside
-from workbench.verify.under import Under, undisturbed
 from workbench.verify.witnesses import Witnesses
 
 if TYPE_CHECKING:
@@ -67,8 +67,7 @@ class ClaimJudge:
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[tuple[int, int], Judge] = {}
-        self._under = Under(self._judge, self.options)
-        self._meant = Meant(self._under, self.options)
+        self._explainer = Explainer(self._judge, self.options)
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
@@ -148,8 +147,6 @@ class ClaimJudge:
         return id(self._claims[name_and_form[0]].notation)
 
     def _prepare(self) -> None:
-        import workbench.verify.special  # noqa: F401
-
         load_engines()
         if any(claim.goal is not None for claim in self._waiting):
             _ = self._of_theorems
@@ -186,14 +183,14 @@ class ClaimJudge:
             free = replace(claim, given=())
             alone = self._verdict(free, claim.printed, claim.hypothesis)
             if alone.outcome is Outcome.PROVED:
-                alone = self._meant.verdict(free, alone)
+                alone = self._explainer.verdict(free, alone)
             if alone.outcome is Outcome.PROVED:
                 return alone
         bare = self._verdict(claim, claim.printed, claim.hypothesis)
-        if (served := served_by(claim, bare, self._under)) is not None:
+        if (served := served_by(claim, bare, self._alone)) is not None:
             reason = VerdictCode.MAY_BE_CONDITION(formula=served)
             return Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
-        verdict = self._meant.verdict(*with_what_stands_beside(claim, bare, self._under))
+        verdict = self._explainer.verdict(*with_what_stands_beside(claim, bare, self._alone))
         return _as_given(verdict, claim) if claim.given else verdict
 
     @cached_property
@@ -226,6 +223,9 @@ class ClaimJudge:
         if verdict.outcome is Outcome.PROVED and not verdict.is_for_all:
             verdict = undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
         return self._seen(verdict, claim, formula, hypothesis)
+
+    def _alone(self, claim: Claim) -> Verdict:
+        return judged_alone(claim, self._judge)
 
     def _seen(self, verdict: Verdict, claim: Claim, form: Formula, hypothesis: Formula | None) -> Verdict:
         return self._witnesses.seen(verdict, claim, form, hypothesis) if self._witnesses else verdict

@@ -2,32 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from functools import lru_cache
 
+from workbench.context.facts import Fact, Provider
+from workbench.context.free_symbols import free_in, terms_of
 from workbench.judge.kernel.laws import is_constant, law_for
 from workbench.judge.subject.inventory import Inventory, NotExact, take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.typed.construct import derivative
 from workbench.language.typed.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
-from workbench.papers.model import Claim, Said
-from workbench.papers.said import free_in, terms_of
+from workbench.papers.model import Claim
 
 
-def laws_of(claim: Claim, followed: bool = True) -> list[Said]:
+def laws_of(claim: Claim, followed: bool = True) -> list[Fact]:
     """For each rate that the claim reaches, or, followed, a law for such a rate does, the last one before it,
     in a formula or in a sentence. One that multiplies the rate by constants alone comes before others: from
     it is found what else is said of the rate, as x ẋ + y ẏ = r v is. None of those by which hardly anything
     is ever found to follow: with the inverse of a matrix, for less than the highest rate of a rotation."""
     definitions = claim.notation.definitions
     reached = dict(_inventory(claim.printed.statement, definitions).orders)
-    known = [(law, _rates(law.statement, definitions)) for law in _before(claim)]
-    known.sort(key=lambda each: not _stands_alone(each[0].statement, each[1], definitions))
-    found: list[Said] = []
+    known = [(law, law.content, _rates(law.content, definitions)) for law in _before(claim)]
+    known.sort(key=lambda each: not _stands_alone(each[1], each[2], definitions))
+    found: list[Fact] = []
     lowest = _given(claim)
     for _ in known:
-        for law, rates in known:
+        for law, statement, rates in known:
             is_new = law not in found and _is_new(rates, lowest)
             if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
                 found.append(law)
@@ -35,37 +36,19 @@ def laws_of(claim: Claim, followed: bool = True) -> list[Said]:
                 if not followed:
                     continue
                 more = max(reached.get(symbol, 0) - order for symbol, order in rates.items())
-                for symbol, order in _inventory(law.statement, definitions).orders.items():
+                for symbol, order in _inventory(statement, definitions).orders.items():
                     reached[symbol] = max(order + max(more, 0), reached.get(symbol, 0))
     return found
 
 
-def _before(claim: Claim) -> Iterator[Said]:
-    in_sentences = (
-        Said(each.latex, f"line {each.line}", None, each.premise, (), None)
-        for each in claim.beside
-        if each.premise is not None
-    )
-    for law in (*(each for each in claim.laws if each.earlier), *in_sentences):
-        if law.statement not in claim.supposed and not _inverts(law.statement):
-            yield law
-
-
-def defined_beside(laws: Sequence[Said], claim: Claim) -> tuple[Said, ...]:
-    """What formulas say of symbols of the claim of which the laws do not speak."""
-    sides = [term for law in laws for term in terms_of(law.statement)]
-    spoken_of = free_in(sides, claim.notation.definitions)
-    said = (each for each in claim.rests if each.definition is not None)
-    return tuple(each for each in said if each.definition.declaration not in spoken_of)
-
-
-def has_laws(claim: Claim) -> list[Said]:
-    """The laws anywhere in the text for a rate that the claim reaches."""
-    reached = _inventory(claim.printed.statement, claim.notation.definitions).orders
-    given = _given(claim)
-    unused = (law for law in claim.laws if law.statement not in claim.supposed)
-    rates = [(law, _rates(law.statement, claim.notation.definitions)) for law in unused]
-    return [law for law, own in rates if _is_new(own, given) and _reaches(reached, own)]
+def _before(claim: Claim) -> Iterator[Fact]:
+    """Yields the laws before the claim, in formulas and in its sentence."""
+    for fact in claim.facts:
+        is_law = fact.origin.provider is Provider.LAW and fact.earlier
+        if is_law or fact.origin.provider is Provider.CONDITION:
+            said = fact.content
+            if isinstance(said, Relation) and said not in claim.supposed and not _inverts(said):
+                yield fact
 
 
 def _given(claim: Claim) -> dict[Symbol, int]:
@@ -83,13 +66,6 @@ def is_law(claim: Claim) -> bool:
     """Whether it is an equation for a rate that nothing defines."""
     is_equation = isinstance(claim.printed.statement, Relation)
     return is_equation and bool(_rates(claim.printed.statement, claim.notation.definitions))
-
-
-def says_no_more(laws: Sequence[Said], claim: Claim) -> bool:
-    """Whether the laws speak of nothing but what the claim does, so that no more is to be known of that."""
-    definitions = claim.notation.definitions
-    others = free_in((term for law in laws for term in terms_of(law.statement)), definitions)
-    return others <= free_in(terms_of(claim.printed.statement), definitions)
 
 
 def is_all_given(claim: Claim) -> bool:

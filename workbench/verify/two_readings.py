@@ -7,7 +7,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from math import isqrt
+from typing import TypeAlias
 
+from workbench.context.facts import Act
 from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.subject.assumptions import lasting
 from workbench.judge.subject.inventory import NotExact
@@ -16,15 +18,18 @@ from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim, Formula
-from workbench.papers.said import stated
-from workbench.verify.under import Under, conditional
+from workbench.papers.said import act_of
+from workbench.verify.decide import conditional
+
+#: The verdict on a claim under what it supposes.
+Judged: TypeAlias = Callable[[Claim], Verdict]
 
 _TRUE = frozenset({Outcome.PROVED, Outcome.DEFINITION})
 _FALSE = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
 _METHOD = "two readings"
 
 
-def in_both_readings(claim: Claim, printed: Verdict, judged: Callable[[Claim], Verdict]) -> Verdict:
+def in_both_readings(claim: Claim, printed: Verdict, judged: Judged) -> Verdict:
     """Returns the verdict that holds however the rows of the display are joined, or else its question.
 
     printed: the verdict on the first reading.   judged: gives the verdict on a claim. The formulas of
@@ -53,24 +58,22 @@ def in_both_readings(claim: Claim, printed: Verdict, judged: Callable[[Claim], V
 def _as_printed(claim: Claim, formula: Formula) -> Claim:
     """The claim as if the formula stood there."""
     said = formula.statement
-    states = None if said is None or claim.alone else stated(said, claim.notation)
-    return replace(claim, printed=formula, states=states, otherwise=(), question=None)
+    act = (Act.ASSERT, None) if said is None or claim.alone else act_of(formula, claim.notation)
+    return replace(claim, printed=formula, act=act, otherwise=(), question=None)
 
 
-def served_by(claim: Claim, bare: Verdict, under: Under) -> Formula | None:
+def served_by(claim: Claim, bare: Verdict, judged: Judged) -> Formula | None:
     """Returns a refuted formula beside which a refuted claim stands, perhaps as its condition.
 
     Where all formulas before the claim hold without it, it is no condition of them, and stays refuted."""
     if bare.outcome is not Outcome.REFUTED or claim.alone or claim.corrected is not None:
         return None
     readable = [formula for formula in claim.serves if formula.statement is not None]
-    verdicts = (
-        (each, under.verdict(replace(claim, printed=each, perhaps=(), serves=()))) for each in readable
-    )
+    verdicts = ((each, judged(replace(claim, printed=each, perhaps=(), serves=()))) for each in readable)
     return next((each for each, verdict in verdicts if verdict.outcome is Outcome.REFUTED), None)
 
 
-def with_what_stands_beside(claim: Claim, bare: Verdict, under: Under) -> tuple[Claim, Verdict]:
+def with_what_stands_beside(claim: Claim, bare: Verdict, judged: Judged) -> tuple[Claim, Verdict]:
     """Returns the claim and the verdict on it where the equations beside it may be its conditions.
 
     They matter only where it is refuted without them. The claim that is returned supposes what its verdict
@@ -79,14 +82,14 @@ def with_what_stands_beside(claim: Claim, bare: Verdict, under: Under) -> tuple[
         return claim, bare
     readable = [formula for formula in claim.perhaps if formula.statement is not None]
     for supposing, conditions in _suppositions(claim, readable):
-        verdict = under.verdict(supposing)
+        verdict = judged(supposing)
         if verdict.outcome is Outcome.PROVED:
             return claim, _conditional(verdict, conditions, bare)
     whole = replace(claim, assume=(*claim.assume, *readable))
-    verdict = under.verdict(whole) if len(readable) == len(claim.perhaps) else Verdict(Outcome.UNCHECKED)
+    verdict = judged(whole) if len(readable) == len(claim.perhaps) else Verdict(Outcome.UNCHECKED)
     if verdict.outcome is Outcome.REFUTED:
         return whole, verdict
-    if len(readable) == len(claim.perhaps) and _meets(bare, readable, claim, under):
+    if len(readable) == len(claim.perhaps) and _meets(bare, readable, claim, judged):
         return claim, bare
     named = ", ".join(map(str, claim.perhaps))
     reason = VerdictCode.FALSE_WITHOUT_NEIGHBOUR(formulas=named)
@@ -110,7 +113,7 @@ def _conditional(verdict: Verdict, conditions: Sequence[Formula], bare: Verdict)
     return replace(found, evidence=(*found.evidence, witness))
 
 
-def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, under: Under) -> bool:
+def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, judged: Judged) -> bool:
     """Whether the conditions, and their rates as far as the claim takes them, hold at the counterexample."""
     if refuted.counterexample is None:
         return False
@@ -120,7 +123,7 @@ def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, under:
         point = tuple(_point(refuted.counterexample.values, claim))
         together = Conjunction(tuple(lasting(said, claim.printed.statement, definitions)))
         there = replace(claim, printed=Formula("", together), assume=point, given=(), orders=None)
-        return under.verdict(there).outcome is Outcome.PROVED
+        return judged(there).outcome is Outcome.PROVED
     return False
 
 

@@ -82,7 +82,8 @@ class SymbolTable:
     #: whether T p of a point p is the moved point itself, R p + t
     keeps_points: bool = False
     #: what is read loosely: "dyads", where x y is x ⊗ y and x · T is Tᵀ x; "unit", where 1 may be a tensor;
-    #: "values", where \\sin(x)^2 is (\\sin x)^2; "near", where \\frac{d}{dt} x y is \\dot{x} y
+    #: "values", where \\sin(x)^2 is (\\sin x)^2; "near", where \\frac{d}{dt} x y is \\dot{x} y; "none", where
+    #: letters and accents suggest nothing
     loose: frozenset[str] = frozenset()
     #: whether what it says of an unknown symbol names those that are close
     names_close: bool = True

@@ -9,30 +9,38 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from workbench.context.facts import Act, Fact, Origin, Provider
+from workbench.context.free_symbols import names_in, terms_of
 from workbench.core.reasons import Reason, reason_of
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.core.type_codes import TypeCode
+from workbench.judge.verdict import Strength
 from workbench.language.reader import unclaimed
 from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Statement, Symbol
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Statement, Symbol
 from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.cutting.display_vocabulary import RELATIONS
+from workbench.papers.formula_facts import with_acts, with_formula_facts, with_laws
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, with_intent
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
-from workbench.papers.model import Aside, Claim, Formula, Notation, Paper, PaperError, Span
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.numbered import written_out
 from workbench.papers.orders import Orders, orders_within
-from workbench.papers.said import declared_anew, names_in, stated, terms_of, with_laws, with_said
-from workbench.papers.text_claims.asides import Spoken, asides_of, own_asides
+from workbench.papers.said import act_of, declared_anew
 from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
+from workbench.papers.text_claims.conditions import InlineFormulas, conditions_of, opaque, range_facts
+from workbench.papers.text_claims.sentence_facts import TextSentences
 from workbench.papers.text_claims.text_model import Entry, TextModel
-from workbench.papers.text_claims.unsettled import with_unsettled
+from workbench.papers.text_claims.unread import Unread, said_unread, unread_facts
 from workbench.papers.texts import Display, Text, Token, spelled
 from workbench.papers.toml.toml_file import TomlFile
 
 _IN_WORDS = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*(?:is|are|denotes?|represents?)\b")
 _FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
 _TILDE = re.compile(r"\\(?:wide)?tilde(?![A-Za-z])")
+_ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
+_STAR = "^* as the adjugate, of which the text does not speak ([notation] can say what it is)"
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 
@@ -71,8 +79,6 @@ def text_paper(
         claims = [replace(claim, guessed=(*claim.guessed, "[[scope]]")) for claim in claims]
     functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
     claims = [_perhaps_of(claim, functions) for claim in claims]
-    spoken = Spoken(text.inline)
-    claims = [_with_asides(*each, spoken) for each in zip(claims, placed, strict=True)]
     for fault in unknown_ids(entries, {claim.id for claim in claims}):
         faults.tell(fault)
     if spoilt:
@@ -82,7 +88,7 @@ def text_paper(
         doi,
         paths,
         notations[0][1],
-        tuple(map(_as_it_stands, with_laws(with_said(with_unsettled(claims, text))))),
+        tuple(_with_facts(claims, placed, text)),
         citation=citation or {},
         text=text,
         faults=tuple(faults),
@@ -136,24 +142,46 @@ def _refuse_other_meaning(
         raise table.error_at_value(("given",), f"{message}; expected a formula of this scope")
 
 
-def _as_it_stands(claim: Claim) -> Claim:
-    """Without what may excuse it, where the model says that it follows from nothing else."""
-    if not claim.alone:
-        return claim
-    return replace(claim, states=None, says=None, unsettled=None, rests=(), laws=(), beside=())
+def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> Iterator[Claim]:
+    """Yields the claims with all that the text says of their symbols; nothing for one that stands alone."""
+    unread = said_unread(claims, text.inline)
+    words = placed[0].notation.words
+    sentences, spoken = TextSentences(text.inline, words), InlineFormulas(text.inline)
+    claims = [
+        replace(claim, facts=tuple(dict.fromkeys((*claim.facts, *own))))
+        for claim, each in zip(claims, placed, strict=True)
+        for own in [_own_facts(claim, each, text, unread, sentences, spoken)]
+    ]
+    for claim in with_laws(with_formula_facts(with_acts(claims))):
+        yield replace(claim, act=(Act.ASSERT, None), facts=()) if claim.alone else claim
 
 
-def _with_asides(claim: Claim, placed: Placed, spoken: Spoken) -> Claim:
-    statement = claim.printed.statement
-    if statement is None:
-        return claim
-    limits = [Aside(words, claim.line, None, seen=False) for words in placed.step.limits]
-    is_read = not placed.step.ranges or claim.printed.latex == placed.step.spelled()[0]
-    own = () if is_read else own_asides(placed.step, placed.notation)
-    return replace(
-        claim,
-        beside=(*limits, *claim.beside, *own, *asides_of(placed.display, statement, placed.notation, spoken)),
-    )
+def _own_facts(
+    claim: Claim,
+    placed: Placed,
+    text: Text,
+    unread: Mapping[str, list[Unread]],
+    sentences: TextSentences,
+    spoken: InlineFormulas,
+) -> Iterator[Fact]:
+    """Yields facts beside the formula, in its sentence, before it, and in formulas that are not read."""
+    statement, names = claim.printed.statement, _names_of(claim.printed)
+    if statement is None or not names:
+        return
+    for words in placed.step.limits:
+        yield opaque(words, claim.line, names)
+    if placed.step.ranges and claim.printed.latex != placed.step.spelled()[0]:
+        yield from range_facts(placed.step, placed.notation, names)
+    yield from conditions_of(placed.display, statement, placed.notation, spoken)
+    yield from sentences.facts(placed.display, statement, placed.notation)
+    yield from unread_facts(claim, unread)
+    has_adjugate = any(isinstance(term, Apply) and term.head == "adjugate" for term in terms_of(statement))
+    if has_adjugate and not any(_ADJUGATE.search(source.text) for source in text.sources):
+        yield Fact(None, names, Origin(Provider.CONVENTION, _STAR), Strength.HINTED)
+
+
+def _names_of(formula: Formula) -> frozenset[Name]:
+    return frozenset() if formula.statement is None else frozenset(names_in(formula.statement))
 
 
 def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:
@@ -208,7 +236,7 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
     has_reading = any(table.text(("reading",)) for table in tables)
     printed, within = _printed(placed, orders, has_reading)
     assume, printed = _assumed(placed, printed)
-    reasons, unread_reasons = _reasons(placed)
+    reasons, unread_reasons = _reasons(placed, _names_of(printed))
     span = span_of(step.own, display)
     claim = Claim(
         placed.id,
@@ -223,8 +251,8 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         span=span,
         chain=placed.chain,
         guessed=_used(printed, step.tokens, guessed),
-        states=printed.statement and stated(printed.statement, placed.notation),
-        beside=unread_reasons,
+        act=act_of(printed, placed.notation),
+        facts=unread_reasons,
         perhaps=tuple(_side_formula(tokens, placed) for tokens in step.perhaps),
         serves=tuple(_side_formula(tokens, placed) for tokens in step.serves),
         otherwise=tuple(_side_formula(tokens, placed) for tokens in step.otherwise),
@@ -342,17 +370,16 @@ def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], For
     return tuple(made), printed
 
 
-def _reasons(placed: Placed) -> tuple[list[Formula], tuple[Aside, ...]]:
+def _reasons(placed: Placed, about: frozenset[Name]) -> tuple[list[Formula], tuple[Fact, ...]]:
     """The reasons that the author gives for the step, and those that cannot be read, which limit it."""
     made: list[Formula] = []
-    unread: list[Aside] = []
+    unread: list[Fact] = []
     for tokens in placed.step.reasons:
         formula = _side_formula(tokens, placed)
         if formula.statement is not None:
             made.append(formula)
-        else:
-            line = placed.display.source.place(tokens[0].start)[0]
-            unread.append(Aside(formula.latex, line, None, seen=False))
+        elif about:
+            unread.append(opaque(formula.latex, placed.display.source.place(tokens[0].start)[0], about))
     return made, tuple(unread)
 
 

@@ -1,5 +1,4 @@
-"""What a text says of a symbol in a formula that is not read, and whether it leaves another one open that is
-false for a free symbol."""
+"""Facts from formulas that are not read, or that stand in a sentence: x = …"""
 
 from __future__ import annotations
 
@@ -10,6 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from pathlib import Path
 
+from workbench.context.facts import Duration, Fact, Origin, Provider
+from workbench.context.free_symbols import terms_of
+from workbench.judge.verdict import Strength
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, derivative, number, relation, zero
 from workbench.language.typed.errors import IllFormedAt, ReadError
@@ -17,13 +19,12 @@ from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
-from workbench.papers.model import Aside, Claim, Notation
+from workbench.papers.model import Claim, Notation
 from workbench.papers.said import is_before_scope, is_by_definition
 from workbench.papers.texts import Display
 from workbench.papers.texts.prose import Sections, headings
 from workbench.papers.texts.view import Source
 
-_WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
 #: The indices of a component of a vector, a matrix or a quaternion.
@@ -47,13 +48,13 @@ class Unread:
     def latex(self) -> str:
         return " ".join(f"{self.left}={self.right}".split())
 
-    def __str__(self) -> str:
-        text = self.latex
-        return f"line {self.line}: {text if len(text) <= 60 else f'{text[:59]}…'}"
+    @property
+    def shown(self) -> str:
+        return self.latex if len(self.latex) <= 60 else f"{self.latex[:59]}…"
 
-    def asides(self, own: Symbol, terms: Sequence[Term]) -> list[Aside]:
-        """That the symbol has its value always, if it is a whole number or a right angle; none where it says
-        anything else, or the symbol stands where the sines of an angle do not say what the terms are."""
+    def values(self, own: Symbol, terms: Sequence[Term]) -> list[Fact]:
+        """Returns that the symbol always has its value, if that is a whole number or a right angle; nothing
+        otherwise, or if the sines of an angle do not say what the terms are."""
         top, is_turn = _top(own, terms), _is_turn(own, terms)
         is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))
         if top is None or own.type.kind != "scalar" or not is_value:
@@ -68,7 +69,12 @@ class Unread:
         else:
             return []
         premises += [relation("=", derivative(own, order + 1), zero()) for order in range(top)]
-        return [Aside(self.latex, self.line, premise) for premise in premises]
+        about, origin = frozenset({own.declaration.name}), self.origin
+        return [Fact(each, about, origin, Strength.STATED, Duration.INSTANT) for each in premises]
+
+    @property
+    def origin(self) -> Origin:
+        return Origin(Provider.UNREAD, self.shown, f"line {self.line}")
 
 
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
@@ -85,26 +91,32 @@ def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[s
     return found
 
 
-def left_open(
-    free: Sequence[Declaration], claim: Claim, said: Mapping[str, list[Unread]], with_values: bool
-) -> tuple[str | None, list[Aside]]:
-    """Why the claim is open by what is said of its free symbols; where it only gives them values, these."""
-    asides: list[Aside] = []
-    for declaration in free:
-        for unread in _said_of(declaration, claim.notation, said):
-            if is_before_scope([declaration.name], unread.file, unread.line, claim.notation):
-                continue
-            if _is_by_definition(unread, claim.notation):
-                continue
-            terms = _expanded(claim)
-            own = _own(declaration, terms)
-            values = unread.asides(own, terms) if own and with_values else []
-            if values and _is_elsewhere(unread, claim):
-                continue
-            if not values:
-                return _WHY.format(declaration.name, unread), []
-            asides += values
-    return None, asides
+def unread_facts(claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
+    """Yields what formulas that are not read say of the free symbols of a claim: the value of a number or an
+    angle, or something that is not formalised."""
+    assert claim.printed.statement is not None
+    definitions = claim.notation.definitions
+    defined = {definition.declaration.name for definition in definitions}
+    written = {term.declaration for term in terms_of(claim.printed.statement) if isinstance(term, Symbol)}
+    free = [each for each in written if each.name not in defined and not each.free]
+    for declaration in sorted(free, key=lambda each: str(each.name)):
+        if not definitions.is_pi(declaration):
+            yield from _facts_about(declaration, claim, said)
+
+
+def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
+    notation = claim.notation
+    for unread in _said_of(declaration, notation, said):
+        is_before = is_before_scope([declaration.name], unread.file, unread.line, notation)
+        if is_before or _is_by_definition(unread, notation):
+            continue
+        terms = _expanded(claim)
+        own = _own(declaration, terms)
+        values = unread.values(own, terms) if own else []
+        if not values:
+            yield Fact(None, frozenset({declaration.name}), unread.origin, Strength.STATED)
+        elif not _is_elsewhere(unread, claim):
+            yield from values
 
 
 def _is_elsewhere(value: Unread, claim: Claim) -> bool:

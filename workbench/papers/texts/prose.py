@@ -51,6 +51,13 @@ def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
     return first + max(ends, default=0), end if closed else end + min(stops, default=len(after))
 
 
+def sentence_ends(text: str) -> list[int]:
+    """Returns where the sentences of a text end: at a full stop, a blank line or a heading."""
+    return sorted(
+        {match.end() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) for match in sign.finditer(text)}
+    )
+
+
 @lru_cache(maxsize=8)
 def headings(text: str) -> tuple[tuple[int, int], ...]:
     """Returns where each heading of the text begins, and its level, 1 for the highest."""

@@ -1,27 +1,29 @@
-"""The conditions that a text states in its sentences: “suppose that $f \\neq 0$”, “for $m > 0$”, “for
-parallel axes”.
-
-Nothing is proved by them. They keep a formula that is false without them from being said to be false.
-"""
+"""Facts from the formulas in sentences: “suppose that $f \\neq 0$”, “for $m > 0$”."""
 
 from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 
+from workbench.context.facts import Bound, Duration, Fact, Origin, Provider
+from workbench.context.free_symbols import names_in, terms_of
+from workbench.context.subject import names_of
+from workbench.context.suppositions import having
+from workbench.judge.verdict import Strength
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Term, Zero, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.formulas import read_statement
-from workbench.papers.model import Aside, Notation
-from workbench.papers.said import is_before_scope, is_by_definition, names_in, terms_of
+from workbench.papers.model import Notation
+from workbench.papers.said import is_before_scope, is_by_definition
 from workbench.papers.texts import Display, Token, spelled
 from workbench.papers.texts.prose import sections_of, sentence_around, supposed_before
 
@@ -34,24 +36,6 @@ _ORDERS = {
     **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
     **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
 }
-#: What is false but for a few, "supposing that it is not an identity", is false.
-_NOT_A = r"(?![^.;]*\b(?:is|are) not an? )"
-#: “If you want …” is no condition.
-_WISH = r"(?! (?:you|we|one) (?:want|wish|need|like|prefer))"
-#: A case that words set apart; what is supposed in a formula is looked at by itself.
-_SPECIAL = re.compile(
-    r"\b(?:special|particular|limiting|degenerate|this|that) case\b|\bin the limit\b"
-    r"|\bif\b[^.;:$\\`]*\bthen\b|\bof the form\b|\bprovided that\b"
-    r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b"
-    rf"|\b(?:suppos|assum|restrict)\w*\b(?! *(?:that |for |to )?[$\\:`]){_NOT_A}|"
-    r"\b(?:approximat|lineari[sz]|neglect|ignor|negligib)\w*|\bfirst[- ]order\b|\bsmall[- ]angle|"
-    r"\b(?:(?:for|at|since|because|as(?= (?:the|both|these|two|\$|\\\())"
-    rf"|if{_WISH}|when{_WISH}|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*{_NOT_A}[^.;]*)"
-    r"\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
-    r"|aligned|coincid\w+|pure|planar|small|constant|fixed|stationary|at rest|identity|the same|vanish\w*"
-    r"|(?:un|not )chang(?:ed|ing)|(?:do|does) not \w+)\b",
-    re.IGNORECASE,
-)
 _FORMULA = r"(?:\$[^$]+\$|\\\([^$]*?\\\)|`[^`]+`)"
 #: A relation between two symbols that words state as a condition, or as the reason of a formula.
 _BETWEEN = re.compile(
@@ -68,22 +52,12 @@ _RELATIONS = {
     "equal": "{0} = {1}",
     "commute": "{0} {1} = {1} {0}",
 }
-_EXAMPLE = re.compile(r"\b(?:for|as an?) (?:instance|example)\b|\be\.g\.", re.IGNORECASE)
-_LETTER = re.compile(r"\\[A-Za-z]+|[A-Za-z]")
 #: What is in force behind its sentence, too.
 _FAR_REACHING = _UNEQUAL | _RATES | _ORDERS.keys()
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
 
 
-@dataclass(frozen=True)
-class _Said:
-    """A condition that a sentence states, and the symbols in it."""
-
-    aside: Aside
-    symbols: frozenset[Declaration]
-
-
-class Spoken:
+class InlineFormulas:
     """The formulas in the sentences of a text. Each is cut and read once, whatever asks for it."""
 
     def __init__(self, inline: Iterable[Display]) -> None:
@@ -94,7 +68,7 @@ class Spoken:
             formulas.sort(key=lambda each: each.start)
         self._steps: dict[tuple[int, frozenset[str]], list[Step]] = {}
         self._conditions: dict[tuple[Path, frozenset[str]], list[tuple[Display, Step]]] = {}
-        self._read: dict[tuple[int, int, bool], tuple[Notation, list[_Said]]] = {}
+        self._read: dict[tuple[int, int, bool], tuple[Notation, list[Fact]]] = {}
 
     def before(self, path: Path, end: int, start: int = 0) -> list[Display]:
         """The formulas of a file that begin between `start` and `end`."""
@@ -122,7 +96,7 @@ class Spoken:
         found = self._conditions[key]
         yield from found[: bisect_left(found, end, key=lambda each: each[0].start)]
 
-    def said(self, formula: Display, step: Step, notation: Notation, with_equations: bool) -> list[_Said]:
+    def said(self, formula: Display, step: Step, notation: Notation, with_equations: bool) -> list[Fact]:
         """What a step of a formula says, read in a notation."""
         key = (id(step), id(notation), with_equations)
         if key not in self._read:  # with the notation, whose id is thus in use
@@ -132,77 +106,38 @@ class Spoken:
         return self._read[key][1]
 
 
-def asides_of(
-    display: Display, statement: Statement, notation: Notation, spoken: Spoken
-) -> tuple[Aside, ...]:
-    """What the sentence of the display says of the symbols in the statement and in what defines these, what
-    any sentence before it in its section, or around that, says that they are not, or are more or less than,
-    and what any says of their rates."""
+def conditions_of(
+    display: Display, statement: Statement, notation: Notation, spoken: InlineFormulas
+) -> Iterator[Fact]:
+    """Yields what the formulas in sentences say of the symbols in the statement and behind its definitions:
+    any formula of the sentence of the display, inequalities before it in its section, or around that, and
+    equations for rates anywhere before it."""
     reached = map(notation.definitions.reached, sides_of(statement))
-    own = _symbols(part for parts in reached for part in parts)
+    own = names_of(_symbols(part for parts in reached for part in parts))
     text, path = display.source.prose, display.source.path
     first, last = sentence_around(text, display.start, display.end)
     begins = first - len(supposed_before(text, first))
-    around = [text[begins : display.start]]
-    around += [behind for behind in [text[display.end : last].lstrip("$] \n.,;")] if behind[:1].islower()]
     line = display.source.place(display.start)[0]
-    between, around = _between(list(map(_flat, around)), line, notation)
-    named = {
-        _flat(each.source.text[each.start : each.end]): each for each in spoken.before(path, last, begins)
-    }
-    cases = [
-        next((case for case in _SPECIAL.finditer(words) if _is_about(case.group(), own, named)), None)
-        for words in around
-    ]
-    if any(isinstance(side, Symbol) for side in sides_of(statement)):
-        cases += map(_EXAMPLE.search, around[:1])
-    found = [Aside(case.group(), line, None, seen=False) for case in cases if case]
-    found += _of(own, between)
+    found = list(_between(f"{text[begins : display.start]} . {text[display.end : last]}", line, notation))
     sections = sections_of(text)
     for formula, step in spoken.conditions(path, first, notation):
         if _holds_rate(step.tokens) or sections.holds(formula.start, display.start):
-            found += _of(own, spoken.said(formula, step, notation, with_equations=False))
+            found += spoken.said(formula, step, notation, with_equations=False)
     for formula in spoken.before(path, last, first):
         for step in spoken.steps(formula, notation) if formula.rows else ():
-            found += _of(own, spoken.said(formula, step, notation, with_equations=True))
-    return tuple(dict.fromkeys(found))
+            found += spoken.said(formula, step, notation, with_equations=True)
+    yield from (fact for fact in found if fact.about & own)
 
 
-def _of(own: set[Declaration], said: Iterable[_Said]) -> Iterator[Aside]:
-    """Those that speak of the symbols."""
-    return (each.aside for each in said if each.symbols & own)
-
-
-def _between(around: Sequence[str], line: int, notation: Notation) -> tuple[list[_Said], list[str]]:
-    """The relations of two symbols that the words state, and the words without those that can be read."""
-    made: list[_Said] = []
-
-    def read(match: re.Match[str]) -> str:
+def _between(words: str, line: int, notation: Notation) -> Iterator[Fact]:
+    """Yields the relations of two symbols that words state."""
+    for match in _BETWEEN.finditer(" ".join(words.replace(":math:", "").split())):
         sides = (match[name].strip("$`").removeprefix("\\(").removesuffix("\\)") for name in ("one", "other"))
         latex = _RELATIONS[(match["adjective"] or match["verb"]).lower()].format(*map(str.strip, sides))
         with suppress(ReadError, IllFormedAt, ValueError):
             statement, ranges = read_statement(latex, notation, None)
             if isinstance(statement, Relation) and not ranges:
-                symbols = frozenset(_symbols(terms_of(statement)))
-                made.append(_Said(Aside(latex, line, statement), symbols))
-                return ""
-        return match.group()
-
-    return made, [_BETWEEN.sub(read, words) for words in around]
-
-
-def _flat(words: str) -> str:
-    return " ".join(words.replace(":math:", "").split())
-
-
-def _is_about(words: str, own: set[Declaration], spoken: Mapping[str, Display]) -> bool:
-    """Whether words with formulas name a symbol of the claim in one; without any they may mean all."""
-    named = [formula.latex for raw, formula in spoken.items() if raw in words]
-    letters = {part for latex in named for part in _LETTER.findall(latex)}
-    return not named or any(
-        each.name.letter in letters or (len(each.name.letter) > 1 and each.name.letter in "".join(named))
-        for each in own
-    )
+                yield from _facts(latex, line, statement, None)
 
 
 def _symbols(parts: Iterable[Term]) -> set[Declaration]:
@@ -215,7 +150,7 @@ def _holds_rate(tokens: Sequence[Token]) -> bool:
 
 def _condition(
     tokens: Sequence[Token], line: int, notation: Notation, with_equations: bool
-) -> Iterator[_Said]:
+) -> Iterator[Fact]:
     latex, _ = spelled(tokens)
     signs = [at for at, token in enumerate(tokens) if token.text in _ORDERS]
     order = _ORDERS[tokens[signs[0]].text] if len(signs) == 1 else None
@@ -232,29 +167,44 @@ def _condition(
         is_new = is_equation and not (order is None and is_by_definition(statement, notation.definitions))
         is_new = is_new and not is_before_scope(names_in(statement), tokens[0].source.path, line, notation)
         if is_new and not ranges:
-            yield _Said(_aside(spelled(tokens)[0], line, statement, order), frozenset(symbols))
+            yield from _facts(spelled(tokens)[0], line, statement, order)
 
 
-def own_asides(step: Step, notation: Notation) -> Iterator[Aside]:
-    """Where its symbols are, as beside a formula that cannot be read with it: x > 0, or x \\in [0, 1]."""
+def range_facts(step: Step, notation: Notation, about: frozenset[Name]) -> Iterator[Fact]:
+    """Yields where the symbols of a step are, as beside a formula that cannot be read with it: x > 0."""
     for piece in step.ranges:
         line = piece[0].source.place(piece[0].start)[0]
-        found = [each.aside for each in _condition(piece, line, notation, with_equations=False)]
-        yield from found or [Aside(spelled(piece)[0], line, None, seen=False)]
+        found = list(_condition(piece, line, notation, with_equations=False))
+        words = spelled(piece)[0]
+        named = frozenset(name for name in about if name.letter in words)
+        yield from found or ([opaque(words, line, named)] if named else [])
 
 
-def _aside(latex: str, line: int, said: Relation, order: str | None) -> Aside:
-    """x > 0 supposes that x ≠ 0, and of a counterexample that its x is more."""
+def opaque(words: str, line: int, about: frozenset[Name]) -> Fact:
+    """Returns the fact that the text says something of symbols that is not formalised."""
+    return Fact(None, about, Origin(Provider.CONDITION, words, f"line {line}"), Strength.STATED)
+
+
+def _facts(latex: str, line: int, said: Relation, order: str | None) -> Iterator[Fact]:
+    """Yields what x > 0 says: x ≠ 0, x positive, and that the x of a counterexample is more than 0."""
+    about = names_of(_symbols(terms_of(said)))
+    origin = Origin(Provider.CONDITION, latex, f"line {line}")
+    fact = partial(Fact, about=about, origin=origin, strength=Strength.STATED, duration=Duration.INSTANT)
     if order is None:
-        return Aside(latex, line, said)
-    premise = Relation("≠", said.left, said.right) if order in "<>" else None
+        yield fact(said)
+        return
+    if order in "<>":
+        yield fact(Relation("≠", said.left, said.right))
     left, right = said.left, said.right
     if isinstance(left, Apply) and left.head == "norm" and isinstance(right, Zero) and order in ">≥":
-        return Aside(latex, line, premise)
+        return
     if isinstance(right, Symbol):
         left, right, order = right, left, order.translate(_TURNED)
     value = Fraction(0) if isinstance(right, Zero) else getattr(right, "value", None)
-    bound = (
-        (to_latex(left), order, value) if isinstance(left, Symbol) and isinstance(value, Fraction) else None
-    )
-    return Aside(latex, line, premise, bound, seen=bound is not None)
+    if not (isinstance(left, Symbol) and isinstance(value, Fraction)):
+        yield opaque(latex, line, about)
+        return
+    yield fact(None, bound=Bound(to_latex(left), order, value))
+    is_positive = (order == ">" and value >= 0) or (order == "≥" and value > 0)
+    if is_positive and not left.declaration.positive:
+        yield fact(having("positive", [left]))

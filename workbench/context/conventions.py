@@ -1,0 +1,250 @@
+"""The conventions of authors as one table: what each makes of the symbols of a claim, and how strongly.
+
+A hinted convention adds facts that hold together; a guessed one adds alternatives, each of which is tried
+alone. The strengths are measured on texts: under a hint hardly any falsehood becomes true.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from workbench.context import figures
+from workbench.context.facts import Context, Fact, Origin, Provider, Strength, Supposition
+from workbench.context.free_symbols import free_in, terms_of
+from workbench.context.subject import Subject, names_of
+from workbench.context.suppositions import having, joined, meaning, of_length_one
+from workbench.language.naming.symbols import UNIT_LETTERS
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, block, number, symbol
+from workbench.language.typed.operators import CIRCULAR
+from workbench.language.typed.properties import PROPERTIES
+from workbench.language.typed.terms import Apply, Derivative, Symbol, Zero
+from workbench.language.typed.types import SCALAR
+
+#: In words; the symbols that it is about; what it supposes of them.
+Made = tuple[str, list[Symbol], Supposition]
+
+
+@dataclass(frozen=True)
+class Convention:
+    """of_letters: whether it depends on letters, accents or typefaces, so that renaming may change it."""
+
+    name: str
+    strength: Strength
+    of_letters: bool
+    make: Callable[[Subject], Iterator[Made]]
+
+
+def conventional(subject: Subject) -> Context:
+    """Returns the hinted facts and the guessed alternatives for the free symbols of a claim."""
+    hints: list[Fact] = []
+    guesses: list[tuple[Fact, ...]] = []
+    for row in CONVENTIONS:
+        if row.of_letters and not subject.letters:
+            continue
+        for words, own, content in row.make(subject):
+            if any(each.declaration.hidden or each.declaration.introduced for each in own):
+                continue  # what only frames and definitions introduce is no author's symbol
+            about = names_of([each.declaration for each in own])
+            fact = Fact(content, about, Origin(Provider.CONVENTION, words), row.strength)
+            if row.strength is Strength.HINTED:
+                hints.append(fact)
+            else:
+                guesses.append((fact,))
+    return Context(tuple(hints), tuple(guesses))
+
+
+def _named(symbols: list[Symbol]) -> str:
+    return ", ".join(map(to_latex, symbols))
+
+
+def _hats(subject: Subject) -> Iterator[Made]:
+    vectors = [each for each in subject.free if each.type.kind == "vector" and figures.has_hat(each)]
+    own = [each for each in vectors if not (each.declaration.unit or each.index)]
+    if own:
+        yield f"{_named(own)}: a unit vector, as its hat says", own, having("unit", own)
+
+
+def _identities(subject: Subject) -> Iterator[Made]:
+    """A text that has an inertia I writes R R^T = I all the same: what the model says of I is no matter."""
+    written = [term for term in terms_of(subject.statement) if isinstance(term, Symbol)]
+    for own in dict.fromkeys([*written, *subject.free]):
+        is_meant = own.declaration.name.letter in UNIT_LETTERS and not (own.index or own.declaration.free)
+        if is_meant and PROPERTIES["identity"].fits(own):
+            yield f"{to_latex(own)}: the identity, as its letter says", [own], having("identity", [own])
+
+
+def _lengths(subject: Subject) -> Iterator[Made]:
+    vectors = {
+        figures.unstyled(each): each
+        for each in subject.free
+        if each.type.kind == "vector" and not figures.has_hat(each)
+    }
+    for own in _numbers(subject):
+        if whole := vectors.get(figures.unstyled(own)):
+            words = f"{to_latex(own)}: the length of {to_latex(whole)}"
+            yield words, [own, whole], meaning(own, apply("norm", whole))
+
+
+_PLACES = {"x": 0, "1": 0, "i": 0, "y": 1, "2": 1, "j": 1, "z": 2, "3": 2, "k": 2}
+
+
+def _components(subject: Subject) -> Iterator[Made]:
+    """v_x of v and R_{12} of R, if both are in the claim and neither has a definition."""
+    declared = [each for each in subject.symbols.symbols.values() if not each.indices and not each.type.dual]
+    for own in _numbers(subject):
+        name = own.declaration.name
+        at = "".join(name.sub).translate(str.maketrans("", "", ", {}"))
+        if not at or any(letter not in _PLACES for letter in at):
+            continue
+        axes = [block([[number(int(k == _PLACES[letter]))] for k in range(3)]) for letter in at]
+        for whole in declared:
+            if whole.name.letter != name.letter or whole.name.sub or whole not in subject.declarations:
+                continue
+            words = f"{to_latex(own)}: a component of {whole.name}"
+            if whole.type.kind == "vector" and len(at) == 1:
+                yield words, [own], meaning(own, apply("dot", axes[0], symbol(whole)))
+            elif whole.type.kind == "tensor" and len(at) == 2:
+                yield words, [own], meaning(own, apply("dot", axes[0], apply("mul", symbol(whole), axes[1])))
+
+
+def _circles(subject: Subject) -> Iterator[Made]:
+    """c and s with the same scripts are the cosine and sine of an angle."""
+    groups: dict[object, list[Symbol]] = {}
+    for own in _numbers(subject):
+        name = own.declaration.name
+        if name.letter in ("c", "s", "C", "S"):
+            groups.setdefault((name.letter.isupper(), name.sub, name.sup), []).append(own)
+    for pair in groups.values():
+        if len(pair) == 2:
+            yield f"{_named(pair)}: the cosine and sine of an angle", pair, of_length_one(pair)
+
+
+def _under_roots(subject: Subject) -> Iterator[Made]:
+    parts = [p for p in terms_of(subject.statement) if isinstance(p, Apply) and p.head in ("norm", "root")]
+    own = [
+        each
+        for each in _numbers(subject)
+        if each.declaration not in subject.moved and not each.declaration.positive
+    ]
+    if parts and own:
+        yield f"{_named(own)}: positive, beside a root or a length", own, having("positive", own)
+
+
+def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
+    """The symbols that may have a property, together and then each alone."""
+
+    def make(subject: Subject) -> Iterator[Made]:
+        row = PROPERTIES[name]
+        may = [s for s in subject.free if row.fits(s) and not s.index and not s.declaration.rotation]
+        may = [s for s in may if not (row.flag and getattr(s.declaration, row.flag))]
+        if name == "skew":  # with a symmetric one it would be 0
+            may = [s for s in may if not (s.declaration.symmetric or s.declaration.diagonal)]
+        for own in [may] * (len(may) > 1) + [[each] for each in may]:
+            yield f"{_named(own)}: {name}", own, having(name, own)
+
+    return make
+
+
+def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
+    """Symbols of which the text takes no rate, as constants. One that stands under a written d/dt may be a
+    forgotten term. A constant that makes a rate vanish is none."""
+
+    def make(subject: Subject) -> Iterator[Made]:
+        if not subject.rates:
+            return
+        written = [part.body for part in terms_of(subject.statement) if isinstance(part, Derivative)]
+        rated = {body.declaration for body in written if isinstance(body, Symbol)}
+        inside = {p.declaration for body in written for p in body.walk() if isinstance(p, Symbol)} - rated
+        may = [s for s in subject.free if not (s.declaration.constant or s.index or s.declaration in rated)]
+        never = [s for s in may if s.declaration.name not in subject.moving and not s.declaration.rotation]
+        own = never if under_rates else [s for s in never if s.declaration not in inside]
+        still = {s.declaration for s in own}
+        is_void = any(free_in([rate], subject.definitions) <= still for rate in subject.rates)
+        if own and not is_void:
+            yield f"{_named(own)}: constant, as the text takes no rate", own, having("constant", own)
+        here = [s for s in may if s.declaration in subject.written]
+        if (
+            under_rates
+            and here
+            and not any(
+                free_in([rate], subject.definitions) <= {s.declaration for s in here}
+                for rate in subject.rates
+            )
+        ):
+            constant = having("constant", here)
+            words = f"{_named(here)}: constant, as no rate is taken here"
+            yield words, here, constant
+            squares = [s for s in here if PROPERTIES["symmetric"].fits(s) and not s.declaration.symmetric]
+            if squares:
+                symmetric = joined([constant, having("symmetric", squares)])
+                yield f"{words}, and {_named(squares)} symmetric", here, symmetric
+
+    return make
+
+
+def _spins(subject: Subject) -> Iterator[Made]:
+    for frame, spin in subject.symbols.frames.items():
+        for own in subject.free:
+            if own.type == spin.type and not isinstance(spin, Zero):
+                yield f"{to_latex(own)}: the angular velocity of {frame}", [own], meaning(own, spin)
+
+
+#: The components of a quaternion or a vector without scripts.
+_PLAIN = "wxyz"
+
+
+def _of_length_one(subject: Subject) -> Iterator[Made]:
+    """2 to 4 numbers of one letter, the numbers x, y, z, w, or a number and a vector alone."""
+    numbers = _numbers(subject)
+    vectors = [s for s in subject.free if s.type.kind == "vector"]
+    groups: dict[str, list[Symbol]] = {}
+    for own in numbers:
+        name = own.declaration.name
+        is_plain = name.letter in _PLAIN and not name.sub
+        groups.setdefault(_PLAIN if is_plain else name.letter, []).append(own)
+    groups["of both"] = [*numbers, *vectors] if len(numbers) == len(vectors) == 1 else []
+    for group in groups.values():
+        if 1 < len(group) < 5:
+            yield f"{_named(group)}: of length 1 together", group, of_length_one(group)
+
+
+def _small(subject: Subject) -> Iterator[Made]:
+    heads = CIRCULAR | {"exp"}
+    inside = {
+        part
+        for term in terms_of(subject.statement)
+        if isinstance(term, Apply) and term.head in heads
+        for part in term.walk()
+    }
+    own = [s for s in subject.free if s in inside and PROPERTIES["small"].fits(s) and not s.declaration.unit]
+    if own:
+        yield f"{_named(own)}: small", own, having("small", own)
+
+
+def _numbers(subject: Subject) -> list[Symbol]:
+    return [own for own in subject.free if own.type == SCALAR and not own.index]
+
+
+CONVENTIONS = (
+    Convention("hat", Strength.HINTED, True, _hats),
+    Convention("identity", Strength.HINTED, True, _identities),
+    Convention("length", Strength.HINTED, True, _lengths),
+    Convention("component", Strength.HINTED, True, _components),
+    Convention("circle", Strength.HINTED, True, _circles),
+    Convention("positive", Strength.HINTED, False, _under_roots),
+    Convention("never moved", Strength.HINTED, False, _rests(under_rates=False)),
+    Convention("rotation", Strength.GUESSED, False, _flag("rotation")),
+    Convention("unit", Strength.GUESSED, False, _flag("unit")),
+    Convention("rests", Strength.GUESSED, False, _rests(under_rates=True)),
+    Convention("symmetric", Strength.GUESSED, False, _flag("symmetric")),
+    Convention("skew", Strength.GUESSED, False, _flag("skew")),
+    Convention("orthogonal", Strength.GUESSED, False, _flag("orthogonal")),
+    Convention("axes", Strength.GUESSED, True, figures.axes),
+    Convention("right angle", Strength.GUESSED, False, figures.right_angles),
+    Convention("turning", Strength.GUESSED, False, figures.turning),
+    Convention("spin", Strength.GUESSED, False, _spins),
+    Convention("length one", Strength.GUESSED, False, _of_length_one),
+    Convention("small", Strength.GUESSED, False, _small),
+)

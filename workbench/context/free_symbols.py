@@ -1,0 +1,82 @@
+"""The symbols of a statement that nothing defines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from workbench.language.definitions import Definitions
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
+    Apply,
+    Conjunction,
+    IllFormed,
+    Implication,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    sides_of,
+)
+from workbench.language.typed.types import Declaration
+
+
+def terms_of(statement: Statement) -> Iterator[Term]:
+    """Yields the terms of a statement, each as often as it is written."""
+    for side in sides_of(statement):
+        yield from _written(side)
+
+
+def _written(term: Term) -> Iterator[Term]:
+    """Yields the term and its parts; the x of tan x = sin x / cos x once."""
+    yield term
+    children = term.children
+    match term:
+        case Apply(head="div", arguments=(Apply(head=one, arguments=x), Apply(head=other, arguments=y))):
+            if {one, other} == {"sin", "cos"} and x == y:
+                children = children[:1]
+    for child in children:
+        yield from _written(child)
+
+
+def equations_of(statement: Statement) -> Iterator[Relation]:
+    """Yields the equations that a statement concludes."""
+    match statement:
+        case Relation(operator="="):
+            yield statement
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from equations_of(part)
+        case Implication(right=right):
+            yield from equations_of(right)
+
+
+def names_in(statement: Statement) -> set[Name]:
+    """Returns the names of the symbols that are written in the statement."""
+    return {part.declaration.name for part in terms_of(statement) if isinstance(part, Symbol)}
+
+
+def free_in(terms: Iterable[Term], definitions: Definitions) -> set[Declaration]:
+    """Returns the declarations of the symbols without a definition, in the terms and behind definitions."""
+    found: set[Declaration] = set()
+    seen: set[Symbol] = set()
+    waiting = list(terms)
+    while waiting:
+        for part in waiting.pop().walk():
+            if isinstance(part, Symbol) and part not in seen:
+                seen.add(part)
+                body = body_of(part, definitions)
+                if body is None:
+                    found.add(part.declaration)
+                else:
+                    waiting.append(body)
+    return found
+
+
+def body_of(symbol: Symbol, definitions: Definitions) -> Term | None:
+    """Returns what a definition says that the symbol is; None without one."""
+    if symbol.declaration.positive and not definitions.about(symbol):
+        return None
+    try:
+        return definitions.lookup(symbol)
+    except IllFormed:
+        return None

@@ -1,0 +1,59 @@
+"""The words by which sentences speak of symbols. This is data; `sentences` reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+#: The words for each property of the table.
+PROPERTY_WORDS: Mapping[str, str] = {
+    "unit": r"unit(?:ary)?|normali[sz]ed|of (?:length|norm|magnitude) (?:one|1)|of unit (?:length|norm)",
+    "rotation": r"rotations?|proper orthogonal|rotation matri(?:x|ces)|direction cosine matri(?:x|ces)",
+    "orthogonal": r"orthogonal|orthonormal",
+    "symmetric": r"(?<!skew[- ])(?<!anti)symmetric",
+    "skew": r"skew(?:[- ]symmetric)?|antisymmetric",
+    "constant": r"constant|fixed|stationary|at rest|time[- ]invariant|independent of time|uniform",
+    "positive": r"positive|length|radius|distance",
+    "small": r"small|infinitesimal",
+    "zero": r"zero|vanish(?:es|ing)?|negligible|neglected|ignored",
+    "identity": r"identity|unit (?:matrix|tensor)",
+    "perpendicular": r"perpendicular|orthogonal|normal",
+    "parallel": r"parallel|collinear|aligned",
+}
+
+#: By kind, the nouns that stand for all symbols of it: "unit vectors", "small angles".
+KIND_NOUNS: Mapping[str, str] = {
+    "vector": r"vectors?|ax[ei]s|directions?",
+    "tensor": r"matri(?:x|ces)|tensors?|rotations?",
+    "matrix": r"matri(?:x|ces)|columns?",
+    "scalar": r"angles?|numbers?|scalars?|components?|masses|mass|lengths?",
+    "quaternion": r"quaternions?",
+}
+
+#: What a sentence says of all symbols of a kind for the rest of the text: the property and the kind.
+FOR_ALL = (("unit", "quaternion"),)
+
+#: A fact is made of no clause with one of these words.
+NEGATION = (
+    r"\b(?:not|no|never|nor|neither|without|cannot|need|hardly|only|unless|unlike|any|instead|rather)\b"
+    r"|\bnon-?$"
+)
+
+#: A kind noun counts only behind one of these words.
+CONDITION = (
+    r"\b(?:for|if|when|where|with|assum\w+|suppos\w+|let|case of|restrict\w*|consider\w*|since|because|as)\b"
+)
+
+#: What an earlier sentence supposes for itself alone.
+CASE = r"\b(?:if|when|case of|for)\b[^,]*$"
+
+#: What is said of a symbol and is not formalised.
+OPAQUE = (
+    r"\b(?:approximat\w*|linear[iy]\w*|neglect\w*|ignor\w*|first[- ]order|compared (?:with|to)"
+    r"|limit|tends?|approach(?:es|ing)?|(?:close|near) to|planar|special case|coincid\w+)\b"
+)
+
+#: Verbs between a symbol and its property.
+BE = r"(?:is|are|be|being|remains?|stays?|denotes?)"
+
+#: Words of which no property is told across.
+STOP = r"is|are|be|not|of|to|no|and|or|for|if|when|where|with|by|in|on|at"

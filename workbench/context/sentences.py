@@ -1,0 +1,152 @@
+"""Facts from sentences, by the lexicon: a property of the symbols that a noun phrase names.
+
+The formulas of a sentence are written ⟦0⟧, ⟦1⟧ in its text. Words about a symbol that are not formalised make
+an opaque fact. A sentence that names no symbol of the claim makes none.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from workbench.context.facts import Fact, Origin, Provider, Strength
+from workbench.context.lexicon import (
+    BE,
+    CASE,
+    CONDITION,
+    FOR_ALL,
+    KIND_NOUNS,
+    NEGATION,
+    OPAQUE,
+    PROPERTY_WORDS,
+    STOP,
+)
+from workbench.context.subject import names_of
+from workbench.context.suppositions import having
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.properties import PROPERTIES
+from workbench.language.typed.terms import Symbol
+
+_SYMBOLS = r"⟦\d+⟧(?:\s*(?:,|,?\s*and|or)\s*⟦\d+⟧)*"
+_FILL = rf"(?:(?!(?:{STOP})\b)[A-Za-z-]+\s+){{0,2}}?"
+_NOT, _IF, _CASE = (re.compile(words, re.I) for words in (NEGATION, CONDITION, CASE))
+_OPAQUE = re.compile(OPAQUE, re.I)
+_CLAUSES = re.compile(r"[,;:.]")
+#: How far before a match a negation reaches.
+_REACH = 40
+
+
+_ANY_PROPERTY = re.compile("|".join(rf"\b(?:{words})\b" for words in PROPERTY_WORDS.values()), re.I)
+
+
+def speaks_of(words: str) -> bool:
+    """Returns whether a word for a property stands in a text."""
+    return _ANY_PROPERTY.search(words) is not None
+
+
+def speaks_for_all(words: str) -> bool:
+    """Returns whether a text says something of all symbols of a kind."""
+    return any(re.search(KIND_NOUNS[kind], words, re.I) for _, kind in FOR_ALL)
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """Words around a claim. named: the LaTeX of the formulas.   is_own: whether the claim stands in it."""
+
+    text: str
+    named: Mapping[int, str]
+    place: str
+    is_own: bool
+
+
+def told_by(sentence: Sentence, symbols: Sequence[Symbol]) -> Iterator[Fact]:
+    """Yields what the sentence says of the symbols of a claim."""
+    reader = _Reader(sentence, symbols)
+    yield from reader.of_names()
+    yield from reader.of_kinds()
+    if sentence.is_own:
+        yield from reader.opaque()
+
+
+class _Reader:
+    def __init__(self, sentence: Sentence, symbols: Sequence[Symbol]) -> None:
+        self._sentence, self._symbols = sentence, symbols
+
+    @cached_property
+    def _known(self) -> dict[str, Symbol]:
+        return {flat(to_latex(own)): own for own in self._symbols}
+
+    def of_names(self) -> Iterator[Fact]:
+        """Yields the properties of symbols that are named: "the unit vector n", "n is a unit vector"."""
+        text = self._sentence.text
+        for name, words in PROPERTY_WORDS.items():
+            row = PROPERTIES[name]
+            for match in _matches(words, text):
+                if _is_negated(text, match) or (not self._sentence.is_own and _is_case(text, match)):
+                    continue
+                said = [each for each in self._named_in(match["symbols"]) if row.fits(each)]
+                if said and row.count in (1, len(said)):
+                    yield self._fact(name, said, match[0])
+
+    def of_kinds(self) -> Iterator[Fact]:
+        """Yields the properties of all symbols of a kind: in the sentence of a claim behind a condition,
+        "for unit vectors"; elsewhere what is said for the rest of the text, "unit quaternions"."""
+        for name, words in PROPERTY_WORDS.items():
+            for kind, noun in KIND_NOUNS.items():
+                before = rf"\b(?:{words})\s+{_FILL}(?:{noun})\b(?!\s*⟦)"
+                after = rf"\b(?:{noun})\s+{BE}\s+{_FILL}(?:{words})\b"
+                if self._sentence.is_own or (name, kind) in FOR_ALL:
+                    yield from self._of_kind(name, kind, f"{before}|{after}")
+
+    def _of_kind(self, name: str, kind: str, pattern: str) -> Iterator[Fact]:
+        row, text = PROPERTIES[name], self._sentence.text
+        said = [own for own in self._symbols if own.type.kind == kind and row.fits(own) and not own.index]
+        if not said or row.count not in (1, len(said)):
+            return
+        for match in re.finditer(pattern, text, re.I):
+            is_meant = (name, kind) in FOR_ALL or _IF.search(_CLAUSES.split(text[: match.start()])[-1])
+            if is_meant and not _is_negated(text, match):
+                yield self._fact(name, said, match[0])
+
+    def opaque(self) -> Iterator[Fact]:
+        """Yields that words are said of a symbol which are not formalised: "r is approximately …"."""
+        for clause in _CLAUSES.split(self._sentence.text):
+            if _OPAQUE.search(clause) and not _NOT.search(clause) and (said := self._named_in(clause)):
+                about = names_of([each.declaration for each in said])
+                yield Fact(None, about, self._origin(clause.strip()), Strength.HINTED)
+
+    def _named_in(self, words: str) -> list[Symbol]:
+        named = (self._sentence.named[int(number)] for number in re.findall(r"⟦(\d+)⟧", words))
+        return [self._known[key] for key in map(flat, named) if key in self._known]
+
+    def _fact(self, name: str, said: Sequence[Symbol], words: str) -> Fact:
+        about = names_of([each.declaration for each in said])
+        return Fact(having(name, said), about, self._origin(words), Strength.HINTED)
+
+    def _origin(self, words: str) -> Origin:
+        quoted = re.sub(r"⟦(\d+)⟧", lambda match: self._sentence.named[int(match[1])], words)
+        return Origin(Provider.SENTENCE, f"“{quoted}”", self._sentence.place)
+
+
+def _matches(words: str, text: str) -> Iterator[re.Match[str]]:
+    before = rf"\b(?:{words})\b\s+{_FILL}(?P<symbols>{_SYMBOLS})"
+    after = rf"(?P<symbols>{_SYMBOLS})\s*(?:,\s*)?{BE}\s+{_FILL}\b(?:{words})\b"
+    for pattern in (before, after):
+        yield from re.finditer(pattern, text, re.I)
+
+
+def _is_negated(text: str, match: re.Match[str]) -> bool:
+    clause = _CLAUSES.split(text[: match.start()])[-1]
+    return bool(_NOT.search(clause[-_REACH:]) or _NOT.search(match[0]))
+
+
+def _is_case(text: str, match: re.Match[str]) -> bool:
+    clause = re.split(r"[;:.]", text[: match.start()])[-1]
+    return bool(_CASE.search(clause))
+
+
+def flat(latex: str) -> str:
+    """Returns LaTeX without what changes no meaning of a name."""
+    return re.sub(r"\\(?:left|right|,|;|!|displaystyle)(?![A-Za-z])|[\s{}]", "", latex.strip(" ,.;"))

@@ -62,7 +62,7 @@ def test_every_claim_has_a_verdict_or_a_reason_under_the_authors_characters(pape
 
 def test_listing_shows_errors_at_their_lines_and_what_is_not_read(paper: Path) -> None:
     out = run("check", str(paper), "--no-proposals").stdout
-    assert out.startswith(f"{paper}: 2 errors, 2 not judged, 1 holds\n")
+    assert out.startswith(f"{paper}: 2 errors, 1 not judged, 1 holds, 1 definition\n")
     assert "✗ (1) eq:lag, line 8: does not follow from the step before\n" in out
     assert "     8 |    &= a^2 r^2 + (a \\cdot r)^2 \\label{eq:lag}\\\\\n       |     ^^^^" in out
     column = TEXT.split("\n")[10].index("\\foo")

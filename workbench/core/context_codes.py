@@ -11,28 +11,19 @@ from workbench.core.reasons import Code
 class ContextCode(Code):
     """One row for each reason."""
 
-    ASSIGNS = "assigns", "assigns a value: left of := stands the value after the one on its right"
-    DEFINES = "defines", "defines {symbol}"
-    POSTULATES = "postulates", "postulates a law of {symbol}"
-    CONSTRAINS = "constrains", "says what {symbol} is, which stands in no definition"
-    HOLDS_BY = "holds-by", "holds by {facts}"
-    CONTRADICTS = "contradicts", "the condition contradicts the definitions of its symbols"
-    GIVEN_IS_FALSE = "given-is-false", "{formula} is given, and false by itself"
-    FALSE_IF_KINDS = "false-if-kinds", "false if {kinds}{reason}"
-    HOLDS_IF_KINDS = "holds-if-kinds", "holds if {kinds}{reason}"
-    SCOPE_UNKNOWN = "scope-unknown", "{outcome} if no [[scope]] stands before it; say where each begins"
-    ROUNDED = "rounded", "the sides differ by no more than its decimals may be rounded by"
-    UNEQUAL_IN_PLACES = (
-        "unequal-in-places",
-        "the sides are equal in places: are they said to differ always, or in general?",
-    )
-    OF_PI = "of-pi", "false for some values of \\pi; if it is the number, that says nothing"
-    REACH = "reach", "how far does d/dt reach? bracket what it differentiates"
-    OF_QUATERNIONS = (
-        "of-quaternions",
-        "holds for quaternions without a scalar part; declare them so, if the text means them",
-    )
-    TWO_INDICES = (
-        "two-indices",
-        "{symbol}: by its number, or by two indices? a definition or `free = true` of it says so",
-    )
+    ASSIGNS = "assigns a value: left of := stands the value after the one on its right"
+    DEFINES = "defines {symbol}"
+    POSTULATES = "postulates a law of {symbol}"
+    CONSTRAINS = "says what {symbol} is, which stands in no definition"
+    HOLDS_BY = "holds by {facts}"
+    CONTRADICTS = "the condition contradicts the definitions of its symbols"
+    GIVEN_IS_FALSE = "{formula} is given, and false by itself"
+    FALSE_IF_KINDS = "false if {kinds}{reason}"
+    HOLDS_IF_KINDS = "holds if {kinds}{reason}"
+    SCOPE_UNKNOWN = "{outcome} if no [[scope]] stands before it; say where each begins"
+    ROUNDED = "the sides differ by no more than its decimals may be rounded by"
+    UNEQUAL_IN_PLACES = ("the sides are equal in places: are they said to differ always, or in general?",)
+    OF_PI = "false for some values of \\pi; if it is the number, that says nothing"
+    REACH = "how far does d/dt reach? bracket what it differentiates"
+    OF_QUATERNIONS = ("holds for quaternions without a scalar part; declare them so, if the text means them",)
+    TWO_INDICES = ("{symbol}: by its number, or by two indices? a definition or `free = true` of it says so",)

@@ -16,13 +16,10 @@ class ContextCode(Code):
     POSTULATES = "postulates a law of {symbol}"
     CONSTRAINS = "says what {symbol} is, which stands in no definition"
     HOLDS_BY = "holds by {facts}"
-    CONTRADICTS = "the condition contradicts the definitions of its symbols"
-    GIVEN_IS_FALSE = "{formula} is given, and false by itself"
     FALSE_IF_KINDS = "false if {kinds}{reason}"
     HOLDS_IF_KINDS = "holds if {kinds}{reason}"
     SCOPE_UNKNOWN = "{outcome} if no [[scope]] stands before it; say where each begins"
     ROUNDED = "the sides differ by no more than its decimals may be rounded by"
-    UNEQUAL_IN_PLACES = ("the sides are equal in places: are they said to differ always, or in general?",)
     OF_PI = "false for some values of \\pi; if it is the number, that says nothing"
     REACH = "how far does d/dt reach? bracket what it differentiates"
     OF_QUATERNIONS = ("holds for quaternions without a scalar part; declare them so, if the text means them",)

@@ -13,15 +13,11 @@ class VerdictCode(Code):
 
     ANOTHER_VALUE = "the {word} value is another one"
     ARGUED = "{how}"
-    ASSIGNMENT = "an assignment is no equation: left of := is a value after the one on its right"
-    AS_GUESSED = "{outcome} if {symbols} are as guessed; confirm them, and it is judged"
-    AS_GUESSED_BECAUSE = "{outcome} if {symbols} are as guessed ({reason}); confirm them, and it is judged"
     AT_ONE_INSTANT = (
         "false if the condition holds at one instant only; if it lasts, state its derivatives too"
     )
     AT_ONE_PLACE = "false if the condition holds at one place only; if everywhere, state its derivatives too"
     BEYOND_THE_VALUE = "there it is {what} than what is said to be the {word} value"
-    CONDITION_BESIDE = "the text says the condition beside it, {conditions}"
     CONTRADICTORY_PREMISES = "its premises contradict each other, or no example of them was found"
     CONTRADICTS_DEFINITIONS = "the condition contradicts what defines its symbols"
     DEFECT = "a defect of the workbench: {error}"
@@ -39,23 +35,8 @@ class VerdictCode(Code):
     FAILS_FOR_SOME_SUMS = (
         "fails for some sums, which it may say something of, or where two indices are the same"
     )
-    FALSE_FOR_ANY_MOTION = (
-        "false for any motion, and the text states a law of it ({places}); `given` says what it follows from"
-    )
-    FALSE_FOR_FREE = (
-        "false for a free {symbols}, and the text says something of it; a definition makes it a "
-        "claim, or `given = []`, if it needs none"
-    )
-    FALSE_WITHOUT_DECLARATION = (
-        "false without what the text says beside it, {conditions}; a declaration makes it a claim, "
-        "or `given = []`, if it needs none"
-    )
     FALSE_WITHOUT_NEIGHBOUR = (
         "false without {formulas}, which stands beside it; an `assume` of it makes it a condition"
-    )
-    FALSE_WITHOUT_PREMISE = (
-        "false without what the text says beside it, {conditions}; an `assume` of it makes it a "
-        "claim, or `given = []`, if it needs none"
     )
     FITS = "fits by its types; nothing here tells it from other forms that fit"
     FOR = "for {values}"
@@ -66,11 +47,9 @@ class VerdictCode(Code):
     GOAL_NOT_SHOWN = "the goal is not shown: {why}"
     HOLDS_FOR = "holds for {orders}"
     HOLDS_WITH_NEIGHBOUR = "holds if {formulas}, which stands beside it"
-    INTRODUCES = "says what stands left of its sign of definition, where something is free"
     LEFT_OUT = "left out: {why}"
     LIMITS = "under the equations something may be 0 at which a sine or an exponential is a limit here"
     MAY_BE_CONDITION = "may be the condition of {formula}, which stands before it and is false without it"
-    MEANT_OTHERWISE = "{meant}"
     MOTIONS_CONTRADICT = "proved, but Drake's motions contradict it: a binding or the workbench is wrong"
     NEEDED_ONCE = (
         "{outcome} if {kinds}, which only this formula needs; if {name} is a {other}, this formula is wrong"
@@ -96,13 +75,7 @@ class VerdictCode(Code):
     OPEN_WHERE_POSITIVE = "not decided where {name} is positive"
     OUTSIDE_OF_ARC = "outside of the arc's domain it is undefined"
     OUT_OF_BUDGET = "{limit}"
-    SAID_BEFORE = "a line before it says what {symbol} is; a definition of {symbol} makes it a claim"
-    SAID_ELSEWHERE = "the text says so elsewhere ({places})"
-    SAID_ELSEWHERE_BECAUSE = "the text says so elsewhere ({places}); {reason}"
     SAME_TERM = "both sides are the same term, so nothing is tested"
-    SAYS_WHAT_IT_IS = (
-        "says what {symbol} is, which nothing defines; a definition of {symbol} makes it a claim"
-    )
     SECOND_ENGINE_LEFT_OUT = "second engine left out"
     SECOND_ENGINE_OPEN = "the second engine does not see that the equations imply it"
     SEEN_OF_SOME = "{seen}; {why}"
@@ -112,7 +85,6 @@ class VerdictCode(Code):
     STATES_A_LAW = "states a law for {name}, which nothing here defines; to use it, assume or define {name}"
     STEP_NOT_SHOWN = "the goal is not shown: {rule}: {formula} is {outcome}"
     STEP_NOT_SHOWN_BECAUSE = "the goal is not shown: {rule}: {formula} is {outcome}: {reason}"
-    SYMBOLS_SAID_ELSEWHERE = "the text says elsewhere of {symbols} what it is"
     TIED_ON_MOTIONS = "it holds on Drake's motions, where the bound symbols are tied as they are not here"
     TWO_OF_THEM = "both {one} and {other} do"
     TWO_READINGS = "{question}"
@@ -129,9 +101,6 @@ UNLESS_IT_LASTS = frozenset({VerdictCode.AT_ONE_INSTANT, VerdictCode.AT_ONE_PLAC
 WAITS_FOR_ITS_AUTHOR = frozenset(
     {
         VerdictCode.STATES_A_LAW,
-        VerdictCode.SAID_BEFORE,
-        VerdictCode.SAYS_WHAT_IT_IS,
-        VerdictCode.FALSE_FOR_FREE,
     }
 )
 

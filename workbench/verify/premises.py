@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from workbench.core.context_codes import ContextCode
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Implication, Statement
@@ -31,8 +31,8 @@ def under_premises(
             judged = explained(alone, judged)
         if judged.outcome is Outcome.REFUTED:
             hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
-            given = ContextCode.GIVEN_IS_FALSE(formula=formula.latex)
-            why = ContextCode.CONTRADICTS() if contradicts else given
+            given = VerdictCode.GIVEN_IS_FALSE(formula=formula.latex)
+            why = VerdictCode.CONTRADICTS_DEFINITIONS() if contradicts else given
             return conditional(proved, hypotheses, why, judged)
     return proved
 

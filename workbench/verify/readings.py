@@ -10,6 +10,7 @@ from fractions import Fraction
 from workbench.context.free_symbols import terms_of
 from workbench.core.context_codes import ContextCode
 from workbench.core.reasons import Reason
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.closed import is_of_numbers
 from workbench.judge.kernel.families import mapped
 from workbench.judge.subject.angles import sum_of_products
@@ -34,7 +35,7 @@ def other_reading(claim: Claim, refuted: Verdict, decider: Decider) -> Reason | 
         return ContextCode.ROUNDED()
     statement = claim.printed.statement
     if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
-        return ContextCode.UNEQUAL_IN_PLACES()
+        return VerdictCode.EQUAL_IN_PLACES()
     if (name := _of_two_indices(claim)) is not None:
         return ContextCode.TWO_INDICES(symbol=name)
     if not is_of_numbers(refuted) and _is_of_pi(claim):

@@ -98,7 +98,7 @@ def test_faults_stand_under_the_authors_characters_in_the_clients_units(found: d
 
 def test_what_needs_a_definition_is_a_hint(found: dict) -> None:
     (hint,) = [each for each in found["opened"] if each.severity == types.DiagnosticSeverity.Hint]
-    assert "nothing defines" in hint.message and hint.range.start.line == 2
+    assert "defines c" in hint.message and hint.range.start.line == 2
 
 
 def test_hover_shows_verdict_reading_and_evidence(found: dict) -> None:
@@ -117,7 +117,7 @@ def test_the_proved_correction_is_a_quick_fix(found: dict) -> None:
 
 
 def test_a_save_judges_again_and_a_broken_model_is_one_fault(found: dict) -> None:
-    assert {each.code for each in found["mended"]} == {"unexpected", "unchecked"}
+    assert {each.code for each in found["mended"]} == {"unexpected", "definition"}
     assert [each.code for each in found["broken"]] == ["model"] and not found["text"]
 
 

@@ -66,7 +66,7 @@ def test_listing_shows_errors_at_their_lines_and_what_is_not_read(paper: Path) -
     assert "✗ (1) eq:lag, line 8: does not follow from the step before\n" in out
     assert "     8 |    &= a^2 r^2 + (a \\cdot r)^2 \\label{eq:lag}\\\\\n       |     ^^^^" in out
     column = TEXT.split("\n")[10].index("\\foo")
-    assert "\n  cannot be read: unknown command \\foo\n" in out
+    assert "\n  cannot be read: unknown command \\foo [WB-UNKNOWN-COMMAND]\n" in out
     assert f"\n    11 | {TEXT.split(chr(10))[10]}\n       | {' ' * column}^^^^" in out
 
 

@@ -81,9 +81,9 @@ def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
                 yield Finding("note", "unexpected", message, place_of(result), claim.id, claim.printed.latex)
             continue
         code = str(outcome)
-        if result.passed:
+        if result.passed and outcome is not Outcome.DEFINITION:
             code = "known" if claim.skip is None else "unchecked"
-        elif outcome == result.expected or outcome in HOLDS:
+        elif not result.passed and (outcome == result.expected or outcome in HOLDS):
             code = "unexpected"
         level = _LEVEL_OF[result.shown]
         message = _message(result, bool(claim.chain), is_first)

@@ -97,3 +97,11 @@ def test_a_rotation_is_defined_by_its_parameters_in_its_section(tmp_path: Path) 
         Outcome.REFUTED,
         Outcome.PROVED,
     ]
+
+
+def test_a_letter_that_is_said_to_be_the_identity_is_it(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text("For the rotation matrix $R$ and where $E$ is the identity matrix:\n\n$$ R R^T = E $$\n")
+    draft = draft_of(path)
+    (result,) = judge_paper(draft.paper, motions=False)
+    assert result.verdict.outcome is Outcome.PROVED

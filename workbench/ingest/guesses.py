@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
 
 from workbench.ingest.inference.infer import Inference, Inferred, kind_name
 from workbench.ingest.inference.priors import face, is_open
@@ -50,9 +49,3 @@ def _why(name: str, found: Inferred) -> str:
         more = ", …" if len(found.because) > 3 else ""
         return f"fits the formulas of line {lines}{more}"
     return by_typeface(name).why or face(name)
-
-
-def lines_of(inference: Inference, name: str) -> Iterator[int]:
-    """Yields the lines of the formulas that need the kind of a symbol."""
-    found: Mapping[str, Inferred] = inference.kinds
-    yield from found[name].because if name in found else ()

@@ -26,7 +26,7 @@ from workbench.ingest.guesses import guesses_of
 from workbench.ingest.inference.infer import Inference, Source, infer
 from workbench.ingest.marked_text import MarkedText
 from workbench.ingest.proposal import Proposal, ground_of, words_of
-from workbench.ingest.proposals import proposals_for
+from workbench.ingest.proposals import proposals_for, unit_tensor
 from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of
 from workbench.ingest.reading import EXPONENTIAL, Outcome, Reader
@@ -113,6 +113,8 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         reading = reading.tried(text, proposal)
     if spins:
         reading = reading.tried(text, with_spins(None, spins))
+    for name in facts.units:
+        reading = reading.tried(text, replace(unit_tensor(name), stands=True))
     made = reading.made()
     reader = reading.reader
     lines = _first_lines(made)
@@ -273,9 +275,7 @@ class _Reading:
             return self
         before = self.progress(concerned)
         lost = any(one[0] > other[0] for one, other in zip(before, now, strict=True))
-        is_read = sum(each[0] for each in now) > sum(each[0] for each in before)
-        gains = is_read if proposal.reads else before != now
-        return self if lost or not (proposal.stands or gains) else new
+        return self if lost or not (proposal.stands or before != now) else new
 
     def progress(self, places: Sequence[int]) -> list[tuple[bool, Reason | None]]:
         readable = [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]

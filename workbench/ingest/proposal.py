@@ -15,7 +15,7 @@ from workbench.papers.toml.toml_file import TomlFile
 @dataclass(frozen=True)
 class Proposal:
     """Entries of one table of a model, as TOML, and what they rest on. `stands`: kept unless it loses a
-    formula; others, where formulas come further by it, or, if it `reads`, are read by it."""
+    formula; others, where formulas come further by it."""
 
     table: str
     entries: Mapping[str, str]
@@ -23,7 +23,6 @@ class Proposal:
     question: str
     trigger: re.Pattern[str]
     stands: bool = False
-    reads: bool = False
 
 
 def tables_of(proposals: Sequence[Proposal]) -> dict[str, dict[str, tuple[str, str]]]:

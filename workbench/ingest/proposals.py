@@ -65,9 +65,7 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
         units.append("I")
     for unit in dict.fromkeys(units):
         trigger = re.escape(unit) if len(unit) > 1 else r"(?<![A-Za-z\\{])I(?![A-Za-z])"
-        question = f"Is {unit} the unit tensor?"
-        entry = _notation(trigger, unit, {}, r"\mathbf{I}", "a letter of unit tensors", question)
-        yield replace(entry, stands=True)
+        yield replace(unit_tensor(unit), trigger=re.compile(trigger), stands=True)
     yield _prime(("scalar", "vector", "tensor", *(["quaternion"] if speaks_of_quaternions(prose) else [])))
     for inside in dict.fromkeys(match[1] for match in _BRACKET.finditer(together)):
         question = f"Does ({inside}) only say what a symbol depends on?"
@@ -97,6 +95,12 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
     )
     if "\\hat" in inference.skew_marks:
         yield hat
+
+
+def unit_tensor(name: str) -> Proposal:
+    """Returns the proposal that a letter is the unit tensor."""
+    question = f"Is {name} the unit tensor?"
+    return _notation(re.escape(name), name, {}, r"\mathbf{I}", "a letter of unit tensors", question)
 
 
 _QUATERNIONS = "Are quaternions Hamilton's (i j = k), scalar part first?"

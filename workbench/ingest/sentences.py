@@ -162,7 +162,7 @@ _RULES: tuple[Rule, ...] = (
     ),
     _rule(rf"\bunit quaternion {_mark('name')}", _quaternion),
     _rule(
-        rf"{_mark('names')}{_IS}(?:\S+ )?(?:identity(?: (?:matrix|tensor))?|unit (?:matrix|tensor))\b",
+        rf"(?P<names>⟦\d+⟧){_IS}(?:\S+ )?(?:identity(?: (?:matrix|tensor))?|unit (?:matrix|tensor))\b",
         _listed("units"),
     ),
 )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -43,7 +42,6 @@ ADJOINT = re.compile(
     rf"(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Aa]d\s*\}}|(?<![\\A-Za-z])Ad(?![A-Za-z])){_BELOW}"
 )
 USUAL, CAPITAL, COMPONENT = "what mechanics calls so", "a capital letter", "a component"
-KINDS = ("scalar", "vector", "tensor")
 
 
 @dataclass(frozen=True)
@@ -74,29 +72,6 @@ def bare_name(name: str) -> str:
     while (shorter := _OPERATION.sub("", name)) != name:
         name = shorter
     return name
-
-
-def families(names: Sequence[str]) -> list[list[str]]:
-    """Groups of names that are written alike: marks and scripts without letters; then one letter with any
-    scripts; then each alone."""
-    found: dict[str, list[str]] = {}
-    for name in names:
-        letter = _SCRIPTS.sub(r"\1·", name)
-        face = re.sub(r"\{\\?([a-z])[A-Za-z]*\}", "{x}", re.sub(r"\{\\?([A-Z])[A-Za-z]*\}", "{X}", letter))
-        keys = [letter, *([face] if face != letter else [])]
-        for key in reversed(keys):
-            found.setdefault(key, []).append(name)
-    groups = sorted((group for group in found.values() if len(group) > 1), key=len, reverse=True)
-    return [*groups, *([name] for name in names)]
-
-
-def kinds_by_face(name: str) -> tuple[str, ...]:
-    """The kinds in the order in which a letter of this typeface is likely to have them."""
-    guess = by_typeface(name)
-    first = "scalar" if guess.why == USUAL else guess.kind.replace("rotation", "tensor")
-    order = {"vector": ("vector", "tensor", "scalar"), "tensor": ("tensor", "vector", "scalar")}
-    is_plain = re.fullmatch(r"[a-z](?:_.*)?", name) is not None
-    return (*order.get(first, KINDS), *(["hamilton quaternion"] if is_plain else []))
 
 
 def by_typeface(name: str) -> Guess:
@@ -135,9 +110,3 @@ def flat(latex: str) -> str:
     """As it can be compared: without blanks and braces, Greek letters as commands."""
     bare = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
     return bare.replace("\\bm", "\\boldsymbol")
-
-
-@cache
-def letters_in(latex: str) -> frozenset[str]:
-    """A command of a letter or more, or a letter."""
-    return frozenset(re.findall(r"\\[A-Za-z]+|[^\W\d_]", "".join(_GREEK.get(x, x) for x in latex)))

@@ -121,12 +121,6 @@ class Search:
             if not changed or self._is_late():
                 return
 
-    def settle(self, names: Iterable[str]) -> None:
-        """Changes the kinds of some symbols one by one as long as all costs less."""
-        names = list(names)
-        while self._singles(names) and not self._is_late():
-            pass
-
     def _is_late(self) -> bool:
         return self.costs.count > _MOST_READINGS
 
@@ -247,7 +241,3 @@ class Search:
     def operations(self) -> Iterator[Operation]:
         """Yields all operations of the formulas."""
         return (each for formula in self.formulas for tree in formula.trees for each in tree.walk())
-
-    def misfits(self, place: int) -> list[Operation]:
-        """Returns the innermost operations of a formula that do not fit."""
-        return [each for tree in self.formulas[place].trees for each in self.costs.misfits(tree, self.kinds)]

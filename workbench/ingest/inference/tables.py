@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
-from workbench.ingest.inference.operations import NAMED, Operation
+from workbench.ingest.inference.operations import Operation
 from workbench.ingest.inference.signatures import (
     MISFIT,
     QUATERNION,
@@ -227,8 +227,3 @@ def _member(tree: Operation, table: Table) -> Table:
     sizes = sizes_of_set(tree.text)
     wrong = {kind for kind in table if sizes and kind is not None and kind not in sizes}
     return {kind: cost + (MISFIT if kind in wrong else 0) for kind, cost in table.items()}
-
-
-def symbols_below(tree: Operation) -> Iterator[str]:
-    """Yields the name of each symbol of a tree, as often as it occurs."""
-    return (each.text for each in tree.walk() if each.op in NAMED)

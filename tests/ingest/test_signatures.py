@@ -120,7 +120,7 @@ def test_what_the_typed_layer_takes_is_no_misfit(op: str) -> None:
             assert dict(values(op, parts)).get(made, MISFIT) < MISFIT // 2, (op, parts, made)
 
 
-@pytest.mark.parametrize(("one", "other"), product(KINDS, repeat=2))
+@pytest.mark.parametrize(("one", "other"), [*product(KINDS, repeat=2)])
 def test_sides_of_an_equation_have_one_kind(one: Kind, other: Kind) -> None:
     cost = min(cost for _, cost in values("equal", (one, other)))
     try:

@@ -211,3 +211,16 @@ def test_each_verdict_is_told_in_words_for_outsiders(outcome):
     seen = re.sub(r"<details>.*?</details>|<[^>]*>", " ", page.split("<body>")[1], flags=re.DOTALL)
     for word in ("refuted", "ill-formed", "mend", "bears on", "seed"):
         assert not re.search(rf"\b{word}", seen), word
+
+
+@pytest.mark.parametrize(
+    ("unless", "state"),
+    [((), "error"), (("a rests",), "warning"), (("a rests", "b is a vector"), "unjudged")],
+)
+@pytest.mark.parametrize("verdict", ["refuted", "ill-formed"])
+def test_falsehood_is_graded_by_the_doubts_about_it(verdict, unless, state):
+    false = claim("1", "1", "1", verdict, printed="a = b", unless=unless)
+    false = replace(false, claim=replace(false.claim, fault=None))
+    document = document_of(*report_of([false]))
+    assert document.in_state(state) == 1 == document.counted
+    assert len(document.rows) == (state == "error")

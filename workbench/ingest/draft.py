@@ -18,6 +18,7 @@ from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Symbol
 from workbench.papers.model import Claim, Paper
 from workbench.papers.text_claims.text_paper import TextPaper, text_paper
+from workbench.papers.texts.titles import own_title
 from workbench.verify.results import ClaimResult
 
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
@@ -56,7 +57,9 @@ def draft_from(ingested: Ingested) -> Draft:
     """Returns a text under the model that was found for it. Raises PaperError."""
     path = ingested.text.path
     _, model = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
-    return Draft(ingested, text_paper(ingested.text, model, path.name, None, (path,)))
+    return Draft(
+        ingested, text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))
+    )
 
 
 def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:

@@ -11,7 +11,7 @@ from workbench.report.states import fault_of
 from workbench.verify.results import ClaimResult
 
 #: Whose faults are the author's: what a transcription lost is right in the print.
-FAULTS = ("error", "misprint", "wording")
+FAULTS = ("error", "warning", "misprint", "wording")
 
 _IGNORED = re.compile(r"\s|&|\\(?:left|right|quad|qquad|displaystyle)(?![A-Za-z])")
 

@@ -112,3 +112,13 @@ def test_command_line_starts_without_heavy_imports(words: list[str]) -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.stderr.strip() == "[]"
+
+
+def test_first_check_imports_the_engines_only() -> None:
+    heavy = ("numba", "llvmlite", "scipy", "jinja2", "rich", "matplotlib")
+    code = (
+        "import sys\nfrom workbench import check\ncheck('a = b', symbols={'a': 'vector', 'b': 'vector'})\n"
+        f"print([m for m in {heavy!r} if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.stdout.strip() == "[]"

@@ -49,6 +49,7 @@ def test_first_line_says_what_is_returned(name: str) -> None:
     assert first.startswith(("Returns ", "Writes "))
 
 
+@pytest.mark.slow
 def test_docstring_examples_are_right() -> None:
     for module, least in ((api, 8), (workbench, 2)):
         done = doctest.testmod(module)

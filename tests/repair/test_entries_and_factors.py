@@ -100,3 +100,8 @@ def test_proposals_of_a_step_agree_with_its_neighbours(tmp_path: Path) -> None:
     )
     alone = repair(claims[1], LIMITS)
     assert len(alone.proposals) > len(found[1].proposals) == 1
+
+
+def test_no_proposal_holds_an_addend_that_another_takes_away() -> None:
+    found = check("M^T = -M", {"M": {"kind": "tensor", "symmetric": True}}).repair(LIMITS)
+    assert found.proposals and all("2" not in proposal.latex for proposal in found.proposals), str(found)

@@ -14,6 +14,7 @@ sys.path[:0] = [str(TESTS / "errata")]
 
 from errata_cases import is_same_formula  # noqa: E402
 
+from workbench.core.verdict_codes import VerdictCode  # noqa: E402
 from workbench.judge.subject.inventory import NotExact  # noqa: E402
 from workbench.judge.verdict import Outcome  # noqa: E402
 from workbench.language.elaboration.superscripts import is_transpose  # noqa: E402
@@ -257,6 +258,8 @@ def injected(source: str, claim: Claim, kind: str, latex: str, seconds: float) -
     holds = outcome in (Outcome.PROVED, Outcome.DEFINITION, Outcome.CONDITIONAL)
     if outcome in (Outcome.REFUTED, Outcome.ILL_FORMED):
         said = FOUND
+    elif result.verdict.code is VerdictCode.SAME_TERM:
+        said = STILL_TRUE
     elif made.printed.statement is None or not holds:
         said = SILENT
     else:

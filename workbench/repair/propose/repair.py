@@ -28,7 +28,7 @@ from workbench.repair.propose.proposed import Proposed
 from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
-from workbench.repair.screening.vacuous import is_idle, is_vacuous
+from workbench.repair.screening.vacuous import is_idle, is_vacuous, like_terms
 from workbench.repair.terms.changes import Candidate, Change
 from workbench.repair.terms.divisors import divisors
 from workbench.repair.terms.edits import Edit, edits
@@ -169,6 +169,7 @@ class _Bench:
         self.apart: list[Candidate] = []  # those with which a neighbour does not hold
         printed = claim.printed.statement
         self.printed_size = None if printed is None else _size(printed)
+        self.like_terms = None if printed is None else like_terms(printed)
         self.table = claim.notation.symbols
         self.aside = judging(claim, judge)
 
@@ -325,6 +326,8 @@ class _Bench:
             self._tick()
             if candidate.statement in self.seen or is_vacuous(candidate.statement):
                 continue
+            if self.like_terms is not None and like_terms(candidate.statement) > self.like_terms:
+                continue  # an addend that another one takes away in part
             self.seen.add(candidate.statement)
             if self.beside.repeat(candidate.statement):
                 continue

@@ -19,6 +19,7 @@ from workbench.language.typed.terms import (
     Zero,
 )
 from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.arithmetic import number_and_rest
 from workbench.repair.terms.places import places, sides
 
 
@@ -27,6 +28,16 @@ def is_vacuous(statement: Statement) -> bool:
     or a chain comes back to one of its sides."""
     sums = (term for _, term in places(statement) if isinstance(term, Apply) and term.head == "add")
     return any(map(_cancels, sums)) or _is_trivial(statement)
+
+
+def like_terms(statement: Statement) -> int:
+    """How many addends of sums differ from another one of the sum in their number alone, as in M − 2 M."""
+    sums = (term for _, term in places(statement) if isinstance(term, Apply) and term.head == "add")
+    count = 0
+    for term in sums:
+        rests = Counter(number_and_rest(addend)[1] for addend in term.arguments)
+        count += sum(times - 1 for times in rests.values())
+    return count
 
 
 def is_idle(statement: Statement, screen: Screen) -> bool:

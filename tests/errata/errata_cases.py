@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from workbench.ingest import ingest, model_text
+from workbench.ingest.draft import draft_of, on_drafted_kinds
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import NotExact
@@ -110,13 +110,13 @@ def _judged(case: Case, name: str, drafted: bool) -> list[ClaimResult]:
         return judge_claims(load_paper(case.folder / f"{name}.toml").claims)
     (text,) = (path for path in case.folder.glob(f"{name}.*") if path.suffix != ".toml")
     with tempfile.TemporaryDirectory() as folder:
-        copy, model = Path(folder, text.name), Path(folder, "model.toml")
+        copy = Path(folder, text.name)
         copy.write_text(text.read_text(encoding="utf-8"), encoding="utf-8")
         try:
-            model.write_text(model_text(ingest(copy), model), encoding="utf-8")
-            return judge_claims(load_paper(model).claims)
+            draft = draft_of(copy)
         except PaperError:
             return []
+        return on_drafted_kinds(draft, judge_claims(draft.paper.claims))
 
 
 def _covers(claim: Claim, line: int) -> bool:

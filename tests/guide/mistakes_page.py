@@ -50,7 +50,8 @@ def _summary(rows: Sequence[Mapping[str, Any]]) -> str:
     lines = [
         f"- Cases: {len(rows)}, of which {len(decidable)} are decidable.",
         f"- Found: {len(found)} of {len(decidable)}; at their place: {sum(row['place'] for row in found)}.",
-        f"- Corrected as by the author: {sum(row['correction'] == 'same' for row in found)};"
+        f"- Corrected as by the author: {sum(row['correction'] in ('first', 'among') for row in found)},"
+        f" by the first proposal: {sum(row['correction'] == 'first' for row in found)};"
         f" otherwise: {sum(row['correction'] == 'other' for row in found)}.",
         f"- False alarms in the corrected texts: {sum(row['alarms'] for row in rows)}.",
     ]

@@ -11,6 +11,7 @@ import gc
 import os
 import resource
 import signal
+import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby
@@ -207,7 +208,11 @@ class _Worker:
         context = get_context("fork")
         self._pipe, theirs = context.Pipe()
         self._process = context.Process(target=self._serve, args=(theirs,))
-        self._process.start()
+        stdin, sys.stdin = sys.stdin, None  # type: ignore[assignment]  # it would close what a thread reads
+        try:
+            self._process.start()
+        finally:
+            sys.stdin = stdin
         theirs.close()
 
     def _serve(self, pipe: Connection) -> None:

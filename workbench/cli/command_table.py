@@ -65,6 +65,13 @@ COMMANDS = (
         ("workbench lsp",),
     ),
     Entry(
+        "Check",
+        "mcp",
+        "workbench.cli.mcp:mcp",
+        "Serve an assistant by the Model Context Protocol (extra mcp).",
+        ("workbench mcp",),
+    ),
+    Entry(
         "Read",
         "report",
         "workbench.cli.commands:report",

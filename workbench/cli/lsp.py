@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import os
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from importlib.metadata import version
@@ -41,10 +39,7 @@ def lsp(motions: bool) -> None:
         raise Unusable(
             "the editor server needs the extra lsp: pip install 'kinematics-workbench[lsp]'"
         ) from None
-    stdin = sys.stdin.buffer
-    with open(os.devnull) as nothing:
-        sys.stdin = nothing  # a forked process closes it, and a thread here holds the other
-        server.start_io(stdin, sys.stdout.buffer)
+    server.start_io()
 
 
 #: Seconds without a keystroke after which a text is judged.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
@@ -41,20 +41,15 @@ def try_formula(
 
     `$…$`, an equation environment and signs such as × are understood. Exit status: 0 if it holds, 1 if not,
     2 if it cannot be read or was not decided."""
-    from workbench import Checked, check
     from workbench.papers.respell.typed_by_hand import as_typed
     from workbench.verify.results import HOLDS
 
-    latex, remarks = as_typed(formula)
-    for remark in remarks:
+    for remark in as_typed(formula)[1]:
         click.echo(remark, err=True)
-    symbols = dict(_symbol(each) for each in given)
-    inferred = {} if paper else {k: v for k, v in _inferred(latex).items() if k not in symbols}
     try:
-        found = check(latex, {**inferred, **symbols}, paper, assume)
+        lines, inferred = judged_formula(formula, dict(_symbol(each) for each in given), assume, paper)
     except ValueError as error:
         raise Unusable(str(error)) from None
-    lines = [found] if isinstance(found, Checked) else list(found)
     if as_json:
         from workbench.report.to_json import claim_json
 
@@ -66,6 +61,20 @@ def try_formula(
     if outcomes <= HOLDS:
         sys.exit(0)
     sys.exit(1 if outcomes & {Outcome.REFUTED, Outcome.ILL_FORMED} else 2)
+
+
+def judged_formula(
+    formula: str, symbols: Mapping[str, str], assume: Sequence[str], paper: str | None = None
+) -> tuple[list[Checked], dict[str, dict[str, object]]]:
+    """The verdicts on the lines of a formula as somebody typed it, and the kinds that were inferred. Raises
+    ValueError for what cannot be read."""
+    from workbench import Checked, check
+    from workbench.papers.respell.typed_by_hand import as_typed
+
+    latex = as_typed(formula)[0]
+    inferred = {} if paper else {k: v for k, v in _inferred(latex).items() if k not in symbols}
+    found = check(latex, {**inferred, **symbols}, paper, assume)
+    return ([found] if isinstance(found, Checked) else list(found)), inferred
 
 
 def _symbol(text: str) -> tuple[str, str]:

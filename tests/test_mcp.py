@@ -1,0 +1,58 @@
+"""`workbench mcp` as an assistant meets it: the SDK's client over standard input and output."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import sys
+from typing import Any
+
+import pytest
+
+mcp = pytest.importorskip("mcp")
+stdio = pytest.importorskip("mcp.client.stdio")
+
+TEXT = r"""\begin{document}
+Let $\mathbf{a}$ and $\mathbf{b}$ be vectors.
+\begin{equation} \mathbf{a} \times \mathbf{b} = \mathbf{b} \times \mathbf{a} \end{equation}
+\end{document}
+"""
+MODEL = """[symbols]
+'\\mathbf{a}' = { kind = "vector" }
+'\\mathbf{b}' = { kind = "vector" }
+"""
+
+
+async def session(*calls: tuple[str, dict[str, Any]]) -> tuple[set[str], list[dict[str, Any]]]:
+    code = "from workbench.cli.commands import main; main(['mcp'])"
+    server = stdio.StdioServerParameters(command=sys.executable, args=["-c", code])
+    async with stdio.stdio_client(server) as (read, write), mcp.ClientSession(read, write) as client:
+        await client.initialize()
+        names = {tool.name for tool in (await client.list_tools()).tools}
+        answers = []
+        for name, arguments in calls:
+            found = await client.call_tool(name, arguments)
+            answers.append(json.loads(found.content[0].text))
+        return names, answers
+
+
+def test_assistant_drafts_checks_and_corrects() -> None:
+    names, (drafted, checked, formula, page, proposed, bad) = asyncio.run(
+        session(
+            ("draft_model", {"text": TEXT}),
+            ("check_text", {"text": TEXT, "model": MODEL}),
+            ("check_formula", {"latex": r"$a × b = b × a$", "symbols": {"a": "vector", "b": "vector"}}),
+            ("explain", {"topic": "WB-SAME-TERM"}),
+            ("propose_correction", {"latex": r"a \times b = b \times a", "symbols": {"a": "vector", "b": "vector"}}),
+            ("check_formula", {"latex": r"a = \foo{b}"}),
+        )
+    )  # fmt: skip
+    assert names == {"check_text", "check_formula", "draft_model", "explain", "propose_correction"}
+    assert "vector" in drafted["model"]
+    (claim,) = checked["formulas"]
+    assert (claim["verdict"], claim["grade"], claim["basis"]) == ("refuted", "warning", "guessed")
+    assert claim["counterexample"] and claim["edits"][0]["new"] == "-"
+    assert formula["formulas"][0]["grade"] == "error"
+    assert "same term" in page["page"]
+    assert proposed["proposed"][0][0]["latex"] == r"a \times b = -b \times a"
+    assert "\\foo" in bad["errors"][0]

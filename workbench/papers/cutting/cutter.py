@@ -31,8 +31,9 @@ from workbench.papers.cutting.display_vocabulary import (
     Marks,
 )
 from workbench.papers.cutting.notes import with_notes
-from workbench.papers.cutting.row_reader import Row, RowReader, State
+from workbench.papers.cutting.row_reader import RowReader
 from workbench.papers.cutting.row_rules import Layout
+from workbench.papers.cutting.row_statements import Row, State
 from workbench.papers.texts import Display, joined
 
 #: Brackets around the rows of a system.

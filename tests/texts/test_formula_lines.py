@@ -166,3 +166,13 @@ def test_a_formula_of_as_many_characters_as_are_read_has_lines_and_no_longer_one
     assert len(split_lines(f"{latex} ")) == 1
     with pytest.raises(ReadError, match="column 1: a formula of 20001 characters"):
         read(f"{latex} ", TABLE)
+
+
+@pytest.mark.parametrize("side", [r"a \neq 0", r"c \geq 1", r"a &< b", r"x \in \mathbb{R}"])
+@pytest.mark.parametrize("behind", [r"d \neq 0", r"\text{if } d = 1", r"d > 0"])
+@pytest.mark.parametrize("rows", [r"a &= b \\ {}", r"{} \\ a &= b", r"a &= b \\ {} \\ c &= d"])
+def test_row_and_end_that_are_conditions_are_asked_about(side: str, behind: str, rows: str) -> None:
+    system = rf"\begin{{aligned}} {rows.format(side)} \end{{aligned}}"
+    with pytest.raises(ReadError, match="of which row"):
+        split_lines(f"{system}, {behind}")
+    split_lines(system)

@@ -10,10 +10,10 @@ from typing import NoReturn
 
 from workbench.language.grammar.tokens import MOST_CHARACTERS
 from workbench.language.typed.errors import ReadError, place
-from workbench.papers.cutting.cut import Cut, Leftover, Role
+from workbench.papers.cutting.cut import Cut, Leftover, Role, Statement
 from workbench.papers.cutting.cutter import cut_display, system_in
-from workbench.papers.cutting.display_tree import Cell, Node, parse, rows_of, trim, trimmed
-from workbench.papers.cutting.display_vocabulary import ARROWS, Kind
+from workbench.papers.cutting.display_tree import Cell, Node, parse, relation_places, rows_of, trim, trimmed
+from workbench.papers.cutting.display_vocabulary import ARROWS, SIDE_RELATIONS, Kind
 from workbench.papers.cutting.side_words import WordRole, role_of, words_of
 from workbench.papers.respell.in_models import with_environments
 from workbench.papers.texts import Display, Row, Source, Token
@@ -27,6 +27,9 @@ _CONDITION_OR_EQUATION = (
     "an equation in a further cell: another equation, or the condition of the one before it"
 )
 _GOES_ON = "the formula goes on behind its condition; write the condition last"
+_CONDITION_AND_MORE = (
+    "a row and what stands behind all rows are conditions: of which row? write each behind its row"
+)
 _COLUMNS_WITH_CONDITIONS = "columns of equations with conditions: write one equation a row"
 
 
@@ -213,6 +216,10 @@ class _Lines:
             for each in self._cut.statements
             if any(self._row_of[id(t)] in rows for t in self._stated[id(each)])
         ]
+        if self._behind is not None and any(
+            token.text.strip() for node in self._behind for token in node.tokens
+        ):
+            self._refuse_rows_that_are_conditions(held)
         spans = [(tokens[0].start, tokens[-1].end) for each in held if (tokens := self._stated[id(each)])]
         if any(end > start for (_, end), (start, _) in pairwise(spans)):
             if any(self._beside[id(each)] for each in held):
@@ -224,6 +231,13 @@ class _Lines:
         nodes = [node for at in rows for node in self._rows[at] if node.kind is not Kind.BREAK]
         tokens = [token for node in nodes for token in node.tokens]
         return [self._line([slice(tokens[0].start, tokens[-1].end)])]
+
+    def _refuse_rows_that_are_conditions(self, held: Sequence[Statement]) -> None:
+        """Raises ReadError where a row of several is μ ≠ 0 or the like, and a condition stands behind all."""
+        for each in held:
+            names = {each.nodes[at].name for at in relation_places(each.nodes)}
+            if names and names <= SIDE_RELATIONS and len(self._rows) > 1:
+                self._refuse(_CONDITION_AND_MORE, self._stated[id(each)][0])
 
     def _line(self, slices: Sequence[slice]) -> Line:
         text = "".join(self._shown)

@@ -276,6 +276,13 @@ def test_a_search_that_is_interrupted_is_not_kept(tmp_path, monkeypatch):
     (tmp_path / "paper.toml").write_text(PAPER)
     results, memory = judge_paper(load_paper(tmp_path / "paper.toml")), Memory(tmp_path / "v.sqlite")
     for interrupted, known in ((True, None), (False, ())):
-        monkeypatch.setattr(run, "repair", lambda claim, _, i=interrupted: Repair(claim, interrupted=i))
+        monkeypatch.setattr(
+            run, "repair", lambda claim, _, beside=(), i=interrupted: Repair(claim, interrupted=i)
+        )
         proposals.with_proposals(results, memory=memory)
-        assert memory.proposals(Keys({}, {"proposals": STANDARD}).of_proposals(results[2].claim)) == known
+        assert (
+            memory.proposals(
+                Keys({}, {"proposals": STANDARD}).of_proposals(results[2].claim, proposals.ALONE.key)
+            )
+            == known
+        )

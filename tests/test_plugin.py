@@ -66,7 +66,7 @@ def test_each_claim_is_an_item_of_its_own(output):
 def test_a_failure_says_what_was_expected_and_the_evidence_without_a_traceback(output):
     failure = output[output.index("paper.toml:12: claim false") :]
     assert "as printed: expected proved, got refuted" in failure
-    assert failure.index("counterexample") < failure.index("left  = (")
+    assert failure.index("counterexample") < failure.index("the left side is (")
     assert "Traceback" not in output and "pytest_plugin.py" not in output
 
 

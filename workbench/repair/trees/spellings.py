@@ -12,7 +12,8 @@ from workbench.language.elaboration.statements import clauses_of
 from workbench.language.grammar.parser import parse, parses
 from workbench.language.grammar.syntax import Lines, Node
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.errors import Fault
+from workbench.language.typed.errors import Fault, ReadError
+from workbench.papers.cutting.formula_lines import split_lines
 from workbench.repair.terms.changes import Change
 from workbench.repair.trees.garbled import (
     Step,
@@ -57,7 +58,18 @@ def spellings(latex: str, table: SymbolTable, integers: frozenset[str]) -> Itera
         arguments,
         repeated_sides,
     )
-    yield from islice(_spelled(latex, steps, table, integers), MOST)
+    yield from islice(_spelled(_with_rows_joined(latex), steps, table, integers), MOST)
+
+
+def _with_rows_joined(latex: str) -> str:
+    """The formula without an environment of rows: rows that go on are one line."""
+    if "\\begin{" not in latex and "\\\\" not in latex:
+        return latex
+    try:
+        lines = split_lines(latex)
+    except (ReadError, Fault):
+        return latex
+    return latex if len(lines) != 1 else lines[0].latex
 
 
 def _spelled(

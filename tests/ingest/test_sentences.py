@@ -65,6 +65,11 @@ def test_a_sentence_without_facts_says_none(tmp_path: Path) -> None:
     assert found == Facts()
 
 
+def test_brackets_of_a_text_are_no_marks_of_formulas(tmp_path: Path) -> None:
+    found = facts(tmp_path, "With ⟦7⟧ as in [7], ⟦0⟧ and the lengths $l_1$ and ⟦1⟧.")
+    assert {*found.constants} == {"l_{1}"}
+
+
 def test_the_sample_paper_is_judged_without_a_model() -> None:
     draft = draft_of(PAPER)
     results = on_drafted_kinds(draft, judge_paper(draft.paper, motions=False))

@@ -15,6 +15,8 @@ from workbench.papers.texts import Display, Text
 
 #: The mark of the formula k of a text.
 MARK = r"⟦(\d+)⟧"
+#: Brackets of a text that look like marks.
+_NO_MARKS = str.maketrans("⟦⟧⟪⟫", "    ")
 _OPENING = re.compile(r"(?:\$\$?|\\\(|\\\[|:math:`)\s*$")
 _CLOSING = re.compile(r"^\s*(?:\$\$?|\\\)|\\\]|`)")
 _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
@@ -46,13 +48,13 @@ class MarkedText:
         for source in self._text.sources:
             own = [(k, each) for k, each in enumerate(self.formulas) if each.source is source]
             shown = [(None, each) for each in self._text.displays if each.source is source]
-            pieces, done = [], 0
+            pieces, done, prose = [], 0, source.prose.translate(_NO_MARKS)
             for k, each in sorted([*own, *shown], key=lambda pair: pair[1].start):
                 if each.start < done:
                     continue
-                pieces += [source.prose[done : each.start], f"⟦{k}⟧" if k is not None else " ⟪⟫ "]
+                pieces += [prose[done : each.start], f"⟦{k}⟧" if k is not None else " ⟪⟫ "]
                 done = each.end
-            pieces.append(source.prose[done:])
+            pieces.append(prose[done:])
             found += [each for each in map(self._sentence, _split(pieces)) if each is not None]
         return found
 

@@ -45,6 +45,29 @@ def test_an_answer_settles_what_it_says_that_it_settles(tmp_path: Path) -> None:
     assert questions_about(after, judged(after)) == []
 
 
+def test_an_answer_about_a_primed_letter_is_taken(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text("$$ 2 a' + a' = 3 a' $$\n\n$$ \\mathbf{f} \\times a' = 2 \\mathbf{f} \\times a' $$\n")
+    draft = draft_of(path)
+    (question,) = questions_about(draft, judged(draft))
+    after = answered(draft.ingested, question.answers[0])
+    assert after.confirmed == {"a'"} and after.guesses.keys() == draft.ingested.guesses.keys()
+    assert judged(draft_from(after))[-1].verdict.outcome is Outcome.REFUTED
+
+
+def test_a_point_is_asked_for_once(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(
+        "$$ {}^A v^{P} \\times {}^A v^{Q} = 2 {}^A v^{P} \\times {}^A v^{Q} $$\n\n"
+        "$$ {}^A v^{P} = 2 {}^B v^{P} + 3 {}^B v^{P} - {}^A v^P $$\n"
+    )
+    draft = draft_of(path)
+    question, *_ = questions_about(draft, judged(draft))
+    assert question.answers[0].lines == ("[points]", "fixed = { 'P' = 'B' }")
+    after = draft_from(answered(draft.ingested, question.answers[0]))
+    assert question.text not in {each.text for each in questions_about(after, judged(after))}
+
+
 def test_a_paper_that_is_judged_is_asked_nothing() -> None:
     draft = draft_of(Path(__file__).parent / "papers" / "two_link_arm.tex")
     assert questions_about(draft, judged(draft)) == []

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
+import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.core.verdict_codes import VerdictCode
 from workbench.ingest.definitions import Proposed
 from workbench.ingest.draft import Draft
-from workbench.ingest.inference.infer import kind_name
-from workbench.ingest.inference.priors import is_open
+from workbench.ingest.frames import labels_in
+from workbench.ingest.guesses import kind_of_model
 from workbench.ingest.inference.signatures import Kind
 from workbench.ingest.ingest import Ingested
 from workbench.ingest.model_file import string
@@ -66,14 +66,13 @@ def questions_about(draft: Draft, results: Sequence[ClaimResult]) -> list[Questi
 
 def answered(ingested: Ingested, answer: Answer) -> Ingested:
     """Returns the draft with an answer in it, which counts as confirmed."""
-    name = answer.key.strip("'")
+    ((name, said),) = tomllib.loads(answer.lines[1]).items()
     confirmed = ingested.confirmed | {name}
     if answer.table == "symbols":
-        guess = Guess(name, answer.value.strip('"'), "the author says so")
+        guess = Guess(name, said, "the author says so")
         return replace(ingested, guesses={**ingested.guesses, name: guess}, confirmed=confirmed)
     if answer.table == "definitions":
-        body = answer.value.strip("'")
-        own = Proposed(name, body, 0, "the author says so", True)
+        own = Proposed(name, said, 0, "the author says so", True)
         others = [each for each in ingested.definitions if each.name != name]
         return replace(ingested, definitions=[*others, own], confirmed=confirmed)
     entries = {answer.key: answer.value}
@@ -125,8 +124,7 @@ def _of_kinds(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[Question
 
 
 def _kind(name: str, kind: Kind) -> Answer:
-    called = re.sub(r"n(?=×|$)", "2", kind_name(kind)) if is_open(kind) else kind_name(kind)
-    return Answer("symbols", string(name), f'"{called}"')
+    return Answer("symbols", string(name), f'"{kind_of_model(kind)}"')
 
 
 def _ids(results: Sequence[ClaimResult]) -> tuple[str, ...]:
@@ -138,18 +136,15 @@ def _of_points(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[Questio
     tables: Mapping[str, Mapping[str, tuple[str, str]]] = tables_of(draft.ingested.proposals)
     if "points" not in tables or "frames" not in tables:
         return
-    frames = _labels(tables["frames"].get("names", ("", ""))[0])
+    frames = labels_in(tables["frames"].get("names", ("", ""))[0])
     own = [result for result in results if result.verdict.code is VerdictCode.OF_FRAMES]
-    for point in _labels(tables["points"].get("names", ("", ""))[0]):
+    fixed = labels_in(tables["points"].get("fixed", ("", ""))[0])
+    for point in labels_in(tables["points"].get("names", ("", ""))[0]):
         users = [result for result in own if _has_label(result.claim.printed.latex, point)]
         answers = tuple(Answer("points", "fixed", f"{{ '{point}' = '{frame}' }}") for frame in frames[:_MOST])
-        if users and answers:
+        if users and answers and point not in fixed[::2]:
             line = users[0].claim.line or 1
             yield Question(f"In which frame is {point} fixed, if in any?", line, answers, _ids(users))
-
-
-def _labels(value: str) -> list[str]:
-    return [each.strip().strip("'") for each in value.strip("[]").split(",") if each.strip()]
 
 
 def _has_label(latex: str, label: str) -> bool:

@@ -87,7 +87,7 @@ def with_spins(proposal: Proposal | None, spins: Sequence[Spin]) -> Proposal:
     entries = dict(proposal.entries) if proposal is not None else {}
     bases = Counter(spin.base for spin in spins)
     base = entries.get("base") or (f"'{bases.most_common(1)[0][0]}'" if bases else f"'{_NOWHERE}'")
-    names = re.findall("'([^']*)'", entries.get("names", ""))
+    names = labels_in(entries.get("names", ""))
     for label in (label for spin in spins for label in (spin.base, spin.frame)):
         if f"'{label}'" != base and label not in names:
             names.append(label)
@@ -143,6 +143,11 @@ def _meaning(core: str) -> tuple[str, str] | None:
 
 def _label(script: str) -> str:
     return script.strip().removeprefix("{").removesuffix("}").strip() if script[:1] == "{" else script.strip()
+
+
+def labels_in(value: str) -> list[str]:
+    """Returns the quoted labels of a TOML value that a draft wrote."""
+    return re.findall("'([^']*)'", value)
 
 
 def _list(names: Sequence[str]) -> str:

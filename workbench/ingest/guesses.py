@@ -6,7 +6,7 @@ import re
 
 from workbench.ingest.inference.infer import Inference, Inferred, kind_name
 from workbench.ingest.inference.priors import face, is_open
-from workbench.ingest.inference.signatures import SCALAR, TENSOR, VECTOR
+from workbench.ingest.inference.signatures import SCALAR, TENSOR, VECTOR, Kind
 from workbench.ingest.prose import Prose
 from workbench.ingest.typefaces import Guess, by_typeface
 
@@ -25,8 +25,7 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
     said = prose.guess(name)
     kind, size = kind_name(found.kind), found.kind
     is_said = said is not None and said.kind in (kind, "rotation" if size == TENSOR else kind)
-    if is_open(found.kind):
-        kind = re.sub(r"n(?=×|$)", _OPEN, kind)
+    kind = kind_of_model(size)
     why = said.why if said is not None and is_said else _why(name, found)
     if size == TENSOR and _is_rotation(name, inference, said):
         kind = "rotation"
@@ -35,6 +34,11 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
     unit = size == VECTOR and said is not None and said.unit
     constant = size == SCALAR and name not in inference.moving and bool(_LENGTHS.fullmatch(name))
     return Guess(name, kind, why, unit, constant)
+
+
+def kind_of_model(kind: Kind) -> str:
+    """Returns what a model calls a kind, with a number for a size that is open."""
+    return re.sub(r"n(?=×|$)", _OPEN, kind_name(kind)) if is_open(kind) else kind_name(kind)
 
 
 def _is_rotation(name: str, inference: Inference, said: Guess | None) -> bool:

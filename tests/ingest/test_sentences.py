@@ -34,8 +34,6 @@ def facts(tmp_path: Path, words: str) -> Facts:
     ],
 )
 def test_angular_velocity_of_one_frame_in_another(tmp_path: Path, words: str) -> None:
-    if "denote" in words:
-        words = words.replace("denote", "be")
     (spin,) = facts(tmp_path, words).spins
     assert (spin.name, spin.frame, spin.base) == (r"\omega_{B / A}", "B", "A")
 

@@ -9,7 +9,6 @@ import pytest
 from workbench.ingest.inference.signatures import (
     MISFIT,
     QUATERNION,
-    SCALAR_FUNCTIONS,
     SIGNATURES,
     Kind,
     rows,
@@ -40,8 +39,8 @@ KINDS: tuple[Kind, ...] = (
     QUATERNION,
 )
 
-#: The operations of the table that the typed layer has, by its heads.
-HEADS = {op: SCALAR_FUNCTIONS.get(op, op) for op in SIGNATURES if SCALAR_FUNCTIONS.get(op, op) in OPERATORS}
+#: The operations of the table that the typed layer has, by its heads; a function of a scalar by the sine.
+HEADS = {op: head for op in SIGNATURES if (head := "sin" if op == "function" else op) in OPERATORS}
 #: Plain rows of signs that are no operation of a term.
 OTHER = {"equal", "compare", "directions", "power", "marked", "value", "star", "bracketed", "sandwich"}
 #: What the typed layer takes and a text rarely means: the table refuses it, or wants a convention.

@@ -54,11 +54,6 @@ _BY_LATEX = (
 )
 
 
-def is_of_kinds(reason: Reason) -> bool:
-    """Whether other kinds of the symbols may mend the fault."""
-    return not reason.codes.isdisjoint(_OF_KINDS)
-
-
 def feature_of(latex: str, reason: Reason | None) -> str:
     """What the reader says, without the particulars; else the first that the formula shows signs of."""
     for part in reason.parts() if reason is not None else ():
@@ -68,7 +63,7 @@ def feature_of(latex: str, reason: Reason | None) -> str:
             return "slashes"
         if part.code in _FEATURES:
             return _FEATURES[part.code]
-    if reason is not None and is_of_kinds(reason):
+    if reason is not None and not reason.codes.isdisjoint(_OF_KINDS):
         return _KINDS
     for pattern, name in _BY_LATEX:
         if re.search(pattern, latex):

@@ -25,7 +25,6 @@ class Spin:
     what: str
     frame: str
     base: str
-    line: int
 
 
 @dataclass(frozen=True)
@@ -40,14 +39,14 @@ class Quaternion:
 @dataclass
 class Facts:
     """What the sentences of a text say. rates: name → of which symbol, in which frame ("" for none), and the
-    line.   constants, free: symbols that are constant, or any."""
+    line.   constants, free, units: symbols that are constant, any, or unit tensors."""
 
     spins: list[Spin] = field(default_factory=list)
     rates: dict[str, tuple[str, str, int]] = field(default_factory=dict)
-    constants: dict[str, str] = field(default_factory=dict)
-    free: dict[str, str] = field(default_factory=dict)
+    constants: dict[str, None] = field(default_factory=dict)
+    free: dict[str, None] = field(default_factory=dict)
     quaternions: list[Quaternion] = field(default_factory=list)
-    units: dict[str, str] = field(default_factory=dict)
+    units: dict[str, None] = field(default_factory=dict)
 
     def definitions(self, dot: str) -> Iterator[Proposed]:
         """Yields the definitions of rates. dot: the frame in which a dot differentiates; "" if none is
@@ -73,7 +72,7 @@ def _spin(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[st
     labels = [" ".join(text.latex(mark).split()) for mark in (frame, base)]
     if name and all(map(_is_label, labels)):
         what = f"angular {match['what']}"
-        facts.spins.append(Spin(name, what, labels[0], labels[1], sentence.line))
+        facts.spins.append(Spin(name, what, labels[0], labels[1]))
 
 
 def _is_label(latex: str) -> bool:
@@ -112,7 +111,7 @@ def _listed(key: str) -> Callable[[Facts, MarkedText, Sentence, re.Match[str]], 
     def take(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
         for mark in re.findall(MARK, match["names"]):
             for name in text.names(mark):
-                getattr(facts, key).setdefault(name, match[0][:60])
+                getattr(facts, key).setdefault(name)
 
     return take
 

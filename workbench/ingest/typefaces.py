@@ -1,4 +1,4 @@
-"""What a symbol is likely to be by how it is written, and which symbols are written alike."""
+"""What a symbol is likely to be by how it is written."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from functools import cache
 _OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
 _MARKED = re.compile(r"(?:\\(?:mathbf|boldsymbol|mathsf|underline|vec|overline|bar|hat)\{?)+(\\?[A-Za-z]+)")
 _LEFT = re.compile(r"^(?:\{\}[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
-_SCRIPTS = re.compile(r"([_^])\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}")
 _GREEK_CAPITALS = re.compile("Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega")
 _GREEK = {
     chr(code): "\\" + unicodedata.name(chr(code)).split()[-1].lower().replace("lamda", "lambda")
@@ -41,7 +40,6 @@ LABELLED = re.compile(rf"{_LETTER}(?:{_ABOVE}{_BELOW}|(?:{_BELOW})?{_ABOVE})")
 ADJOINT = re.compile(
     rf"(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Aa]d\s*\}}|(?<![\\A-Za-z])Ad(?![A-Za-z])){_BELOW}"
 )
-USUAL, CAPITAL, COMPONENT = "what mechanics calls so", "a capital letter", "a component"
 
 
 @dataclass(frozen=True)
@@ -88,15 +86,15 @@ def by_typeface(name: str) -> Guess:
             return Guess(name, "rotation" if letter == "R" else "tensor", "a bold capital letter")
         return Guess(name, "vector", "a bold or marked letter")
     if _COMPONENTS.fullmatch(core):
-        return Guess(name, "scalar", COMPONENT)
+        return Guess(name, "scalar", "a component")
     if f"\\{letter}" in _VECTORS:
-        return Guess(name, "vector", USUAL)
+        return Guess(name, "vector", "what mechanics calls so")
     if letter in ("R", "C") and _BETWEEN_FRAMES.search(name):
         return Guess(name, "rotation", "a letter of rotations between two labels")
     if core != name and not is_capital:
         return Guess(name, "vector", "a letter with labels on its left")
     if is_capital:
-        return Guess(name, "tensor", CAPITAL)
+        return Guess(name, "tensor", "a capital letter")
     return Guess(name, "scalar", "a letter in italics")
 
 

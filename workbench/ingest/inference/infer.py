@@ -60,12 +60,10 @@ class Inferred:
 
 @dataclass(frozen=True)
 class Misfit:
-    """An operation of a formula that fits with no likely kinds."""
+    """A formula with an operation that fits with no likely kinds. names: the symbols of the operation."""
 
-    line: int
     latex: str
-    operation: str
-    names: tuple[str, ...] = ()
+    names: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -74,7 +72,6 @@ class Thin:
 
     name: str
     latex: str
-    line: int
     kind: Kind
     other: Kind
 
@@ -83,15 +80,12 @@ class Thin:
 class Inference:
     """What is inferred of a text.
 
-    skew_marks: \\hat and \\tilde, where they make skew tensors.   skews: functions S, where S(a) is a skew
-    tensor.   functions: letters that are no factors before a bracket.   thin: kinds that only one formula
-    needs.   orthogonal: matrices with A Aᵀ = 1, det A = 1 or in a set of such.   moving: symbols with a rate.
+    skew_marks: \\hat and \\tilde, where they make skew tensors.   thin: kinds that only one formula needs.
+    orthogonal: matrices with A Aᵀ = 1, det A = 1 or in a set of such.   moving: symbols with a rate.
     """
 
     kinds: Mapping[str, Inferred]
     skew_marks: tuple[str, ...]
-    skews: tuple[str, ...]
-    functions: tuple[str, ...]
     misfits: tuple[Misfit, ...]
     thin: tuple[Thin, ...]
     orthogonal: frozenset[str]
@@ -141,11 +135,11 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
         search.run()
     sources = [each for (each, _), formula in zip(read, formulas, strict=True) if formula.trees]
     thin = tuple(
-        Thin(name, sources[place].latex, sources[place].line, search.kinds[name], other)
+        Thin(name, sources[place].latex, search.kinds[name], other)
         for name, place, other in search.needed_once()
     )
     misfits = tuple(
-        Misfit(formula.line, each.latex, str(operation), operation.names)
+        Misfit(each.latex, operation.names)
         for (each, _), formula in zip(read, formulas, strict=True)
         for operation in _misfits(search, formula)
     )
@@ -154,8 +148,6 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
     return Inference(
         kinds,
         tuple(sorted(marks)),
-        tuple(sorted(skews)),
-        tuple(sorted(functions)),
         misfits,
         thin,
         frozenset(_orthogonal(trees)),

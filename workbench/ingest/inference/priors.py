@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Sequence
 from functools import cache
 
-from workbench.ingest.inference.signatures import QUATERNION, SCALAR, TENSOR, VECTOR, Kind
+from workbench.ingest.inference.signatures import SCALAR, TENSOR, VECTOR, Kind
 from workbench.ingest.prose import Prose
 from workbench.ingest.typefaces import Guess
 from workbench.language.typed.types import type_of_kind
@@ -161,7 +161,7 @@ def _words(said: Guess) -> str:
 
 def cost_of(kind: Kind, by_shape: Sequence[int]) -> int:
     """Returns the cost of a kind for a symbol with these costs by shape."""
-    if kind == QUATERNION or isinstance(kind, str):
+    if isinstance(kind, str):
         return by_shape[6]
     usual = {SCALAR: 0, VECTOR: 1, TENSOR: 2}
     rows, columns = kind

@@ -100,8 +100,7 @@ class RowWalker:
         if head in OF_ANGLES or head == "function":
             return self.make("function", inner)
         if head is not None:
-            made = self.make(head, *(inner.parts if head == "quaternion" else (inner,)))
-            return made
+            return self.make(head, *(inner.parts if head == "quaternion" else (inner,)))
         word = self.term(
             replace(node, nucleus=_letter(leaf)) if isinstance(node, Scripted) else _letter(leaf)
         )

@@ -84,8 +84,6 @@ SIGNATURES = {
     "du": "A -> A",
     "atan2": "_ -> s ~1",
 }
-#: The operations of these rows that are typed terms of another head.
-SCALAR_FUNCTIONS = {"function": "sin"}
 
 Row = tuple[tuple[str, ...], str, int]
 

@@ -41,13 +41,6 @@ class Operation:
         """The mark over a marked letter that may be an operation."""
         return "\\tilde" if "\\tilde{" in self.text else "\\hat"
 
-    def __str__(self) -> str:
-        inner = ", ".join(map(str, self.parts))
-        if self.op == SYMBOL:
-            return self.text
-        shown = f"{self.op} {self.text}".strip()
-        return f"{shown}({inner})" if inner else shown
-
 
 class Forest:
     """Makes operations; equal ones are one object, so that what is known of one is known of all."""

@@ -82,10 +82,13 @@ def _is_right(name: str, own: Inferred | None, kind: str) -> bool:
     """An open size n is right whatever the model takes for it. A unit tensor is known by its letter."""
     if own is None:
         rows, _, columns = kind.partition("×")
-        return rows == columns and _UNIT.fullmatch(_plain(name)) is not None
+        return rows == columns != "1" and _UNIT.fullmatch(_plain(name)) is not None
     got = _shown(own)
-    open_places = zip(got.split("×"), kind.split("×"), strict=False)
-    return got == kind or ("n" in got and all(one in (other, "n") for one, other in open_places))
+    sizes, true = got.split("×"), kind.split("×")
+    open_places = zip(sizes, true, strict=False)
+    return got == kind or (
+        len(sizes) == len(true) == 2 and all(one in (other, "n") for one, other in open_places)
+    )
 
 
 def main() -> None:

@@ -11,6 +11,7 @@ from workbench.ingest.draft import draft_of, on_drafted_kinds
 from workbench.ingest.ingest import Ingested
 from workbench.ingest.marked_text import MarkedText
 from workbench.ingest.sentences import Facts, facts_of
+from workbench.ingest.structure import components_of
 from workbench.judge.verdict import Grade, Outcome
 from workbench.papers.texts import read_text
 from workbench.verify.claims import judge_paper
@@ -82,6 +83,40 @@ def test_columns_and_jacobians_are_defined() -> None:
     bodies = {each.name: each.body for each in found.definitions if each.sure}
     assert bodies[r"\boldsymbol{\theta}"].startswith(r"\begin{bmatrix} \theta_{1}")
     assert r"\frac{\partial x}{\partial \theta_{1}}" in bodies[r"\boldsymbol{J}"]
+
+
+def test_an_angle_that_is_a_sum_has_no_components(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(
+        r"""$$ q = \theta_{1} + \theta_{2} $$
+
+$$ x = l \cos q $$
+
+$$ y = l \sin q $$
+
+$$ \begin{bmatrix} \dot x \\ \dot y \end{bmatrix} = J \dot q $$
+
+$$ J = \begin{bmatrix} -l \sin q \\ l \cos q \end{bmatrix} $$
+"""
+    )
+    draft = draft_of(path)
+    results = on_drafted_kinds(draft, judge_paper(draft.paper, motions=False))
+    assert Grade.NOT_JUDGED not in [result.shown for result in results]
+
+
+@pytest.mark.parametrize(
+    ("body", "components"),
+    [
+        (r"\begin{bmatrix} q_1 \\ q_2 \end{bmatrix}", ["q_{1}", "q_{2}"]),
+        (r"(q_1, q_2)^T", ["q_{1}", "q_{2}"]),
+        (r"\left[ q_2 \; q_1 \; q_3 \right]^T", ["q_{2}", "q_{1}", "q_{3}"]),
+        (r"q_1 + q_2", []),
+        (r"R p_{1}", []),
+        (r"\begin{bmatrix} q_1 & q_2 \\ q_3 & q_4 \end{bmatrix}", []),
+    ],
+)
+def test_components_are_those_of_a_column(body: str, components: list[str]) -> None:
+    assert components_of(body) == components
 
 
 def test_a_rotation_is_defined_by_its_parameters_in_its_section(tmp_path: Path) -> None:

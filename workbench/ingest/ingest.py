@@ -32,7 +32,7 @@ from workbench.ingest.questions import questions_of
 from workbench.ingest.reading import EXPONENTIAL, Outcome, Reader
 from workbench.ingest.scopes import Scope, scopes_of
 from workbench.ingest.sentences import Facts, facts_of
-from workbench.ingest.structure import columns, jacobians
+from workbench.ingest.structure import columns, components_of, jacobians
 from workbench.ingest.typefaces import Guess, by_typeface
 from workbench.ingest.undeclared import letters_in_bold
 from workbench.papers.cutting.chains import Step, steps_of
@@ -134,7 +134,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     found = each_once([*rates, *columns(reader.guesses, lines), *in_displays, *said])
     guesses = dict(reader.guesses)
-    components = {each.name: re.findall(r"\\?\w+_\{\w\}", each.body) for each in found}
+    components = {each.name: parts for each in found if (parts := components_of(each.body))}
     for jacobian, places in jacobians(made, components, {each.name: each for each in found}):
         found.append(jacobian)
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}

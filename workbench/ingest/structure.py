@@ -12,6 +12,7 @@ from workbench.ingest.inference.walker import Walker
 from workbench.ingest.typefaces import Guess, without_bold
 from workbench.language.typed.types import type_of_kind
 
+_COMPONENT = re.compile(r"\\?\w+_\{\w\}")
 _AXES = {1: (), 2: ("x", "y"), 3: ("x", "y", "z")}
 
 
@@ -29,6 +30,26 @@ def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[
             if parts and others == {*parts}:
                 body = r"\begin{bmatrix} " + r" \\ ".join(parts) + r" \end{bmatrix}"
                 yield Proposed(name, body, lines.get(name, 1), "its components have the same letter", True)
+
+
+def components_of(body: str) -> list[str]:
+    """Returns the components of a definition that is a column of θ_1, θ_2 or the like; none of another."""
+    match operations_of(body, Walker()):
+        case (Operation(op="said", parts=(Operation(op="transpose", parts=(Operation(op="mul") as row,)),)),):
+            parts = tuple(each for each in row.walk() if each.op != "mul")  # [θ_1 θ_2]^T
+        case (Operation(op="said", parts=(Operation(op="transpose", parts=(column,)),)),):
+            parts = _cells(column)
+        case (Operation(op="said", parts=(column,)),):
+            parts = _cells(column)
+        case _:
+            return []
+    names = [each.text for each in parts if each.op == SYMBOL and _COMPONENT.fullmatch(each.text)]
+    return names if len(names) == len(parts) else []
+
+
+def _cells(column: Operation) -> tuple[Operation, ...]:
+    is_column = column.op == "tuple" or (column.op == "matrix" and "1" in column.text.split())
+    return column.parts if is_column else ()
 
 
 def jacobians(

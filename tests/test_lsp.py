@@ -57,6 +57,7 @@ async def session(folder: Path) -> dict[str, object]:
     found: dict[str, object] = {"opened": published[uri]}
     place = types.TextDocumentIdentifier(uri)
     found["hover"] = await client.text_document_hover_async(types.HoverParams(place, types.Position(6, 6)))
+    found["false"] = await client.text_document_hover_async(types.HoverParams(place, types.Position(0, 12)))
     found["nothing"] = await client.text_document_hover_async(types.HoverParams(place, types.Position(1, 0)))
     (known,) = [each for each in published[uri] if each.code == "known"]
     found["actions"] = await client.text_document_code_action_async(
@@ -105,6 +106,11 @@ def test_hover_shows_verdict_reading_and_evidence(found: dict) -> None:
     told = found["hover"].contents.value
     assert "**proved**" in told and "read as `" in told and "FLINT" in told
     assert found["nothing"] is None
+
+
+def test_hover_over_a_false_formula_shows_the_counterexample(found: dict) -> None:
+    told = found["false"].contents.value
+    assert "**refuted**" in told and "counterexample: with" in told and "the right side" in told
 
 
 def test_the_proved_correction_is_a_quick_fix(found: dict) -> None:

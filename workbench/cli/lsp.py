@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from pygls.lsp.server import LanguageServer
 
     from workbench.papers.model import Span
-    from workbench.report.counterexamples import told
     from workbench.report.findings import Finding
     from workbench.verify.results import ClaimResult
 
@@ -252,6 +251,8 @@ def _fix(result: ClaimResult) -> str | None:
 
 def _told(result: ClaimResult) -> str:
     """Verdict, reading and evidence."""
+    from workbench.report.counterexamples import told
+
     verdict = result.verdict
     lines = [f"**{verdict.outcome}**" + (f" ({verdict.scope})" if verdict.scope else "")]
     lines += [f"{verdict.reason}{suffix(verdict.reason)}"] if verdict.reason else []

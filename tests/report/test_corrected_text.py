@@ -12,10 +12,12 @@ from click.testing import CliRunner
 from sample_report import claim, report_of
 
 from workbench.cli.commands import main
-from workbench.papers.model import Edit, Mend
+from workbench.papers.model import Edit, Mend, Span
+from workbench.papers.texts import Source
 from workbench.report import ReportError
 from workbench.report.corrected_text import errata_diff
 from workbench.report.render import write_report
+from workbench.verify.edited import SourceEdit
 
 TEXT = (
     "# A text\n\nFirst.\n\n$$a  = b + c \\quad (1)$$\n\nThen (3) says so.\n\n$$a = b + c + d \\quad (2)$$\n"
@@ -80,3 +82,38 @@ def test_report_of_two_texts_is_refused():
     files = [str(Path(__file__)), str(Path(__file__).with_name("conftest.py"))]
     result = CliRunner().invoke(main, ["check", *files, "--report", "out"])
     assert result.exit_code == 2 and "--report: expected one FILE" in result.output
+
+
+@pytest.mark.skipif(shutil.which("patch") is None, reason="needs patch")
+@pytest.mark.parametrize("layout", ["{}", "\ufeff{}", "\f\u2028\n{}"], ids=["plain", "mark", "form feed"])
+@pytest.mark.parametrize("newline", ["\n", "\r\n"])
+def test_patch_of_a_text_edits_its_own_characters(tmp_path, layout, newline):
+    lines = ["\\begin{equation}", "(1+2)^2 = 1^2 + 2^2 + 3", "\\end{equation}", ""]
+    text = layout.format("\n".join(lines)).replace("\n", newline)
+    file = tmp_path / "a.tex"
+    file.write_bytes(text.encode())
+    at = text.removeprefix("\ufeff").replace("\r\n", "\n").index("+ 3")
+    source = Source.open(file)
+    span = Span(file, *source.place(at), *source.place(at + 3))
+    result = claim("1", "1", "1", "refuted", printed="(1+2)^2 = 1^2 + 2^2 + 3")
+    right = SourceEdit(span, source, at, at + 3, "+ 3", "+ 4")
+    result = replace(result, claim=replace(result.claim, fault="error"), edits=(right,))
+    (tmp_path / "p").write_bytes(errata_diff(text, "a.tex", [result]).encode())
+    subprocess.run(["patch", "--binary", "-p1", "-i", "p"], cwd=tmp_path, check=True, capture_output=True)
+    assert file.read_bytes().decode() == text.replace("+ 3", "+ 4")
+
+
+def test_edit_of_another_file_is_not_in_the_patch(tmp_path):
+    (tmp_path / "macros.tex").write_text(r"\newcommand{\half}{\frac{1}{3}}")
+    source = Source.open(tmp_path / "macros.tex")
+    span = Span(source.path, 1, 28, 1, 29)
+    result = claim("1", "1", "1", "refuted", printed=r"\half + \half = 1")
+    right = SourceEdit(span, source, 27, 28, "3", "2")
+    result = replace(result, claim=replace(result.claim, fault="error"), edits=(right,))
+    assert errata_diff(TEXT, "a.md", [result]) == ""
+
+
+def test_claim_that_stands_below_the_end_of_the_text_gives_no_crash(tmp_path):
+    result = wrong("a = b + c + d", "+ d", "- d")
+    result = replace(result, claim=replace(result.claim, span=Span(tmp_path / "b.md", 99, 1, 99, 9)))
+    assert "+$$a = b + c - d" in errata_diff(TEXT, "a.md", [result])

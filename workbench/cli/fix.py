@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,7 +11,7 @@ import click
 
 from workbench.cli.options import Unusable
 from workbench.judge.verdict import Grade, Outcome
-from workbench.verify.edited import SourceEdit, applied
+from workbench.verify.edited import SourceEdit, applied, patch_of
 
 if TYPE_CHECKING:
     from workbench.papers.texts import Source
@@ -47,15 +46,8 @@ def _clash(edit: SourceEdit, other: SourceEdit) -> bool:
 
 def diff_of(edits: dict[Path, list[SourceEdit]]) -> str:
     """The corrections as a unified diff."""
-    pieces: list[str] = []
-    for path, own in edits.items():
-        before = own[0].source.text
-        after = applied(before, own)
-        name = os.path.relpath(path)
-        names = f"a/{name}", f"b/{name}"
-        pieces += difflib.unified_diff(before.splitlines(True), after.splitlines(True), *names, n=1)
-    end = "\n\\ No newline at end of file\n"
-    return "".join(piece if piece.endswith("\n") else piece + end for piece in pieces)
+    texts = ((path, own[0].source.text, own) for path, own in edits.items())
+    return "".join(patch_of(text, applied(text, own), os.path.relpath(path)) for path, text, own in texts)
 
 
 def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:

@@ -2,57 +2,48 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from workbench.papers.model import Span
 from workbench.report.states import fault_of
+from workbench.verify.edited import Replacement, applied, patch_of
 from workbench.verify.results import ClaimResult
 
 #: Whose faults are the author's: what a transcription lost is right in the print.
 FAULTS = ("error", "warning", "misprint", "wording")
 
+_NEWLINE = re.compile(r"\r\n?|\n")
 _IGNORED = re.compile(r"\s|&|\\(?:left|right|quad|qquad|displaystyle)(?![A-Za-z])")
-
-
-@dataclass(frozen=True)
-class Replacement:
-    """A piece of the text by its place, and what to put there."""
-
-    start: int
-    end: int
-    new: str
 
 
 def errata_diff(text: str, name: str, results: Sequence[ClaimResult]) -> str:
     """A unified diff of the text; empty where nothing of it is to be corrected, or could be placed."""
-    corrected, end = text, len(text) + 1
-    for each in sorted(set(replacements(text, results)), key=lambda r: r.start, reverse=True):
-        if each.end <= end:  # an edit inside of another one is made with it
-            corrected, end = corrected[: each.start] + each.new + corrected[each.end :], each.start
-    before, after = (whole.splitlines(keepends=True) for whole in (text, corrected))
-    lines = difflib.unified_diff(before, after, f"a/{name}", f"b/{name}", n=1)
-    return "".join(
-        line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines
-    )
+    return patch_of(text, applied(text, dict.fromkeys(replacements(text, results))), name)
 
 
 def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacement]:
     """Where the proved corrections of the author's faults stand in the text."""
     squeezed = _Squeezed(text)
-    lines = [0, *(at + 1 for at, character in enumerate(text) if character == "\n")]
+    read = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    lines = [len(text) - len(text.removeprefix("\ufeff")), *(end.end() for end in _NEWLINE.finditer(text))]
     for result in results:
         if fault_of(result) not in FAULTS:
             continue
         span = result.claim.span
         bounds = (0, len(text))
-        if span is not None:
-            bounds = (lines[span.line - 1] + span.column - 1, lines[span.end_line - 1] + span.end_column - 1)
+        if span is not None and span.end_line <= len(lines):
+            bounds = _bounds(span, lines)
         if result.claim.mend.edits:
             yield from _of_edits(squeezed, result, bounds)
         elif result.edits:
-            yield from (Replacement(edit.start, edit.end, edit.new) for edit in result.edits)
+            own = (edit for edit in result.edits if edit.source.text == read)
+            yield from (Replacement(*_bounds(edit.span, lines), edit.new) for edit in own)
+
+
+def _bounds(span: Span, lines: Sequence[int]) -> tuple[int, int]:
+    """The characters of the span. lines: where each line begins."""
+    return lines[span.line - 1] + span.column - 1, lines[span.end_line - 1] + span.end_column - 1
 
 
 def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> Iterator[Replacement]:

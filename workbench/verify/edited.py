@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import difflib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from io import StringIO
 
 from workbench.papers.model import Span
 from workbench.papers.texts import Source
@@ -27,11 +29,28 @@ class SourceEdit:
         return place | end | {"old": self.old, "new": self.new}
 
 
-def applied(source: str, edits: Sequence[SourceEdit]) -> str:
-    """The source with the edits made; of two that overlap only the first."""
+@dataclass(frozen=True)
+class Replacement:
+    """A piece of the text by its place, and what to put there."""
+
+    start: int
+    end: int
+    new: str
+
+
+def applied(source: str, edits: Iterable[SourceEdit | Replacement]) -> str:
+    """The source with the edits made; of two that overlap only the last."""
     end = len(source)
     for edit in sorted(edits, key=lambda each: (each.start, each.end), reverse=True):
         if edit.end <= end:
             source = source[: edit.start] + edit.new + source[edit.end :]
             end = edit.start
     return source
+
+
+def patch_of(before: str, after: str, name: str) -> str:
+    """A unified diff of a file for `patch`, which parts lines at newlines only; empty if nothing differs."""
+    lines = [StringIO(text, newline="\n").readlines() for text in (before, after)]
+    pieces = difflib.unified_diff(*lines, f"a/{name}", f"b/{name}", n=1)
+    end = "\n\\ No newline at end of file\n"
+    return "".join(piece if piece.endswith("\n") else piece + end for piece in pieces)

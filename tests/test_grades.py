@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from workbench.cli.commands import main
 from workbench.judge.verdict import Grade, Outcome, Strength, Verdict, grade_of
 from workbench.papers.load import load_paper
-from workbench.report.findings import findings
+from workbench.report.findings import findings, sarif
 from workbench.verify.claims import judge_paper
 
 MODEL = """source = "t.md"
@@ -88,6 +88,15 @@ def test_level_of_a_finding_is_the_grade(tmp_path: Path, unless: tuple[str, ...]
     (finding,) = findings(paper, [result])
     assert (finding.code, finding.level) == ("refuted", level)
     assert all(doubt in finding.message for doubt in unless)
+
+
+@pytest.mark.parametrize("outcome", Outcome)
+def test_finding_of_each_outcome_has_a_rule_of_sarif(tmp_path: Path, outcome: Outcome) -> None:
+    paper, (result,) = judged(tmp_path, "Here $$f a = a f f$$ stands.")
+    result = replace(result, verdict=replace(result.verdict, outcome=outcome))
+    found = findings(paper, [result])
+    run = sarif(found, "1")["runs"][0]
+    assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == [each.code for each in found]
 
 
 def status(folder: Path, text: str, *options: str) -> tuple[int, dict]:

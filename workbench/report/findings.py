@@ -30,6 +30,7 @@ _RULES = {
     "refuted": "The formula is well-formed and false.",
     "ill-formed": "Types or weights do not fit as printed.",
     "conditional": "The formula holds only under a condition that the text does not state.",
+    "argued": "Prose joins what was proved to the sentence.",
     "probable": "The formula was tested at random points only.",
     "unchecked": "The formula could not be judged.",
     "definition": "The formula says what a symbol is, of which the model says nothing.",
@@ -179,13 +180,7 @@ def sarif(found: Sequence[Finding], version: str) -> dict[str, Any]:
 
 
 def _sarif_result(each: Finding, used: Sequence[str]) -> dict[str, Any]:
-    region = {
-        "startLine": each.span.line,
-        "startColumn": each.span.column,
-        "endLine": each.span.end_line,
-        "endColumn": each.span.end_column,
-    }
-    location = {"artifactLocation": {"uri": each.span.file.as_posix()}, "region": region}
+    location = {"artifactLocation": {"uri": each.span.file.as_posix()}, "region": _region(each.span)}
     mark = hashlib.sha256("\n".join((each.code, each.claim, each.latex, each.message)).encode()).hexdigest()
     fixes = {"fixes": [_sarif_fix(each.edits)]} if each.edits else {}
     return {
@@ -199,16 +194,19 @@ def _sarif_result(each: Finding, used: Sequence[str]) -> dict[str, Any]:
     }
 
 
+def _region(span: Span) -> dict[str, int]:
+    return {
+        "startLine": span.line,
+        "startColumn": span.column,
+        "endLine": span.end_line,
+        "endColumn": span.end_column,
+    }
+
+
 def _sarif_fix(edits: Sequence[SourceEdit]) -> dict[str, Any]:
     changes: dict[str, list[dict[str, Any]]] = {}
     for edit in edits:
-        region = {
-            "startLine": edit.span.line,
-            "startColumn": edit.span.column,
-            "endLine": edit.span.end_line,
-            "endColumn": edit.span.end_column,
-        }
-        change = {"deletedRegion": region, "insertedContent": {"text": edit.new}}
+        change = {"deletedRegion": _region(edit.span), "insertedContent": {"text": edit.new}}
         changes.setdefault(edit.span.file.as_posix(), []).append(change)
     files = [{"artifactLocation": {"uri": uri}, "replacements": own} for uri, own in changes.items()]
     return {"description": {"text": "The proved correction"}, "artifactChanges": files}
@@ -220,26 +218,25 @@ def rdjsonl(found: Sequence[Finding], lines_of: dict[Path, list[str]]) -> str:
     made = []
     for each in found:
         lines = lines_of.get(each.span.file, [])
-        start = {"line": each.span.line, "column": _bytes(lines, each.span.line, each.span.column)}
-        end = {"line": each.span.end_line, "column": _bytes(lines, each.span.end_line, each.span.end_column)}
         data: dict[str, Any] = {
             "message": each.message,
-            "location": {"path": str(each.span.file), "range": {"start": start, "end": end}},
+            "location": {"path": str(each.span.file), "range": _range(each.span, lines)},
             "severity": severities[each.level],
             "source": {"name": "workbench"},
             "code": {"value": each.code},
         }
         if each.edits:
-            data["suggestions"] = [_suggestion(edit, lines) for edit in each.edits]
+            data["suggestions"] = [
+                {"range": _range(edit.span, lines), "text": edit.new} for edit in each.edits
+            ]
         made.append(json.dumps(data, ensure_ascii=False) + "\n")
     return "".join(made)
 
 
-def _suggestion(edit: SourceEdit, lines: Sequence[str]) -> dict[str, Any]:
-    span = edit.span
+def _range(span: Span, lines: Sequence[str]) -> dict[str, Any]:
     start = {"line": span.line, "column": _bytes(lines, span.line, span.column)}
     end = {"line": span.end_line, "column": _bytes(lines, span.end_line, span.end_column)}
-    return {"range": {"start": start, "end": end}, "text": edit.new}
+    return {"start": start, "end": end}
 
 
 def _bytes(lines: Sequence[str], line: int, column: int) -> int:

@@ -117,3 +117,14 @@ def test_claim_that_stands_below_the_end_of_the_text_gives_no_crash(tmp_path):
     result = wrong("a = b + c + d", "+ d", "- d")
     result = replace(result, claim=replace(result.claim, span=Span(tmp_path / "b.md", 99, 1, 99, 9)))
     assert "+$$a = b + c - d" in errata_diff(TEXT, "a.md", [result])
+
+
+def test_report_of_a_text_has_the_patch_of_check(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    kinds = "".join(f"%! workbench: symbols.'{name}' = 'vector'\n" for name in "ab")
+    Path("a.tex").write_text(
+        f"{kinds}\\begin{{document}}\n\\[ a \\times b = b \\times a \\]\n\\end{{document}}\n"
+    )
+    CliRunner().invoke(main, ["report", "--paper", "a.tex", "--proposals", "--no-motions"])
+    checked = CliRunner().invoke(main, ["check", "a.tex", "--diff", "--no-motions"])
+    assert Path("report/errata.diff").read_text() == checked.stdout != ""

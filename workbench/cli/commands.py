@@ -152,7 +152,7 @@ def report(
     results = judged(paper, select, **engines)
     recheck = "workbench report" + f" --paper {paper_name}" * bool(paper_name)
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})
-    told = with_proposals(results, True, engines["cache"]) if proposals else results
+    told = with_proposals(results, True, engines["cache"], paper=paper) if proposals else results
     told = with_certificates(told, paper)
     written = write_report(cited, told, out, source)
     if as_json:

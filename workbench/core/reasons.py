@@ -20,21 +20,12 @@ class Position:
 
 
 class Code(Enum):
-    """The base of the tables of codes. A member is `NAME = template[, meaning[, example[, way_out]]]`.
+    """The base of the tables of codes. A member is `NAME = template`.
 
-    template: the message, with the arguments in braces.   meaning, example, way_out: columns of the guide's
-    catalogue."""
+    template: the message, with the arguments in braces."""
 
-    template: str
-    meaning: str
-    example: str
-    way_out: str
-
-    def __new__(cls, template: str, meaning: str = "", example: str = "", way_out: str = "") -> Self:
-        code = object.__new__(cls)
-        code._value_ = template
-        code.template, code.meaning, code.example, code.way_out = template, meaning, example, way_out
-        return code
+    def __init__(self, template: str) -> None:
+        self.template = template
 
     @property
     def slug(self) -> str:

@@ -8,22 +8,10 @@ from pathlib import Path
 from rich.text import Text
 
 from workbench.papers.model import PaperError, Span
-from workbench.report.findings import Finding, fault_finding
+from workbench.report.findings import fault_finding
 
-_STYLES = {"error": "red", "warning": "yellow", "note": "dim"}
 _MOST_LINES = 4
 _WIDTH = 160
-
-
-def finding_lines(finding: Finding, lines: Sequence[str]) -> Iterator[Text]:
-    """The place and the message; the lines of the text, each with its carets."""
-    span = finding.span
-    place = f"{span.file}:{span.line}:{span.column}: "
-    name = f"  [{finding.claim}]" if finding.claim else ""
-    style = _STYLES[finding.level]
-    message = printable(finding.message)
-    yield Text.assemble(printable(place), (f"{finding.level}: ", style), message, (name, "dim"))
-    yield from marked_lines(span, lines, style)
 
 
 def marked_lines(span: Span, lines: Sequence[str], style: str) -> Iterator[Text]:

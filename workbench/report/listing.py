@@ -61,7 +61,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Listing:
-    """All of a text. file: as it was named.   left_out: displays that its model leaves out."""
+    """All of a text. file: as it was named.   notes: on displays whose model can do without `unread`."""
 
     file: Path
     rows: tuple[Row, ...]
@@ -87,11 +87,10 @@ class Listing:
 
 _WORDS = ("error", "warning", "not judged", "holds", "definition", "left out")
 _PLURALS = {"error": "errors", "warning": "warnings", "holds": "hold", "definition": "definitions"}
-_SINGULARS = {"holds": "holds"}
 
 
 def _counted(word: str, count: int) -> str:
-    return f"{count} {_PLURALS.get(word, word) if count != 1 else _SINGULARS.get(word, word)}"
+    return f"{count} {_PLURALS.get(word, word) if count != 1 else word}"
 
 
 def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
@@ -194,11 +193,6 @@ def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
             item = replace(item, span=replace(item.span, line=own[0].span.line))
         found.append(item)
         yield item
-
-
-def _example(result: ClaimResult) -> Against | None:
-    found = result.counterexample
-    return None if found is None else told(found, result.claim.printed.latex)
 
 
 def _what(result: ClaimResult) -> str:

@@ -61,7 +61,7 @@ COMMANDS = (
         "Check",
         "lsp",
         "workbench.cli.lsp:lsp",
-        "Serve an editor: verdicts on save (extra lsp).",
+        "Serve an editor: verdicts as you type (extra lsp).",
         ("workbench lsp",),
     ),
     Entry(

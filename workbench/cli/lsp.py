@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 @click.command()
 @click.option("--motions/--no-motions", default=True, help="Evaluate claims on Drake's motions too.")
 def lsp(motions: bool) -> None:
-    """Serve an editor: faults under the author's characters on save, verdicts on hover, proved corrections as
-    quick fixes. Needs the extra lsp."""
+    """Serve an editor: faults under the author's characters as you type, verdicts on hover, proved
+    corrections as quick fixes. Needs the extra lsp."""
     try:
         server = server_for(motions)
     except ImportError:

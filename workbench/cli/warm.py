@@ -1,4 +1,4 @@
-"""One text judged again and again in one process: for editors, pages and assistants."""
+"""One text judged again and again in one process: for editors and assistants."""
 
 from __future__ import annotations
 

@@ -23,12 +23,7 @@ def told_codes(latex: str, symbols: dict[str, Any]) -> set[str]:
     else:
         verdicts = [each.verdict for each in (found if isinstance(found, tuple) else [found])]
         reasons = [verdict.reason for verdict in verdicts if isinstance(verdict.reason, Reason)]
-    return {label(code) for reason in reasons for code in _codes(reason)}
-
-
-def _codes(reason: Reason) -> set[Code]:
-    inner = (_codes(each) for each in reason.arguments.values() if isinstance(each, Reason))
-    return {reason.code}.union(*inner)
+    return {label(code) for reason in reasons for code in reason.codes}
 
 
 @pytest.mark.slow

@@ -23,7 +23,6 @@ PARTS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
             "many-papers",
             "ci",
             "editor",
-            "page",
             "assistant",
             "erratum-note",
             "motions",

@@ -46,12 +46,12 @@ class Page:
         return " ".join(found[1].split()) if found else ""
 
 
-def all_pages(generated: Sequence[Page] = ()) -> list[Page]:
+def all_pages(generated: Sequence[Page]) -> list[Page]:
     """Returns the pages in the order of the contents. generated: those that are not files."""
     made = {page.topic: page for page in generated}
     pages = []
     for part, folder, order in PARTS:
-        files = {path.stem.replace("_", "-"): path for path in sorted((FOLDER / folder).glob("*.md"))}
+        files = {path.stem: path for path in sorted((FOLDER / folder).glob("*.md"))}
         for topic in [*order, *(name for name in files if name not in order)]:
             if topic in files:
                 pages.append(Page(topic, part, folder, _reader(files[topic])))

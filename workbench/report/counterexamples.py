@@ -24,11 +24,9 @@ _SMALL = 6
 
 @dataclass(frozen=True)
 class Against:
-    """values: symbol and value, those that are not 0.   rest: whether others are 0.   as_meant: whether it is
-    of the reading of what is printed.   formula: ours, where what is printed is no formula.   defined: what
-    definitions make of the values."""
+    """values: symbol and value, those that are not 0.   rest: whether others are 0.   formula: ours, where
+    what is printed is no formula.   defined: what definitions make of the values."""
 
-    as_meant: bool
     formula: str | None
     values: tuple[tuple[str, str], ...]
     rest: bool
@@ -61,13 +59,13 @@ def _listed(values: Sequence[tuple[str, str]]) -> list[Run]:
 
 def against(result: ClaimResult) -> Against | None:
     """None where there is no counterexample, or one against what lacks a hypothesis only."""
-    example, outcome, claim = result.counterexample, result.verdict.outcome, result.claim
-    if example is None or outcome is Outcome.CONDITIONAL:
+    example, claim = result.counterexample, result.claim
+    if example is None or result.verdict.outcome is Outcome.CONDITIONAL:
         return None
     ours = claim.our_formula or (claim.goal.latex if claim.goal else None)
     said = ours or claim.shown or ""
     found = told(example, said)
-    return replace(found, as_meant=outcome is Outcome.ILL_FORMED, formula=ours)
+    return replace(found, formula=ours)
 
 
 def told(example: Counterexample, said: str = "") -> Against:
@@ -88,7 +86,7 @@ def told(example: Counterexample, said: str = "") -> Against:
     left, right = sides_as_text(example)
     shown_values, shown_defined = shown(values), shown(defined)
     rest = len(shown_values) < len(values) or (not values and len(shown_defined) < len(defined))
-    return Against(False, None, shown_values, rest, shown_defined, left, right)
+    return Against(None, shown_values, rest, shown_defined, left, right)
 
 
 def as_printed(name: str, said: str) -> str:

@@ -129,6 +129,22 @@ def test_loops_that_do_not_close_are_refused():
         ClosedLoops(Robot("r", [TreeJoint("j", "revolute", "world", "a")]), [BallConstraint("z", "a")])
 
 
+@pytest.mark.parametrize("kind", ["floating", "floating_rpy"])
+def test_a_welded_body_is_put_where_the_weld_says(kind):
+    joints = [
+        TreeJoint("free", kind, "world", "platform"),
+        TreeJoint("hinge", "revolute", "world", "a", axis=Z),
+    ]
+    loops = ClosedLoops(Robot("welded", joints), [WeldConstraint("platform", "a", X_BQ=shifted(0.1, 0.2))])
+    start = np.zeros(len(loops.robot.positions))
+    start[:3], start[-1] = (0.3, -0.4, 0.5), 0.7
+    q = loops.close(start, ["hinge"])
+    assert q[-1] == 0.7 and np.abs(loops.gap(q)).max() < 1e-13
+    frames = loops.motion(q, {"hinge": [1.0]})
+    right = frames.frame("a").pose @ shifted(0.1, 0.2)
+    np.testing.assert_allclose(frames.frame("platform").pose, right, atol=1e-13)
+
+
 # -- other sizes ----------------------------------------------------------------------------------------
 
 

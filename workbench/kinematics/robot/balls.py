@@ -58,17 +58,6 @@ def quaternion_of_rotation(R: np.ndarray) -> np.ndarray:
     return row / np.linalg.norm(row, axis=-1, keepdims=True)
 
 
-def rotation_of_quaternion(q: np.ndarray) -> np.ndarray:
-    """The rotation (..., 3, 3) of a unit quaternion (..., 4), w x y z."""
-    w, x, y, z = np.moveaxis(q, -1, 0)
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
-
-
 def rpy_of_rotation(R: np.ndarray) -> np.ndarray:
     """(roll, pitch, yaw), (..., 3), of a rotation (..., 3, 3). Yaw is taken out before roll is measured, so
     that R is met next to pitch = ±π/2, too; there roll is 0."""

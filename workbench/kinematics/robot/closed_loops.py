@@ -22,14 +22,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.chain_joints import rigid_matrix
-from workbench.kinematics.robot.balls import (
-    quaternion_of_rotation,
-    quaternion_of_rpy,
-    rotation_of_quaternion,
-    rpy_of_rotation,
-)
+from workbench.kinematics.robot.balls import rotation_of_rpy, rpy_of_rotation
 from workbench.kinematics.robot.inverse import SingularJacobian
 from workbench.kinematics.robot.structure import reals
+from workbench.kinematics.rotations import angle_and_axis, length_and_direction, rotation
 
 if TYPE_CHECKING:
     from workbench.kinematics.robot.motion import Motion
@@ -235,10 +231,8 @@ class ClosedLoops:
         found = []
         for P, Q, rows in self._pairs:
             X, Y = states.frame(P).pose, states.frame(Q).pose
-            turn = quaternion_of_rotation(Y[..., :3, :3] @ X[..., :3, :3].swapaxes(-1, -2))
-            sine = np.linalg.norm(turn[..., 1:], axis=-1, keepdims=True)
-            angle = 2 * np.arctan2(sine, turn[..., :1])
-            turned = np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 2.0) * turn[..., 1:]
+            angle, axis = angle_and_axis(Y[..., :3, :3] @ X[..., :3, :3].swapaxes(-1, -2))
+            turned = angle[..., None] * axis
             found.append(np.concatenate([turned, Y[..., :3, 3] - X[..., :3, 3]], axis=-1)[..., rows])
         return np.concatenate(found, axis=-1)
 
@@ -309,8 +303,8 @@ class ClosedLoops:
             if own.move.joint == "quaternion":
                 q[..., there] = _turned_quaternion(by, q[..., there])
             elif own.move.joint == "rpy":
-                turned = _turned_quaternion(by, quaternion_of_rpy(q[..., there]))
-                q[..., there] = rpy_of_rotation(rotation_of_quaternion(turned))
+                turn = rotation(*length_and_direction(by))
+                q[..., there] = rpy_of_rotation(turn @ rotation_of_rpy(q[..., there]))
             else:
                 q[..., there] += by
         return q

@@ -26,7 +26,6 @@ class Evaluator(BoundCall):
     pose: np.ndarray
     twists: np.ndarray
     jacobians: np.ndarray
-    plan: Plan
 
 
 def evaluator_of(plan: Plan, order: int, coordinates: int, jacobians: int) -> Evaluator:

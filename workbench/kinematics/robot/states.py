@@ -173,11 +173,8 @@ class States:
     def _turning_record(self, name: str) -> np.ndarray:
         """The turning parts of the Jacobian (N, ..., 3, velocities), computed with all of its derivatives."""
         if name not in self._turning:
-            record, N, count = (
-                self._new_record(name, self.order + 1, self.order),
-                self.order,
-                len(self.robot.velocities),
-            )
+            N, count = self.order, len(self.robot.velocities)
+            record = self._new_record(name, N + 1, N)
             J, D = np.split(record[..., 16 + 6 * N :], [6 * (N + 1) * count], axis=-1)
             self._jacobians[name] = J.reshape(*self.shape, N + 1, 6, count)
             self._turning[name] = np.moveaxis(D.reshape(*self.shape, N, 3, count), -3, 0)

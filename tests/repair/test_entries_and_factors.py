@@ -105,3 +105,13 @@ def test_proposals_of_a_step_agree_with_its_neighbours(tmp_path: Path) -> None:
 def test_no_proposal_holds_an_addend_that_another_takes_away() -> None:
     found = check("M^T = -M", {"M": {"kind": "tensor", "symmetric": True}}).repair(LIMITS)
     assert found.proposals and all("2" not in proposal.latex for proposal in found.proposals), str(found)
+
+
+@pytest.mark.parametrize(
+    ("printed", "definition", "proposed"),
+    [("c = a - 2 b", "-a", "c = -a"), ("c = a + 2 b", "3 a", "c = 3 a")],
+)
+def test_no_proposal_holds_two_multiples_of_an_addend(printed: str, definition: str, proposed: str) -> None:
+    """The change of b to a would leave a - 2 a and a + 2 a."""
+    found = repaired(printed, {"c": definition})
+    assert [proposal.latex for proposal in found.proposals] == [proposed], str(found)

@@ -127,8 +127,7 @@ def _options(
 
 def _rescaled_entries(entry: Term, target: Vector, screen: Screen) -> Iterator[_Option]:
     """The entry with other coefficients of its addends."""
-    side = block([[entry], [entry]]) if not entry.type.rows else entry
-    equation = Relation("=", side, side)
+    equation = Relation("=", entry, entry)
     for chosen in addend_places(entry):
         columns = contributions(entry, chosen, screen)
         if columns is None:

@@ -41,10 +41,10 @@ class _Table:
 
     def with_pairs(self) -> None:
         singles = list(self.terms.items())
-        for head in ("mul", "div"):
+        inverses = [(tuple(pow(x, -1, PRIME) for x in values), term) for values, term in singles]
+        for head, factors in (("mul", singles), ("div", inverses)):
             for one, left in singles:
-                for other, right in singles:
-                    second = other if head == "mul" else tuple(pow(y, -1, PRIME) for y in other)
+                for second, right in factors:
                     value = tuple(x * y % PRIME for x, y in zip(one, second, strict=True))
                     if value not in self.terms:
                         is_square = head == "mul" and left == right

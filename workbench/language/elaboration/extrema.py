@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TypeGuard
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.language.elaboration.elaborate import Elaborator
@@ -15,7 +16,7 @@ from workbench.language.typed.terms import Extremum, Symbol, Term
 from workbench.language.typed.types import SCALAR, VECTOR
 
 
-def is_extremal(side: Node) -> bool:
+def is_extremal(side: Node) -> TypeGuard[Product]:
     """Whether the side is \\min or \\max of something."""
     return isinstance(side, Product) and isinstance(side.items[0], Extremal)
 
@@ -32,11 +33,7 @@ def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
     if len(values) > 1:
         raise Fault(SyntaxCode.SEVERAL_SIDES_BESIDE_MINIMUM(), values[1].at)
     value = reader.term(values[0])
-    return [
-        _extremum(reader, side, value)
-        for side in chain.sides
-        if isinstance(side, Product) and is_extremal(side)
-    ]
+    return [_extremum(reader, side, value) for side in chain.sides if is_extremal(side)]
 
 
 def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:

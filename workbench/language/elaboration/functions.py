@@ -107,7 +107,7 @@ def _of_the_paper(row: Row, item: Any, leaf: Leaf, place: int) -> Factor | None:
                 term = raised(row.scope, term, above)
             _refuse_transposed_map(term, sup)
             return Factor(term if sup is None else raised(row.scope, term, sup), leaf.at, end, item)
-    if behind and place + 2 <= len(row.items) and (found := _applied_in_a_row(row, bare, place)) is not None:
+    if behind and (found := _applied_in_a_row(row, bare, place)) is not None:
         return found if sup is None else replace(found, term=raised(row.scope, found.term, sup))
     if is_own_word(leaf):
         raise Fault(words_in_a_formula(f"\\operatorname{{{leaf.name}}}"), leaf.at)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, TypeGuard
 
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.core.type_codes import TypeCode
@@ -48,11 +48,11 @@ _ARROWS = frozenset(":→↦")
 _OPEN_MAP = "a map is said by f : A \\to B and f(x) = …, or by x \\mapsto …"
 
 
-def is_map(clause: Node) -> bool:
+def is_map(clause: Node) -> TypeGuard[Chain]:
     return isinstance(clause, Chain) and any(sign in _ARROWS for sign, _ in clause.relations)
 
 
-def is_set(clause: Node) -> bool:
+def is_set(clause: Node) -> TypeGuard[Chain]:
     """Whether the clause is S = {… | …}."""
     match clause:
         case Chain(sides=(_, Bracket(kind="\\{", parts=(_, *conditions))), relations=(("=", _),)):

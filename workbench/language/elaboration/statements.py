@@ -213,7 +213,7 @@ class _Row:
         waiting = list(self.claims)
         while waiting:
             claim = waiting.pop(0)
-            if isinstance(claim, Chain) and is_map(claim):
+            if is_map(claim):
                 value = waiting.pop(0) if wants_value(claim) and waiting else None
                 claimed.append(named_map(reader, claim, value))
             else:
@@ -263,7 +263,7 @@ def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
 
 
 def _statement(reader: Elaborator, clause: Node) -> Statement:
-    if isinstance(clause, Chain) and is_set(clause):
+    if is_set(clause):
         return named_set(reader, clause, _statement)
     match clause:
         case Conditional():

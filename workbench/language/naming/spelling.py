@@ -138,7 +138,7 @@ def linear(node: Node, variables: Collection[str]) -> Linear | None:
             return total
         case Product(items=(Leaf(kind="NUMBER") as factor, other)):
             size, value = linear(factor, ()), linear(other, variables)
-            if size in (None, Linear(1)) or size is None or value is None or value.is_number:
+            if size is None or size == Linear(1) or value is None or value.is_number:
                 return None  # 1j are two indices
             return value * int(size)
     name = variable_name(node)

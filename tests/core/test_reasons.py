@@ -12,10 +12,11 @@ from string import Formatter
 import pytest
 
 import workbench
+from workbench.core.context_codes import ContextCode
 from workbench.core.declaration_codes import DeclarationCode
 from workbench.core.model_codes import ModelCode
 from workbench.core.motion_codes import MotionCode
-from workbench.core.reasons import Code, Position, Reason, code_named
+from workbench.core.reasons import Code, ErrorCode, Position, Reason, code_named
 from workbench.core.syntax_codes import SyntaxCode
 from workbench.core.type_codes import TypeCode
 from workbench.core.verdict_codes import ResultCode, VerdictCode
@@ -23,7 +24,7 @@ from workbench.judge.verdict import Outcome, Verdict
 
 ROOT = Path(workbench.__file__).parent
 CODES: list[Code] = [
-    *(*DeclarationCode, *ModelCode, *MotionCode, *ResultCode),
+    *(*ContextCode, *DeclarationCode, *ErrorCode, *ModelCode, *MotionCode, *ResultCode),
     *(*SyntaxCode, *TypeCode, *VerdictCode),
 ]
 

@@ -1,5 +1,5 @@
-"""Data that all other packages share: reasons and their codes.
+"""What all other packages share: reasons and their codes, the keys of files, the search for close names.
 
-What is this? Types without behaviour of their own. When do I come here? To add a message or a code.
+What is this? Tables and small types. When do I come here? To add a message, a code or a key.
 What may it import? Nothing of ours. What checks it? tests/core.
 """

@@ -22,5 +22,5 @@ class ContextCode(Code):
     ROUNDED = "the sides differ by no more than its decimals may be rounded by"
     OF_PI = "false for some values of \\pi; if it is the number, that says nothing"
     REACH = "how far does d/dt reach? bracket what it differentiates"
-    OF_QUATERNIONS = ("holds for quaternions without a scalar part; declare them so, if the text means them",)
-    TWO_INDICES = ("{symbol}: by its number, or by two indices? a definition or `free = true` of it says so",)
+    OF_QUATERNIONS = "holds for quaternions without a scalar part; declare them so, if the text means them"
+    TWO_INDICES = "{symbol}: by its number, or by two indices? a definition or `free = true` of it says so"

@@ -24,7 +24,7 @@ from workbench.papers.model import Claim, Notation
 if TYPE_CHECKING:
     from workbench.judge.kernel.judge import Judge
 
-HOLDS = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outcome.PROBABLE})
+_TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outcome.PROBABLE})
 
 #: An explanation asks the engines no more often.
 MOST_DECISIONS = 40
@@ -34,7 +34,12 @@ _PROBLEMS = (RecursionError, IllFormed, NotExact, EngineDisagreement, ZeroDivisi
 
 JudgeOf: TypeAlias = "Callable[[Notation], Judge]"
 _Terms: TypeAlias = dict[Name | Symbol, Term]
-_Meaning: TypeAlias = Callable[[Term], Term]
+
+
+def is_true(verdict: Verdict) -> bool:
+    """Returns whether the claim is true by the verdict, or is so if its premise lasts."""
+    is_same = verdict.code is VerdictCode.SAME_TERM
+    return verdict.outcome in _TRUE or is_same or verdict.code in UNLESS_IT_LASTS
 
 
 class OutOfDecisions(Exception):
@@ -55,9 +60,7 @@ class Decider:
         self, facts: Sequence[Fact], statement: Statement | None = None, approximately: bool = False
     ) -> bool:
         """Returns whether the first engine proves it; a random point is tried before."""
-        verdict = self.decide(facts, statement, approximately, by_both=False)
-        is_same = verdict.code is VerdictCode.SAME_TERM
-        return verdict.outcome in HOLDS or is_same or verdict.code in UNLESS_IT_LASTS
+        return is_true(self.decide(facts, statement, approximately, by_both=False))
 
     def is_refuted(self, facts: Sequence[Fact]) -> bool:
         return self.decide(facts, by_both=False).outcome is Outcome.REFUTED
@@ -100,7 +103,7 @@ class Decider:
         supposed = tuple(dict.fromkeys((*base, *instant, *lasts, *known.known_of(goal))))
         judge = self._judge(known)
         if not by_both:
-            judge = replace(judge, second_engine=False)
+            judge = judge.by_one_engine()
             if self._fails_at_random(judge, goal, supposed):
                 return Verdict(Outcome.REFUTED)
         self._count += 1

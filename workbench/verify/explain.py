@@ -20,7 +20,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Definition, Relation, Symbol
 from workbench.papers.model import Claim
 from workbench.papers.said import act_of, assigns, introduces, subject_of
-from workbench.verify.decide import Decider, JudgeOf, OutOfDecisions, is_impossible
+from workbench.verify.decide import Decider, JudgeOf, OutOfDecisions, is_impossible, is_true
 from workbench.verify.guessed_kinds import on_guessed_kinds
 from workbench.verify.laws import is_all_given, is_law
 from workbench.verify.layers import layers_of
@@ -76,7 +76,7 @@ class _Explanation:
     """One claim that is false, or open, on what is declared.
 
     known: the largest layer of stated facts under which it is refuted too.   against: that refutation.
-    pending: the stated facts that no refutation meets, as the engines could not use them.
+    pending: the facts that no refutation meets, as the engines could not use them, or only the first could.
     hints: the hints that can hold together with what is known."""
 
     claim: Claim
@@ -185,8 +185,9 @@ class _Explanation:
             if len(facts) > len(self.known) and self._holds(facts):
                 core = minimise(facts, self._holds)
                 found = self.decider.decide(core, approximately=_is_small(core))
-                if found.outcome in _SURE or self._holds(core):
+                if is_true(found):
                     return _under(found, core, self.base)
+                self.pending += [fact for fact in core if fact not in (*self.known, *self.pending)]
         return None
 
     def _joint(self, hints: Sequence[Fact]) -> list[Fact]:
@@ -217,7 +218,7 @@ class _Explanation:
         unless += [f"the text says more: {fact}" for fact in context.opaque]
         unless += [f"not decided with {fact}" for fact in self.pending[:_NAMED]]
         if not meets:
-            unless.append("not decided under " + ", ".join(map(str, self.hints)))
+            unless.append("not decided under " + ", ".join(map(str, self.hints or self.known)))
         values = shown.values if shown else {}
         broken = [fact for fact in context.facts if fact.bound and not fact.bound.allows(values)]
         unless += [f"decided only where not {fact}" for fact in broken]

@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from workbench.context import figures
-from workbench.context.facts import Context, Fact, Origin, Provider, Strength, Supposition
+from workbench.context.facts import Context, Fact, Origin, Provider, Strength
+from workbench.context.figures import Made
 from workbench.context.free_symbols import free_in, terms_of
 from workbench.context.subject import Subject, names_of
 from workbench.context.suppositions import having, joined, meaning, of_length_one
@@ -21,9 +22,6 @@ from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.properties import PROPERTIES
 from workbench.language.typed.terms import Apply, Derivative, Symbol, Zero
 from workbench.language.typed.types import SCALAR
-
-#: In words; the symbols that it is about; what it supposes of them.
-Made = tuple[str, list[Symbol], Supposition]
 
 
 @dataclass(frozen=True)

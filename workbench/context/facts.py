@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from typing import NamedTuple
@@ -90,7 +90,7 @@ class Fact:
 
     content: None if it is not formalised ("opaque"): such a fact lowers a grade and decides nothing.
     bound: what values of a symbol keep to.   act: what the formula does that the fact comes from.
-    earlier: whether it stands before the claim.   in_chain: whether it is an earlier step of its chain.
+    earlier: whether it stands before the claim.
     """
 
     content: Definition | Statement | Supposition | None
@@ -101,7 +101,6 @@ class Fact:
     bound: Bound | None = None
     act: Act = Act.ASSERT
     earlier: bool = True
-    in_chain: bool = False
 
     def __post_init__(self) -> None:
         if not self.about:
@@ -121,27 +120,6 @@ class Context:
 
     facts: tuple[Fact, ...] = ()
     alternatives: tuple[tuple[Fact, ...], ...] = ()
-
-    def at_least(self, strength: Strength) -> Context:
-        """Returns the context without weaker facts."""
-        kept = tuple(fact for fact in self.facts if fact.strength >= strength)
-        return Context(kept, self.alternatives if strength is Strength.GUESSED else ())
-
-    def about(self, names: frozenset[Name]) -> Context:
-        """Returns the facts about some of the names, and about the names of these facts."""
-        kept: list[Fact] = []
-        while new := [fact for fact in self.facts if fact not in kept and fact.about & names]:
-            kept += new
-            names = names.union(*(fact.about for fact in new))
-        chosen = set(kept)
-        groups = tuple(group for group in self.alternatives if any(fact.about & names for fact in group))
-        return Context(tuple(fact for fact in self.facts if fact in chosen), groups)
-
-    def plus(self, *facts: Fact) -> Context:
-        return replace(self, facts=tuple(dict.fromkeys((*self.facts, *facts))))
-
-    def without(self, *facts: Fact) -> Context:
-        return replace(self, facts=tuple(fact for fact in self.facts if fact not in facts))
 
     @property
     def formal(self) -> tuple[Fact, ...]:

@@ -17,6 +17,7 @@ from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Term
 from workbench.language.typed.types import SCALAR, TENSOR, Declaration
 
+#: In words; the symbols that it is about; what it supposes of them.
 Made = tuple[str, list[Symbol], Supposition]
 
 #: The letters of axes in textbooks. Vectors with a hat count too, and three of one letter with the scripts

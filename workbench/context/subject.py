@@ -78,10 +78,6 @@ class Subject:
         return free_in(terms_of(self.statement), self.definitions)
 
     @cached_property
-    def names(self) -> frozenset[Name]:
-        return names_of(self.declarations) or names_of(self.written)
-
-    @cached_property
     def moved(self) -> set[Declaration]:
         """The free symbols of which the statement takes a rate."""
         return free_in(self.rates, self.definitions)

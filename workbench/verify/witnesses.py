@@ -183,24 +183,6 @@ def _only_tied(form: Formula, claim: Claim, found: Witness) -> bool:
     )
 
 
-def course_on(motion: Motion, claim: Claim, form: Formula) -> tuple[list[float], list[float | None]]:
-    """Times in s, and how far the sides of a form of the claim are apart there, over their size, on a
-    motion of one's own; None where it cannot be told. Raises ValueError where it says nothing of it."""
-    from workbench.judge.evidence.motion_check import Subject, witness
-    from workbench.judge.evidence.motion_source import bindings_of
-
-    _require_agreement(motion)
-    bindings = bindings_of(claim.notation.motion)
-    subject = Subject(
-        form.statement, claim.supposed, claim.orders, claim.notation.definitions, bindings, (motion,)
-    )
-    found = witness(subject, course=True)
-    if found.evidence is None:
-        raise ValueError(f"{claim.id} on {motion.name}: {found.reason}")
-    course = found.evidence.figures["course"]
-    return course["times"], course["residuals"]
-
-
 def _motions(notation: Notation) -> tuple[Motion, ...]:
     if notation.robot is None:
         return _general()

@@ -16,8 +16,6 @@ from workbench.papers.respell import argument, respelled
 from workbench.papers.respell.places import FACES, GAPS, MARKS, is_one_symbol
 from workbench.papers.texts import Display, Token, joined, spelled
 
-_FIRM = (Role.CONDITION, Role.REASON)
-
 
 @dataclass(frozen=True)
 class Step:

@@ -44,29 +44,29 @@ def _moving_names(claims: Sequence[Claim]) -> frozenset[Name]:
 
 
 def with_formula_facts(claims: Sequence[Claim]) -> list[Claim]:
-    """Returns the claims, each with what earlier formulas say of its symbols."""
+    """Returns the claims, each with what earlier formulas say of its symbols, in the order of the text."""
     said: dict[Declaration, list[_Saying]] = {}
     made = []
-    for claim in claims:
+    for at, claim in enumerate(claims):
         statement = claim.printed.statement
         if statement is None:
             made.append(claim)
             continue
         made.append(replace(claim, facts=(*claim.facts, *_about(claim, said))))
-        if (saying := _saying(claim)) is not None:
+        if (saying := _saying(claim, at)) is not None:
             for declaration in saying.registered:
                 said.setdefault(declaration, []).append(saying)
     return made
 
 
 class _Saying:
-    """What one formula says, and the symbols under which it is looked for."""
+    """What one formula says, its place among the others, and the symbols under which it is looked for."""
 
-    def __init__(self, claim: Claim, fact: Fact, registered: set[Declaration]) -> None:
-        self.claim, self.fact, self.registered = claim, fact, registered
+    def __init__(self, claim: Claim, at: int, fact: Fact, registered: set[Declaration]) -> None:
+        self.claim, self.at, self.fact, self.registered = claim, at, fact, registered
 
 
-def _saying(claim: Claim) -> _Saying | None:
+def _saying(claim: Claim, at: int) -> _Saying | None:
     """Returns None for a formula that asserts something."""
     act, own = claim.act
     statement, definitions = claim.printed.statement, claim.notation.definitions
@@ -80,14 +80,14 @@ def _saying(claim: Claim) -> _Saying | None:
     about = names_of(registered | {own.declaration})
     origin = Origin(Provider.FORMULA, to_latex(statement), claim.id)
     fact = Fact(definition or statement, about, origin, Strength.STATED, act=act)
-    return _Saying(claim, fact, registered)
+    return _Saying(claim, at, fact, registered)
 
 
 def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
     """Returns what is said of the symbols of the claim, and of those behind what is said."""
     statement, notation = claim.printed.statement, claim.notation
     assert statement is not None
-    found: dict[str, Fact] = {}
+    found: dict[int, Fact] = {}
     seen: set[Declaration] = set()
     waiting = free_in(terms_of(statement), notation.definitions)
     while waiting:
@@ -102,10 +102,10 @@ def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
             fact = saying.fact
             if saying.claim.id in claim.chain and fact.act is not Act.DEFINE:
                 fact = replace(fact, content=None)
-            found[saying.claim.id] = fact
+            found[saying.at] = fact
             if fact.act is Act.DEFINE:
                 waiting |= free_in(terms_of(stated), notation.definitions)
-    return [found[key] for key in sorted(found)]
+    return [found[at] for at in sorted(found)]
 
 
 def with_laws(claims: Sequence[Claim]) -> list[Claim]:

@@ -1,0 +1,19 @@
+"""Of several formulas that say what a symbol is, the first one in the text defines it."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.context.judged_texts import KINDS, judged, model, text_of
+from workbench.judge.verdict import Outcome
+
+MODEL = model({**KINDS, "y": "scalar"})
+OTHER = "f (g a) = g f a"
+
+
+@pytest.mark.parametrize("before", range(3))
+def test_first_definition_counts_on_whatever_line_it_stands(tmp_path: Path, before: int) -> None:
+    formulas = ["x = 2 f", "y = x + g", OTHER, OTHER, "x = 3 f", "y = 2 f + g", "y = 3 f + g"]
+    *_, again, right, wrong = judged(tmp_path, text_of([OTHER] * before + formulas), MODEL)
+    assert (again.outcome, wrong.outcome) == (Outcome.REFUTED, Outcome.REFUTED)
+    assert right.outcome is Outcome.CONDITIONAL and "x = 2 f" in str(right.reason)

@@ -11,10 +11,10 @@ from workbench.context.facts import Fact
 from workbench.context.sentences import Sentence, flat, speaks_for_all, speaks_of, told_by
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import symbol
-from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Statement, Symbol, sides_of
 from workbench.papers.cutting.chains import steps_of
 from workbench.papers.model import Notation
+from workbench.papers.said import is_before_scope
 from workbench.papers.texts import Display, spelled
 from workbench.papers.texts.prose import sentence_around, sentence_ends, supposed_before
 from workbench.papers.texts.view import Source
@@ -41,7 +41,12 @@ class TextSentences:
                 is_named = not known.keys().isdisjoint(map(flat, sentence.named.values()))
                 if not (is_named or speaks_for_all(sentence.text)):
                     continue
-                told = [own for own in symbols if _is_in_force(own.declaration.name, line, display, notation)]
+                path = display.source.path
+                told = [
+                    own
+                    for own in symbols
+                    if not is_before_scope([own.declaration.name], path, line, notation)
+                ]
             yield from told_by(sentence, told)
 
     def _of(self, source: Source) -> _FileSentences:
@@ -105,12 +110,6 @@ class _FileSentences:
         pieces.append(prose[at:last])
         text = " ".join(_LABEL.sub(" ", "".join(pieces)).split())
         return Sentence(text, named, f"line {line}", display is not None)
-
-
-def _is_in_force(name: Name, line: int, display: Display, notation: Notation) -> bool:
-    """Returns whether what stands on the line speaks of the symbol that is meant at the display."""
-    since = notation.since.get(name)
-    return since is None or since[0] != display.source.path or line >= since[1]
 
 
 def _symbols(statement: Statement, notation: Notation) -> list[Symbol]:

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import SequenceMatcher
 from itertools import islice, pairwise, product
+from pathlib import Path
 
 from workbench.budget import OutOfBudget
 from workbench.judge.kernel.judge import Judge
@@ -23,17 +24,17 @@ from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Statement, Symbol
 from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.formulas import read_statement
-from workbench.papers.model import Claim, Span
+from workbench.papers.model import Claim
 from workbench.papers.respell.in_models import or_respelled
-from workbench.papers.texts import Display, Text, Token, spelled
+from workbench.papers.texts import Display, Source, Text, Token, spelled
+from workbench.papers.texts.tex.tokens import PARAGRAPH, lex
 from workbench.repair.propose.judging import judging
 from workbench.repair.propose.proposed import Proposed
 from workbench.repair.propose.repair import Repair
 from workbench.repair.terms.places import places
-from workbench.verify.edited import SourceEdit
+from workbench.verify.edited import Piece, SourceEdit, edits_in_source, merged
 from workbench.verify.results import ClaimResult
 
-_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[^\s]", re.DOTALL)
 #: Tokens that only format: neither the printer nor the author needs them where the other has them.
 _IDLE = frozenset((r"\left", r"\right", "{", "}", r"\,", r"\;", r"\!", r"\ ", r"\:", r"\quad", "&", r"\cdot"))
 _SAME = {
@@ -49,32 +50,6 @@ _SAME = {
 _MOST_READ, _MOST_JUDGED = 200, 6
 #: Seconds of processor time for judging one of them.
 _MOST_SECONDS = 2.0
-#: Edits with at most so many characters between them are one.
-_CLOSE = 2
-
-
-@dataclass(frozen=True)
-class _Atom:
-    """One token of a formula, and where it stands in its LaTeX."""
-
-    text: str
-    start: int
-    end: int
-
-    @property
-    def key(self) -> str:
-        return _SAME.get(self.text, self.text)
-
-
-@dataclass(frozen=True)
-class _Piece:
-    """What is written instead of the characters `start` to `end` of the formula: as the reader takes it
-    (macros expanded) and as the author writes it."""
-
-    start: int
-    end: int
-    expanded: str
-    written: str
 
 
 def with_author_edits(results: Sequence[ClaimResult], text: Text | None) -> list[ClaimResult]:
@@ -101,8 +76,8 @@ def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[SourceEd
     editor = _Editor(claim, latex, owners, proposed.latex, right)
     try:
         for pieces in editor.candidates():
-            if (found := _edits_of(pieces, latex, owners)) is not None and editor.is_right(pieces):
-                return _merged(found)
+            if (found := edits_in_source(pieces, owners)) is not None and editor.is_right(pieces):
+                return merged(found)
     finally:
         editor.close()
     return ()
@@ -146,7 +121,6 @@ class _Editor:
         self._after = _atoms(proposal)
         self._own = _atoms(latex)
         self._at = _aligned(self._before, self._own)
-        self._proposal = proposal
         self._judged = 0
         self._judge = judging(claim, Judge(claim.notation.definitions))
         self._snippets = self._authors_spellings()
@@ -154,7 +128,7 @@ class _Editor:
     def close(self) -> None:
         self._judge.close()
 
-    def candidates(self) -> Iterator[tuple[_Piece, ...]]:
+    def candidates(self) -> Iterator[tuple[Piece, ...]]:
         """Edited formulas, the plainest first."""
         changes = _changes(self._before, self._after)
         if not changes or len(changes) > 12:
@@ -169,7 +143,7 @@ class _Editor:
                     seen.add(pieces)
                     yield pieces
 
-    def is_right(self, pieces: Sequence[_Piece]) -> bool:
+    def is_right(self, pieces: Sequence[Piece]) -> bool:
         """Whether the edited formula says what was proved, or is proved itself."""
         edited = _with(self._latex, [(each.start, each.end, each.expanded) for each in pieces])
         try:
@@ -191,13 +165,13 @@ class _Editor:
         both = [*self._before[start:end], *self._after[first:last]]
         return all(each.text in ("(", ")", *_IDLE) for each in both)
 
-    def _ways(self, change: tuple[int, int, int, int]) -> list[_Piece]:
+    def _ways(self, change: tuple[int, int, int, int]) -> list[Piece]:
         """The ways to make one change: where it may stand, with and without brackets around what is new."""
         start, end, first, last = change
         found = []
         for expanded, written in self._texts(first, last):
             for begin, stop in self._places(start, end):
-                found.append(_Piece(begin, stop, expanded, written))
+                found.append(Piece(begin, stop, expanded, written))
         return found
 
     def _places(self, start: int, end: int) -> list[tuple[int, int]]:
@@ -237,7 +211,7 @@ class _Editor:
             found.insert(0, self._in_the_authors_spelling(bare))
         return list(dict.fromkeys(found))
 
-    def _in_the_authors_spelling(self, atoms: Sequence[_Atom]) -> tuple[str, str]:
+    def _in_the_authors_spelling(self, atoms: Sequence[Token]) -> tuple[str, str]:
         expanded, written = [], []
         place = 0
         while place < len(atoms):
@@ -272,10 +246,10 @@ class _Editor:
         return found
 
     def _snippet(self, start: int, end: int) -> tuple[str, str] | None:
-        places_ = [self._at[k] for k in range(start, end) if k in self._at]
-        if not places_:
+        aligned = [self._at[k] for k in range(start, end) if k in self._at]
+        if not aligned:
             return None
-        low, high = _closed(self._latex, self._own[min(places_)].start, self._own[max(places_)].end)
+        low, high = _closed(self._latex, self._own[min(aligned)].start, self._own[max(aligned)].end)
         tokens = self._owners[low:high]
         sources = {token.source for token in tokens}
         if len(sources) != 1:
@@ -288,91 +262,22 @@ class _Editor:
         return self._latex[low:high], written
 
 
-def _edits_of(pieces: Sequence[_Piece], latex: str, owners: Sequence[Token]) -> tuple[SourceEdit, ...] | None:
-    """The edits of the source; None where a place is in no single file."""
-    found = []
-    for piece in pieces:
-        edit = _edit_of(piece, latex, owners)
-        if edit is None:
-            return None
-        found.append(edit)
-    found.sort(key=lambda each: each.start)
-    overlap = any(a.end > b.start for a, b in pairwise(found))
-    return None if overlap else tuple(found)
+def _atoms(latex: str) -> list[Token]:
+    """The tokens of a formula, each with its place in the LaTeX."""
+    return [token for token in lex(Source(Path(), latex).view()) if token.text not in (" ", PARAGRAPH)]
 
 
-def _merged(edits: Sequence[SourceEdit]) -> tuple[SourceEdit, ...]:
-    """The edits, those that all but touch as one."""
-    found: list[SourceEdit] = []
-    for edit in edits:
-        if found and found[-1].end + _CLOSE >= edit.start and found[-1].source is edit.source:
-            before, between = found.pop(), edit.source.text
-            kept = between[before.end : edit.start]
-            span = replace(before.span, end_line=edit.span.end_line, end_column=edit.span.end_column)
-            found.append(
-                replace(
-                    before,
-                    span=span,
-                    end=edit.end,
-                    old=before.old + kept + edit.old,
-                    new=before.new + kept + edit.new,
-                )
-            )
-        else:
-            found.append(edit)
-    return tuple(found)
+def _key(token: Token) -> str:
+    """What a token is aligned by: commands for one sign are the same."""
+    return _SAME.get(token.text, token.text)
 
 
-def _edit_of(piece: _Piece, latex: str, owners: Sequence[Token]) -> SourceEdit | None:
-    start, end = piece.start, piece.end
-    written = piece.written
-    if start == end:
-        left = owners[start - 1] if start else None
-        right = owners[start] if start < len(owners) else None
-        if left is not None and right is not None and _overlap(left, right):
-            return None  # within what one macro prints
-        token = right or left
-        if token is None or token.end <= token.start:
-            return None
-        offset = token.start if token is right else token.end
-        return _edit(token, offset, offset, written)
-    tokens = owners[start:end]
-    if len({id(token.source) for token in tokens}) != 1:
-        return None
-    begin, stop = min(token.start for token in tokens), max(token.end for token in tokens)
-    if any(each.start < stop and begin < each.end for each in (*owners[:start], *owners[end:])):
-        return None  # a macro prints more than what is to go
-    return _edit(tokens[0], begin, stop, written)
-
-
-def _overlap(left: Token, right: Token) -> bool:
-    return left.source is right.source and left.start < right.end and right.start < left.end
-
-
-def _edit(token: Token, begin: int, stop: int, written: str) -> SourceEdit:
-    source = token.source
-    before, behind = source.text[:begin], source.text[stop:]
-    if written and re.search(r"\\[A-Za-z]+$", before) and written[0].isalpha():
-        written = f" {written}"
-    if re.search(r"\\[A-Za-z]+$", written or before[-40:]) and behind[:1].isalpha():
-        written = f"{written} "
-    if not written:  # a blank that parted what goes from what follows goes, too
-        stop += len(behind) - len(behind.lstrip(" ")) if before[-1:] in " &" else 0
-    span = Span(source.path, *source.place(begin), *source.place(stop))
-    return SourceEdit(span, source, begin, stop, source.text[begin:stop], written)
-
-
-def _atoms(latex: str) -> list[_Atom]:
-    return [_Atom(match[0], match.start(), match.end()) for match in _TOKEN.finditer(latex)]
-
-
-def _aligned(printed: Sequence[_Atom], own: Sequence[_Atom]) -> dict[int, int]:
+def _aligned(printed: Sequence[Token], own: Sequence[Token]) -> dict[int, int]:
     """Which token of the author's formula each token of the printer's is."""
     firsts = [k for k, each in enumerate(printed) if each.text not in _IDLE]
     seconds = [k for k, each in enumerate(own) if each.text not in _IDLE]
-    matcher = SequenceMatcher(
-        None, [printed[k].key for k in firsts], [own[k].key for k in seconds], autojunk=False
-    )
+    keys = [_key(printed[k]) for k in firsts], [_key(own[k]) for k in seconds]
+    matcher = SequenceMatcher(None, *keys, autojunk=False)
     return {
         firsts[block.a + step]: seconds[block.b + step]
         for block in matcher.get_matching_blocks()
@@ -380,14 +285,14 @@ def _aligned(printed: Sequence[_Atom], own: Sequence[_Atom]) -> dict[int, int]:
     }
 
 
-def _changes(before: Sequence[_Atom], after: Sequence[_Atom]) -> list[tuple[int, int, int, int]]:
+def _changes(before: Sequence[Token], after: Sequence[Token]) -> list[tuple[int, int, int, int]]:
     matcher = SequenceMatcher(
         None, [each.text for each in before], [each.text for each in after], autojunk=False
     )
     return [tuple(change) for tag, *change in matcher.get_opcodes() if tag != "equal"]  # type: ignore[misc]
 
 
-def _balanced(atoms: Sequence[_Atom]) -> list[_Atom]:
+def _balanced(atoms: Sequence[Token]) -> list[Token]:
     """Without round brackets that have no partner, and what only sizes them."""
     open_at: list[int] = []
     drop: set[int] = set()
@@ -410,7 +315,7 @@ def _closed(latex: str, start: int, end: int) -> tuple[int, int]:
     return start, end
 
 
-def _are_apart(pieces: Sequence[_Piece]) -> bool:
+def _are_apart(pieces: Sequence[Piece]) -> bool:
     ordered = sorted(pieces, key=lambda each: (each.start, each.end))
     return all(a.end <= b.start for a, b in pairwise(ordered))
 

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from io import StringIO
+from itertools import pairwise
 
 from workbench.papers.model import Span
-from workbench.papers.texts import Source
+from workbench.papers.texts import Source, Token
+
+#: Edits with at most so many characters between them are one.
+_CLOSE = 2
 
 
 @dataclass(frozen=True)
@@ -38,6 +43,17 @@ class Replacement:
     new: str
 
 
+@dataclass(frozen=True)
+class Piece:
+    """What is written instead of the characters `start` to `end` of the formula: as the reader takes it
+    (macros expanded) and as the author writes it."""
+
+    start: int
+    end: int
+    expanded: str
+    written: str
+
+
 def applied(source: str, edits: Iterable[SourceEdit | Replacement]) -> str:
     """The source with the edits made; of two that overlap only the last."""
     end = len(source)
@@ -54,3 +70,77 @@ def patch_of(before: str, after: str, name: str) -> str:
     pieces = difflib.unified_diff(*lines, f"a/{name}", f"b/{name}", n=1)
     end = "\n\\ No newline at end of file\n"
     return "".join(piece if piece.endswith("\n") else piece + end for piece in pieces)
+
+
+def edits_in_source(pieces: Sequence[Piece], owners: Sequence[Token]) -> tuple[SourceEdit, ...] | None:
+    """The edits of the source; None where a place is in no single file."""
+    found = []
+    for piece in pieces:
+        edit = _edit_of(piece, owners)
+        if edit is None:
+            return None
+        found.append(edit)
+    found.sort(key=lambda each: each.start)
+    overlap = any(a.end > b.start for a, b in pairwise(found))
+    return None if overlap else tuple(found)
+
+
+def merged(edits: Sequence[SourceEdit]) -> tuple[SourceEdit, ...]:
+    """The edits, those that all but touch as one."""
+    found: list[SourceEdit] = []
+    for edit in edits:
+        if found and found[-1].end + _CLOSE >= edit.start and found[-1].source is edit.source:
+            before, between = found.pop(), edit.source.text
+            kept = between[before.end : edit.start]
+            span = replace(before.span, end_line=edit.span.end_line, end_column=edit.span.end_column)
+            found.append(
+                replace(
+                    before,
+                    span=span,
+                    end=edit.end,
+                    old=before.old + kept + edit.old,
+                    new=before.new + kept + edit.new,
+                )
+            )
+        else:
+            found.append(edit)
+    return tuple(found)
+
+
+def _edit_of(piece: Piece, owners: Sequence[Token]) -> SourceEdit | None:
+    start, end = piece.start, piece.end
+    written = piece.written
+    if start == end:
+        left = owners[start - 1] if start else None
+        right = owners[start] if start < len(owners) else None
+        if left is not None and right is not None and _overlap(left, right):
+            return None  # within what one macro prints
+        token = right or left
+        if token is None or token.end <= token.start:
+            return None
+        offset = token.start if token is right else token.end
+        return _edit(token, offset, offset, written)
+    tokens = owners[start:end]
+    if len({id(token.source) for token in tokens}) != 1:
+        return None
+    begin, stop = min(token.start for token in tokens), max(token.end for token in tokens)
+    if any(each.start < stop and begin < each.end for each in (*owners[:start], *owners[end:])):
+        return None  # a macro prints more than what is to go
+    return _edit(tokens[0], begin, stop, written)
+
+
+def _overlap(left: Token, right: Token) -> bool:
+    return left.source is right.source and left.start < right.end and right.start < left.end
+
+
+def _edit(token: Token, begin: int, stop: int, written: str) -> SourceEdit:
+    source = token.source
+    before, behind = source.text[:begin], source.text[stop:]
+    if written and re.search(r"\\[A-Za-z]+$", before) and written[0].isalpha():
+        written = f" {written}"
+    if re.search(r"\\[A-Za-z]+$", written or before[-40:]) and behind[:1].isalpha():
+        written = f"{written} "
+    if not written:  # a blank that parted what goes from what follows goes, too
+        stop += len(behind) - len(behind.lstrip(" ")) if before[-1:] in " &" else 0
+    span = Span(source.path, *source.place(begin), *source.place(stop))
+    return SourceEdit(span, source, begin, stop, source.text[begin:stop], written)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,8 @@ import click
 
 from workbench.cli.options import Unusable
 from workbench.judge.verdict import Grade, Outcome
+from workbench.papers.texts.view import MOST_BYTES
+from workbench.papers.toml.file_bytes import file_bytes
 from workbench.verify.edited import SourceEdit, applied, patch_of
 
 if TYPE_CHECKING:
@@ -51,8 +54,8 @@ def diff_of(edits: dict[Path, list[SourceEdit]]) -> str:
 
 
 def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:
-    """Makes the corrections in the files; how many. Raises Unusable if a file changed since it was read, or
-    cannot be written: then no file is changed."""
+    """Makes the corrections in the files; how many. Raises Unusable if a file changed since it was read, and
+    then changes none, or if one cannot be written."""
     made = [(path, _edited(path, own[0].source, own)) for path, own in edits.items()]
     for path, data in made:
         draft = path.with_name(f".unfinished-{path.name}")
@@ -66,16 +69,19 @@ def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:
 
 
 def _edited(path: Path, source: Source, edits: Sequence[SourceEdit]) -> bytes:
-    raw = path.read_bytes()
+    """The bytes of the file with the edits made; all else stays, the ends of lines, too."""
+    raw = file_bytes(path, "a text", MOST_BYTES)
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise Unusable(f"{path}: is not UTF-8; --diff prints the corrections instead") from None
-    newline = "\r\n" if "\r\n" in text else "\n"
     if text.replace("\r\n", "\n").replace("\r", "\n") != source.text:
         raise Unusable(f"{path}: changed while it was judged; nothing was written")
+    offsets = [at for at, sign in enumerate(text) if sign != "\n" or text[at - 1 : at] != "\r"]
+    offsets.append(len(text))
+    moved = [replace(edit, start=offsets[edit.start], end=offsets[edit.end]) for edit in edits]
     mark = b"\xef\xbb\xbf" if raw.startswith(b"\xef\xbb\xbf") else b""
-    return mark + applied(source.text, edits).replace("\n", newline).encode("utf-8")
+    return mark + applied(text, moved).encode("utf-8")
 
 
 def confirmed(edits: dict[Path, list[SourceEdit]]) -> bool:

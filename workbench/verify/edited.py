@@ -14,6 +14,8 @@ from workbench.papers.texts import Source, Token
 
 #: Edits with at most so many characters between them are one.
 _CLOSE = 2
+#: So many characters around an edit say whether a blank must part it from a command.
+_LONGEST = 60
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ class Piece:
 
 
 def applied(source: str, edits: Iterable[SourceEdit | Replacement]) -> str:
-    """The source with the edits made; of two that overlap only the last."""
+    """The source with the edits made; of two that overlap only the later one."""
     end = len(source)
     for edit in sorted(edits, key=lambda each: (each.start, each.end), reverse=True):
         if edit.end <= end:
@@ -124,7 +126,9 @@ def _edit_of(piece: Piece, owners: Sequence[Token]) -> SourceEdit | None:
     if len({id(token.source) for token in tokens}) != 1:
         return None
     begin, stop = min(token.start for token in tokens), max(token.end for token in tokens)
-    if any(each.start < stop and begin < each.end for each in (*owners[:start], *owners[end:])):
+    source = tokens[0].source
+    others = (each for each in (*owners[:start], *owners[end:]) if each.source is source)
+    if any(each.start < stop and begin < each.end for each in others):
         return None  # a macro prints more than what is to go
     return _edit(tokens[0], begin, stop, written)
 
@@ -135,10 +139,11 @@ def _overlap(left: Token, right: Token) -> bool:
 
 def _edit(token: Token, begin: int, stop: int, written: str) -> SourceEdit:
     source = token.source
-    before, behind = source.text[:begin], source.text[stop:]
+    before = source.text[max(0, begin - _LONGEST) : begin]
+    behind = source.text[stop : stop + _LONGEST]
     if written and re.search(r"\\[A-Za-z]+$", before) and written[0].isalpha():
         written = f" {written}"
-    if re.search(r"\\[A-Za-z]+$", written or before[-40:]) and behind[:1].isalpha():
+    if re.search(r"\\[A-Za-z]+$", written or before) and behind[:1].isalpha():
         written = f"{written} "
     if not written:  # a blank that parted what goes from what follows goes, too
         stop += len(behind) - len(behind.lstrip(" ")) if before[-1:] in " &" else 0

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from workbench.budget import workers
+from workbench.runtime import workers
 
 #: Papers that tests judge themselves: what they claim is not all right.
 collect_ignore_glob = ["judge/papers/*.toml", "errata/*/*.toml"]

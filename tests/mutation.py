@@ -116,9 +116,9 @@ def difference(mutant):
 
 
 def place_of(mutant):
-    """Such as kernel.case.Case.find, without the number of the mutant."""
+    """Such as prover.decide.case.Case.find, without the number of the mutant."""
     module, _, name = mutant.partition("__mutmut_")[0].rpartition(".")
-    *_, place = module.split(".", 2)
+    place = module.removeprefix("workbench.")
     return f"{place}.{name.removeprefix('x_').removeprefix('xǁ').replace('ǁ', '.')}"
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
-from workbench.papers.model import Claim, Formula, Mend, Paper
-from workbench.papers.orders import Orders
-from workbench.repair.propose.proposed import Proposed
-from workbench.verify.results import ClaimResult
+from workbench.context.claims import Claim, Formula, Mend, Paper
+from workbench.context.index_values import Orders
+from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.prover.results.proposed_form import Proposed
 
 EXACT = {"method": "exact ring (python-flint)", "outcome": "zero residual", "terms": 48, "variables": 6}
 SECOND = {"method": "SymPy PolyRing", "outcome": "agrees", "terms": 48}

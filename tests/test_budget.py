@@ -14,14 +14,14 @@ import pytest
 from repair.damage import right_claims
 
 from workbench import check
-from workbench.budget import Budget, OutOfBudget, Workers
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import EngineDisagreement, Outcome
+from workbench.app.pipeline.judge_claims import PaperJudge, judge_paper
+from workbench.core.verdict import EngineDisagreement, Outcome
 from workbench.papers import PaperError, find_paper, load_paper
-from workbench.repair.propose.judging import verdict_or_none
-from workbench.repair.propose.limits import Limits
+from workbench.prover.decide.decide import Judge
+from workbench.repair.propose.candidate_judge import verdict_or_none
 from workbench.repair.propose.repair import repair
-from workbench.verify.claims import PaperJudge, judge_paper
+from workbench.repair.propose.search_limits import Limits
+from workbench.runtime import Budget, OutOfBudget, Workers
 
 
 @pytest.fixture(scope="module")
@@ -186,7 +186,7 @@ def test_a_call_can_have_processes_of_its_own_and_they_end_with_theirs():
 
 
 def test_a_program_that_does_not_close_them_ends_all_the_same():
-    code = "import os\nfrom workbench.budget import Workers\nw = Workers(lambda n: os.getpid(), None)\nprint(w.call(0))"
+    code = "import os\nfrom workbench.runtime import Workers\nw = Workers(lambda n: os.getpid(), None)\nprint(w.call(0))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0 and is_gone(int(done.stdout))
 

@@ -11,7 +11,7 @@ import pytest
 
 import workbench
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 AB = {"a": "vector", "b": "vector"}
 EVERY_VERDICT = Path(__file__).parent / "papers" / "every_verdict.toml"
@@ -213,8 +213,8 @@ def test_import_is_light():
 
 
 def test_judging_on_all_cores_gives_what_one_core_gives(monkeypatch):
+    from workbench.app.pipeline import judge_claims as verify
     from workbench.papers import find_paper
-    from workbench.verify import claims as verify
 
     paper = find_paper(None)
     serial = verify.judge_paper(paper, ["53-57"], motions=False)

@@ -15,12 +15,12 @@ import pytest
 from bad_papers import BAD_PAPERS, HEAD, SYMBOL_FAULTS, BadPaper
 from click.testing import CliRunner, Result
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
 
 PAPERS = Path(__file__).parent / "papers"
 EVERY_VERDICT = str(PAPERS / "every_verdict.toml")
 IDENTITIES = str(PAPERS / "vector_identities.toml")
-COMMAND = [sys.executable, "-c", "from workbench.cli.commands import main; main()"]
+COMMAND = [sys.executable, "-c", "from workbench.app.commands.commands import main; main()"]
 
 
 def run(*arguments: str) -> Result:
@@ -270,8 +270,8 @@ def test_assumptions_that_nothing_satisfies_are_an_error(tmp_path):
 
 
 def test_engines_that_disagree_are_a_defect_and_no_verdict(monkeypatch):
-    from workbench.judge.kernel.judge import Judge
-    from workbench.judge.verdict import EngineDisagreement
+    from workbench.core.verdict import EngineDisagreement
+    from workbench.prover.decide.decide import Judge
 
     def disagree(*arguments, **options):
         raise EngineDisagreement("zero here, not there")
@@ -293,7 +293,7 @@ def test_a_process_ends_with_status_2_and_no_traceback(tmp_path):
 
 
 def test_listing_needs_no_engine():
-    code = "import sys; from workbench.cli.commands import main; main(standalone_mode=False); print(sorted(sys.modules))"
+    code = "import sys; from workbench.app.commands.commands import main; main(standalone_mode=False); print(sorted(sys.modules))"
     call = [sys.executable, "-c", code, "list", "--paper", EVERY_VERDICT]
     modules = subprocess.run(call, capture_output=True, text=True, check=True).stdout.splitlines()[-1]
     assert "'lark'" in modules
@@ -302,7 +302,7 @@ def test_listing_needs_no_engine():
 
 
 def test_a_closed_pipe_is_no_fault():
-    call = f"{sys.executable} -c 'from workbench.cli.commands import main; main()' list --paper {EVERY_VERDICT} | true"
+    call = f"{sys.executable} -c 'from workbench.app.commands.commands import main; main()' list --paper {EVERY_VERDICT} | true"
     done = subprocess.run(["bash", "-c", call], capture_output=True, text=True, timeout=30)
     assert done.stderr == ""
 
@@ -319,10 +319,10 @@ def test_a_locale_without_greek_is_no_fault(tmp_path):
 
 def test_interrupted_it_says_so_and_leaves_no_half_report(tmp_path):
     code = (
-        "import os, signal, workbench.judge.kernel.judge as j\n"
+        "import os, signal, workbench.prover.decide.decide as j\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job in the background ignores it
         "j.Judge.judge = lambda *a, **k: os.kill(os.getppid(), signal.SIGINT) or __import__('time').sleep(9)\n"
-        "from workbench.cli.commands import main; main()"
+        "from workbench.app.commands.commands import main; main()"
     )
     call = [sys.executable, "-c", code, "report", "--paper", EVERY_VERDICT, "--out", str(tmp_path / "out")]
     anew = {**os.environ, "WORKBENCH_CACHE": os.devnull}  # a kept verdict is not judged

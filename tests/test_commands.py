@@ -11,8 +11,8 @@ import click
 import pytest
 from click.testing import CliRunner
 
-from workbench.cli.command_table import COMMANDS
-from workbench.cli.commands import main
+from workbench.app.commands.command_table import COMMANDS
+from workbench.app.commands.commands import main
 
 CONTEXT = click.Context(main, info_name="workbench")
 NAMES = main.list_commands(CONTEXT)
@@ -92,7 +92,11 @@ def test_python_m_workbench_runs() -> None:
 def test_shell_completion_completes(typed: str, completion: str) -> None:
     words = {"COMP_WORDS": typed, "COMP_CWORD": str(len(typed.split()) - 1)}
     done = subprocess.run(
-        [sys.executable, "-c", "from workbench.cli.commands import main; main(prog_name='workbench')"],
+        [
+            sys.executable,
+            "-c",
+            "from workbench.app.commands.commands import main; main(prog_name='workbench')",
+        ],
         env=os.environ | words | {"_WORKBENCH_COMPLETE": "bash_complete"},
         capture_output=True,
         text=True,
@@ -106,7 +110,7 @@ HEAVY = ("numpy", "scipy", "sympy", "flint", "pydrake", "lark", "numba", "jinja2
 @pytest.mark.parametrize("words", [["--version"], ["--help"]])
 def test_command_line_starts_without_heavy_imports(words: list[str]) -> None:
     code = (
-        "import sys\nfrom workbench.cli.commands import main\n"
+        "import sys\nfrom workbench.app.commands.commands import main\n"
         f"main({words!r}, standalone_mode=False)\n"
         f"print([m for m in {HEAVY!r} if m in sys.modules], file=sys.stderr)"
     )

@@ -10,11 +10,11 @@ from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.cli.commands import main
-from workbench.judge.verdict import Grade, Outcome, Strength, Verdict, grade_of
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Grade, Outcome, Strength, Verdict, grade_of
 from workbench.papers.load import load_paper
 from workbench.report.findings import findings, sarif
-from workbench.verify.claims import judge_paper
 
 MODEL = """source = "t.md"
 [symbols]

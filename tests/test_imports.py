@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
@@ -17,34 +18,35 @@ ROOT = Path(workbench.__file__).parent
 #: What a part of the engine may import: the parts before it.
 LAYERS = (
     ("core",),
-    ("algebra", "budget", "language", "drake", "memory", "typeset"),
-    ("kinematics", "judge"),
-    ("context",),
+    ("runtime", "language", "algebra"),
+    ("source", "drake"),
+    ("engines",),
+    ("kinematics", "context"),
+    ("prover",),
     ("papers",),
     ("repair",),
-    ("verify",),
-    ("report", "ingest", "certificates"),
+    ("report", "certificates"),
     ("guide",),
-    ("cli",),
-    ("api", "checked", "pytest_plugin"),
+    ("app",),
     ("__main__",),
 )
 
 #: The same inside of a part. The two engines stand beside each other: neither imports the other.
 ROOMS = {
-    "judge": (
-        ("verdict", "subject"),
-        ("first", "second"),
-        ("evidence",),
-        ("kernel",),
-        ("loading", "theorems"),
+    "engines": (("inventory",), ("polynomial", "jet")),
+    "prover": (
+        ("counterexamples", "motions"),
+        ("decide",),
+        ("goals", "preload"),
+        ("results",),
+        ("explain",),
     ),
     "certificates": (
         ("coqc", "emission"),
-        ("by_hand", "reading", "values"),
+        ("handwritten", "reading", "values"),
         ("theorem",),
-        ("generalized", "inequations"),
-        ("forms",),
+        ("generalized", "disequations"),
+        ("certified_forms",),
         ("goals", "refutation"),
         ("steps",),
         ("certify",),
@@ -126,6 +128,18 @@ def test_no_module_imports_itself_in_the_end() -> None:
     assert circle(graph(modules(ROOT))) == []
 
 
+def test_each_file_name_occurs_once() -> None:
+    names = Counter(path.name for path in ROOT.rglob("*.py"))
+    assert {name for name, count in names.items() if count > 1} <= {"__init__.py"}
+
+
+def test_each_package_says_what_it_is() -> None:
+    first = {
+        path: ast.get_docstring(ast.parse(path.read_text("utf-8"))) for path in ROOT.rglob("__init__.py")
+    }
+    assert [str(path) for path, docstring in first.items() if not docstring] == []
+
+
 def test_no_part_of_the_engine_imports_one_beside_or_above_it() -> None:
     sources = modules(ROOT)
     assert {part(module) for module in sources} - {""} == {name for names in LAYERS for name in names}
@@ -147,10 +161,10 @@ def test_terms_and_symbols_know_no_reading() -> None:
 
 
 def test_an_engine_that_imports_the_other_is_seen() -> None:
-    name = "workbench.judge.first.exact"
-    sources = {"workbench.judge.second.jets": f"from {name} import value\n", name: ""}
-    assert upward(graph(sources), ROOMS["judge"], "workbench.judge") == [
-        f"workbench.judge.second.jets imports {name}"
+    name = "workbench.engines.polynomial.polynomial_engine"
+    sources = {"workbench.engines.jet.jets": f"from {name} import value\n", name: ""}
+    assert upward(graph(sources), ROOMS["engines"], "workbench.engines") == [
+        f"workbench.engines.jet.jets imports {name}"
     ]
 
 
@@ -159,8 +173,8 @@ def test_the_engine_knows_no_paper() -> None:
     assert not outside & {"proofs", "tests"}
 
 
-LATE = "def f():\n    from workbench.judge.b import g\n"
-FOR_TYPES = "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from workbench.judge import b\n"
+LATE = "def f():\n    from workbench.prover.b import g\n"
+FOR_TYPES = "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from workbench.prover import b\n"
 
 
 @pytest.mark.parametrize(
@@ -168,19 +182,19 @@ FOR_TYPES = "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from workb
     [
         LATE,
         FOR_TYPES,
-        "import workbench.judge.b\n",
+        "import workbench.prover.b\n",
         "from . import b\n",
         "from .b import g\n",
-        "from ..judge.b import g\n",
+        "from ..prover.b import g\n",
     ],
 )
 def test_a_hidden_circle_is_seen(back: str) -> None:
-    sources = {"workbench.judge.a": back, "workbench.judge.b": "from workbench.judge.a import f\n"}
+    sources = {"workbench.prover.a": back, "workbench.prover.b": "from workbench.prover.a import f\n"}
     assert set(circle(graph(sources))) == set(sources)
 
 
 @pytest.mark.parametrize(
-    ("module", "other"), [("language", "algebra"), ("judge", "report"), ("judge", "kinematics")]
+    ("module", "other"), [("language", "algebra"), ("prover", "report"), ("engines", "kinematics")]
 )
 def test_an_import_of_what_stands_beside_or_above_is_seen(module: str, other: str) -> None:
     name = f"workbench.{other}.x"

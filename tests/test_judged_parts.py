@@ -14,25 +14,26 @@ import pytest
 from click.testing import CliRunner
 
 import workbench
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import ClaimJudge
+from workbench.app.pipeline.verdict_keys import Keys
+from workbench.context.claims import Claim, Formula, Mend, Notation, OnMotions, Robot, Stated
 from workbench.context.facts import Act, Fact, Origin, Provider, Supposition
-from workbench.judge.theorems.goals import Atom
-from workbench.judge.verdict import Strength
+from workbench.context.index_values import Orders
+from workbench.core.construct import number, symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.spans import Span
+from workbench.core.terms import Definition, Relation, Symbol
+from workbench.core.types import SCALAR, VECTOR, Declaration, Type
+from workbench.core.verdict import Strength
 from workbench.language.definitions import Definitions
+from workbench.language.goals.goals import Atom
 from workbench.language.naming.notations import Notations
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.construct import number, symbol
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Definition, Relation, Symbol
-from workbench.language.typed.types import SCALAR, VECTOR, Declaration, Type
 from workbench.papers import load_paper
-from workbench.papers.model import Claim, Formula, Mend, Notation, OnMotions, Robot, Span, Stated
-from workbench.papers.orders import Orders
-from workbench.verify.claims import ClaimJudge
-from workbench.verify.judged_parts import UNSEEN, JudgedParts
-from workbench.verify.keys import Keys
-from workbench.verify.told import by_fields, told
+from workbench.prover.explain.canonical_text import by_fields, told
+from workbench.prover.explain.judged_parts import UNSEEN, JudgedParts
 
 HEAD = "%! workbench: symbols.'a' = { kind = \"vector\" }\n"
 QUATERNION = HEAD + (

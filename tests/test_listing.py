@@ -9,14 +9,14 @@ from click.testing import CliRunner, Result
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.app.pipeline.result_proposals import with_proposals
 from workbench.papers import load_paper
-from workbench.papers.respell.typed_by_hand import as_typed
-from workbench.typeset.plain_text import in_plain_text, plain_text
-from workbench.verify.author_edits import author_edits
-from workbench.verify.claims import judge_paper
-from workbench.verify.edited import SourceEdit, applied
-from workbench.verify.proposals import with_proposals
+from workbench.repair.author_edits import author_edits
+from workbench.source.documents.source_edits import SourceEdit, applied
+from workbench.source.rewriting.pasted_formulas import as_typed
+from workbench.source.typeset.plain_text import in_plain_text, plain_text
 
 PREAMBLE = r"""%! workbench: symbols.'a' = { kind = "vector" }
 %! workbench: symbols.'b' = { kind = "vector" }

@@ -35,7 +35,7 @@ async def session(folder: Path) -> dict[str, object]:
         published[params.uri] = params.diagnostics
         came.set()
 
-    code = "from workbench.cli.commands import main; main(['lsp'])"
+    code = "from workbench.app.commands.commands import main; main(['lsp'])"
     await client.start_io(sys.executable, "-c", code)
     await client.initialize_async(
         types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
@@ -151,7 +151,9 @@ async def typed(folder: Path) -> dict[str, object]:
             await asyncio.wait_for(came.wait(), 60)
         return published[-1]
 
-    await client.start_io(sys.executable, "-c", "from workbench.cli.commands import main; main(['lsp'])")
+    await client.start_io(
+        sys.executable, "-c", "from workbench.app.commands.commands import main; main(['lsp'])"
+    )
     await client.initialize_async(
         types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
     )

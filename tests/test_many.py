@@ -14,12 +14,12 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
+from workbench.app.pipeline import dask_workers
+from workbench.app.pipeline.judge_claims import PaperJudge, forms
+from workbench.app.pipeline.many_papers import judge_papers
+from workbench.app.pipeline.verdict_keys import Memory
 from workbench.papers import load_paper
-from workbench.verify import remote
-from workbench.verify.claims import PaperJudge, forms
-from workbench.verify.keys import Memory
-from workbench.verify.many import judge_papers
 
 HEAD = 'title = "p"\n[symbols]\na = { kind = "vector" }\nb = { kind = "vector" }\n'
 TRUE = "[[claim]]\nid = 'true'\nprinted = 'a \\times b = -b \\times a'\n"
@@ -85,11 +85,11 @@ def test_a_text_without_a_model_says_what_it_needs(tmp_path: Path) -> None:
 
 def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> None:
     (name, paper), *_ = papers(tmp_path)
-    judge, bundle = PaperJudge(paper, motions=False), remote.Bundle.of(paper, name)
+    judge, bundle = PaperJudge(paper, motions=False), dask_workers.Bundle.of(paper, name)
     claim = paper.claims[1]
     options = {"motions": False}
     told = [
-        remote._judged({}, bundle, claim.id, form, key, options, judge.budget)
+        dask_workers._judged({}, bundle, claim.id, form, key, options, judge.budget)
         for form in forms(claim)
         for key in (judge.key(claim, form), "another")
     ]
@@ -99,7 +99,7 @@ def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> Non
 
 
 def test_a_scheduler_that_is_none_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("workbench.verify.remote.CONNECT", 1)
+    monkeypatch.setattr("workbench.app.pipeline.dask_workers.CONNECT", 1)
     (name, _), *_ = papers(tmp_path)
     result = run("check", name, "--scheduler", "tcp://127.0.0.1:1")
     assert (result.exit_code, "no scheduler of Dask answers there" in result.output) == (2, True)
@@ -147,7 +147,7 @@ def test_what_was_judged_before_an_interruption_is_not_judged_again(tmp_path: Pa
 
 def test_a_watched_paper_is_judged_again_when_it_changes(tmp_path: Path) -> None:
     papers(tmp_path)
-    code = "from workbench.cli.commands import main; main()"
+    code = "from workbench.app.commands.commands import main; main()"
     call = [sys.executable, "-uc", code, "check", "--watch", "--jobs", "2", "two.tex", "--no-motions"]
     environment = {**os.environ, "WORKBENCH_CACHE": str(tmp_path / "cache")}
     with subprocess.Popen(call, cwd=tmp_path, stdout=subprocess.PIPE, text=True, env=environment) as process:

@@ -24,7 +24,7 @@ MODEL = """[symbols]
 
 
 async def session(*calls: tuple[str, dict[str, Any]]) -> tuple[set[str], list[dict[str, Any]]]:
-    code = "from workbench.cli.commands import main; main(['mcp'])"
+    code = "from workbench.app.commands.commands import main; main(['mcp'])"
     server = stdio.StdioServerParameters(command=sys.executable, args=["-c", code])
     async with stdio.stdio_client(server) as (read, write), mcp.ClientSession(read, write) as client:
         await client.initialize()

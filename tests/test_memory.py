@@ -12,18 +12,18 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from workbench.cli.commands import main
-from workbench.core.verdict_codes import VerdictCode
-from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
-from workbench.memory import ground, objects
-from workbench.memory.store import Store
+from workbench.app.commands.commands import main
+from workbench.app.pipeline import result_proposals
+from workbench.app.pipeline.judge_claims import PaperJudge, judge_paper
+from workbench.app.pipeline.verdict_keys import Keys, Memory
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.papers import find_paper, installed_notation, load_installed, load_paper
-from workbench.repair.propose import run
-from workbench.repair.propose.limits import STANDARD
+from workbench.repair.propose import parallel_repairs
 from workbench.repair.propose.repair import Repair
-from workbench.verify import proposals
-from workbench.verify.claims import PaperJudge, judge_paper
-from workbench.verify.keys import Keys, Memory
+from workbench.repair.propose.search_limits import STANDARD
+from workbench.runtime import fingerprint, stored_objects
+from workbench.runtime.store import Store
 
 PAPER = r"""
 title = "t"
@@ -82,10 +82,10 @@ def test_what_a_change_reaches_is_judged_again(tmp_path, old, new, judged_again)
 def test_options_code_and_versions_are_part_of_the_key(tmp_path, monkeypatch):
     plain = keys_of(tmp_path, PAPER)
     assert not set(plain.values()) & set(keys_of(tmp_path, PAPER, {"motions": False}).values())
-    monkeypatch.setattr(ground, "version", lambda name: "0")
+    monkeypatch.setattr(fingerprint, "version", lambda name: "0")
     assert not set(plain.values()) & set(keys_of(tmp_path, PAPER).values())
     monkeypatch.undo()
-    monkeypatch.setattr(ground, "_code_of", lambda package: "other")
+    monkeypatch.setattr(fingerprint, "_code_of", lambda package: "other")
     assert not set(plain.values()) & set(keys_of(tmp_path, PAPER).values())
 
 
@@ -148,8 +148,8 @@ def test_keys_are_the_same_in_every_process() -> None:
     """Sets have another order where Python hashes texts otherwise."""
     program = """
 from workbench.papers import find_paper
-from workbench.verify import proposals
-from workbench.verify.keys import Keys
+from workbench.app.pipeline import result_proposals as proposals
+from workbench.app.pipeline.verdict_keys import Keys
 paper = find_paper(None)
 keys = Keys(paper.theorems, {})
 print([(claim.id, keys.of(claim, "printed")) for claim in paper.claims])
@@ -226,7 +226,7 @@ def test_terms_from_another_process_are_found_among_ours() -> None:
     """Texts have another hash there, and terms remember theirs."""
     program = """
 import sys
-from workbench.memory.objects import packed
+from workbench.runtime.stored_objects import packed
 from workbench.papers import find_paper
 definitions = list(find_paper(None).definitions)
 assert hash(definitions[0].body)
@@ -235,13 +235,13 @@ sys.stdout.buffer.write(packed(definitions))
     environment = os.environ | {"PYTHONHASHSEED": "1"}
     told = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
     ours = {definition.body for definition in find_paper(None).definitions}
-    assert all(definition.body in ours for definition in objects.unpacked(told.stdout))
+    assert all(definition.body in ours for definition in stored_objects.unpacked(told.stdout))
 
 
 def test_only_our_terms_come_back_from_bytes():
     for foreign in (os.system, subprocess.Popen, Store, pickle.loads):
         with pytest.raises(pickle.UnpicklingError, match="is not kept"):
-            objects.unpacked(pickle.dumps(foreign))
+            stored_objects.unpacked(pickle.dumps(foreign))
 
 
 @pytest.mark.parametrize(
@@ -266,7 +266,7 @@ def test_what_is_proposed_is_not_searched_for_twice(tmp_path, monkeypatch):
     command = ["check", str(tmp_path / "paper.toml")]
     first = CliRunner().invoke(main, command)
     assert "edit" in first.stdout
-    monkeypatch.setattr(run, "repair", lambda *_: pytest.fail("searched again"))
+    monkeypatch.setattr(parallel_repairs, "repair", lambda *_: pytest.fail("searched again"))
     assert CliRunner().invoke(main, command).stdout == first.stdout
     (tmp_path / "paper.toml").write_text(PAPER)  # its correction is proved: nothing is looked for
     assert CliRunner().invoke(main, command).exit_code == 0
@@ -277,12 +277,14 @@ def test_a_search_that_is_interrupted_is_not_kept(tmp_path, monkeypatch):
     results, memory = judge_paper(load_paper(tmp_path / "paper.toml")), Memory(tmp_path / "v.sqlite")
     for interrupted, known in ((True, None), (False, ())):
         monkeypatch.setattr(
-            run, "repair", lambda claim, _, beside=(), i=interrupted: Repair(claim, interrupted=i)
+            parallel_repairs,
+            "repair",
+            lambda claim, _, beside=(), i=interrupted: Repair(claim, interrupted=i),
         )
-        proposals.with_proposals(results, memory=memory)
+        result_proposals.with_proposals(results, memory=memory)
         assert (
             memory.proposals(
-                Keys({}, {"proposals": STANDARD}).of_proposals(results[2].claim, proposals.ALONE.key)
+                Keys({}, {"proposals": STANDARD}).of_proposals(results[2].claim, result_proposals.ALONE.key)
             )
             == known
         )

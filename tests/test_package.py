@@ -40,7 +40,7 @@ def test_wheel_works_in_an_empty_folder(tmp_path: Path) -> None:
     source = "\n".join(
         [
             "import workbench",
-            "from workbench.cli.commands import main",
+            "from workbench.app.commands.commands import main",
             "print(workbench.__file__)",
             "main(['help', 'frames'], standalone_mode=False)",
             "main(['help', 'messages'], standalone_mode=False)",

@@ -10,11 +10,11 @@ from bad_papers import BAD_PAPERS, GOOD_CLAIM, HEAD, SYMBOL_FAULTS, BadPaper, cl
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from workbench.judge.theorems.proofs import Kernel, Proven
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.names import Name
+from workbench.context.index_values import orders_within
+from workbench.core.names import Name
+from workbench.core.verdict import Outcome
+from workbench.language.goals.proofs import Kernel, Proven
 from workbench.papers import InstalledPaper, Orders, PaperError, load_paper, merge
-from workbench.papers.orders import orders_within
 
 PAPERS = Path(__file__).parent / "papers"
 
@@ -168,8 +168,8 @@ def test_an_heir_in_a_file_of_another_notation_is_an_error(two_files):
 
 
 def test_a_chapter_file_alone_may_name_heirs_of_any_other():
-    from workbench.papers.installed import installed
-    from workbench.papers.sisters import claim_ids, sisters_of
+    from workbench.papers.installed_papers import installed
+    from workbench.papers.sibling_files import claim_ids, sisters_of
 
     files = installed("chapter").files
     known = claim_ids(sisters_of(files[0]))
@@ -387,8 +387,8 @@ def test_orders_must_stay_in_the_stated_range(paper_of):
 
 
 def test_orders_of_one_variable_bounded_by_another():
+    from workbench.core.integer_expressions import Linear
     from workbench.language.reader import Range
-    from workbench.language.typed.integers import Linear
 
     stated = [Range("k", Linear(1), Linear.variable("n"))]
     orders = orders_within(Orders.parse("k = 1..3, n = 1..3"), stated)

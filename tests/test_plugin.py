@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.loading import load_engines
+from workbench.prover.preload import load_engines
 
 pytest_plugins = ["pytester"]
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from bad_papers import GOOD_CLAIM, HEAD
 
-from workbench.memory.store import Store
+from workbench.app.pipeline.verdict_keys import Keys
 from workbench.papers import PaperError, find_paper, load, merge
-from workbench.papers.installed import installed
-from workbench.verify.keys import Keys
+from workbench.papers.installed_papers import installed
+from workbench.runtime.store import Store
 
 
 def keys_of(paper) -> list[tuple[str, str, int | None]]:

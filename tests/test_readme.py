@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.guide.example_blocks import blocks, faults
-from workbench.cli.command_table import COMMANDS
+from workbench.app.commands.command_table import COMMANDS
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from workbench.papers.toml.toml_places import Places, characters, string_end
+from workbench.source.toml.toml_positions import Places, characters, string_end
 
 SAMPLE = r'''# a comment with ] and "quotes"
 title = "x # not a comment"

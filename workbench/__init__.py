@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from workbench.api import judge, load, repair, report
-    from workbench.checked import Checked, CheckedLines
-    from workbench.judge.verdict import Counterexample, Outcome, Verdict
+    from workbench.app.api import judge, load, repair, report
+    from workbench.app.checked import Checked, CheckedLines
+    from workbench.core.formula_errors import ReadError
+    from workbench.core.verdict import Counterexample, Outcome, Verdict
     from workbench.kinematics import Robot
-    from workbench.language.typed.errors import ReadError
     from workbench.papers import Claim, Paper, PaperError
+    from workbench.prover.results.claim_results import ClaimResult
     from workbench.repair.propose.repair import Repair
-    from workbench.verify.results import ClaimResult
 
 __all__ = [
     "Checked",
@@ -37,22 +37,23 @@ __all__ = [
     "report",
 ]
 
-#: Where each public name is defined; it is imported at its first use. judge, repair and report are packages,
-#: too, and callable.
+#: Where each public name is defined; it is imported at its first use. repair and report are packages, too,
+#: and callable.
 _PLACES = {
-    "Checked": "workbench.checked",
-    "CheckedLines": "workbench.checked",
-    "Claim": "workbench.papers.model",
-    "ClaimResult": "workbench.verify.results",
-    "Counterexample": "workbench.judge.verdict",
-    "Outcome": "workbench.judge.verdict",
-    "Paper": "workbench.papers.model",
-    "PaperError": "workbench.papers.model",
-    "ReadError": "workbench.language.typed.errors",
+    "Checked": "workbench.app.checked",
+    "CheckedLines": "workbench.app.checked",
+    "Claim": "workbench.context.claims",
+    "ClaimResult": "workbench.prover.results.claim_results",
+    "Counterexample": "workbench.core.verdict",
+    "Outcome": "workbench.core.verdict",
+    "Paper": "workbench.context.claims",
+    "PaperError": "workbench.context.claims",
+    "ReadError": "workbench.core.formula_errors",
     "Repair": "workbench.repair.propose.repair",
     "Robot": "workbench.kinematics",
-    "Verdict": "workbench.judge.verdict",
-    "load": "workbench.api",
+    "Verdict": "workbench.core.verdict",
+    "judge": "workbench.app.api",
+    "load": "workbench.app.api",
 }
 
 
@@ -65,7 +66,7 @@ def __getattr__(name: str) -> Any:
         return version("kinematics-workbench")
     if name in _PLACES:
         return getattr(import_module(_PLACES[name]), name)
-    if name in ("judge", "repair", "report"):
+    if name in ("repair", "report"):
         return import_module(f"workbench.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
@@ -114,8 +115,8 @@ def check(
     >>> check(r"a \\times b = b \\times a", symbols={"a": "vector", "b": "vector"}).outcome
     <Outcome.REFUTED: 'refuted'>
     """
-    from workbench.budget import Budget
-    from workbench.checked import check
+    from workbench.app.checked import check
+    from workbench.runtime import Budget
 
     budget = Budget.of(seconds=seconds, megabytes=megabytes)
     return check(latex, symbols, paper, assume, orders, definitions, notation, at, budget)

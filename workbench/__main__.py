@@ -1,6 +1,6 @@
 """Runs the command line: `python -m workbench`."""
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
 
 if __name__ == "__main__":
     main(prog_name="workbench")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import At, Follows, Proven, TwoWitnesses, Unique, Use
+from workbench.language.goals.proofs import At, Follows, Proven, TwoWitnesses, Unique, Use
 
 THEOREMS = {
     "adjugate_is_unique": Proven(

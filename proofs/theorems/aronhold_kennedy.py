@@ -7,7 +7,7 @@ a × b ≠ 0, or both are not 0 and parallel, with a sum that is not 0 or is, or
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.proofs import (
     At,
     Broken,
     Contradicts,

@@ -7,7 +7,7 @@ over n they go by Pascal's rule.
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.proofs import (
     Each,
     Follows,
     Given,

@@ -6,7 +6,7 @@ Aₙ c then. So the last coefficients are equal, and so are the polynomials with
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.proofs import (
     At,
     False_,
     Follows,

@@ -7,7 +7,7 @@ have the same accelerations of order n there; those of order n + 1 differ by wha
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.proofs import (
     Each,
     Follows,
     Given,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import Each, Follows, Given, Have, Kernel, Proven, Use, Witness
+from workbench.language.goals.proofs import Each, Follows, Given, Have, Kernel, Proven, Use, Witness
 
 _REAL, _DUAL = r"\operatorname{Re}(a + \varepsilon c) = a", r"\operatorname{Du}(a + \varepsilon c) = c"
 _REAL_X = r"\operatorname{Re}(X)"

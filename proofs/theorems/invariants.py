@@ -6,7 +6,7 @@ its columns is not 0 is along the axis. Where all are 0, Q is I.
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.proofs import (
     ByLength,
     Cases,
     Each,

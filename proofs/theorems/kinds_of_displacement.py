@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from proofs.theorems.dual import structure
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.proofs import (
     ByLength,
     Contradicts,
     Each,

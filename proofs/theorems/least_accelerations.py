@@ -5,7 +5,7 @@ w + ε m stands for ω̲⁽ⁿ⁾ at an instant, a(x) = m + w × x for the reduc
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.proofs import (
     At,
     ByLength,
     Cases,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import Each, Follows, Given, Have, Kernel, Proven, Unique, Use, Witness
+from workbench.language.goals.proofs import Each, Follows, Given, Have, Kernel, Proven, Unique, Use, Witness
 
 #: Through I at t = 0 with the velocity b̃: the rotation with the Rodrigues vector t b/2.
 _CURVE = r"\mathbf{I} + \frac{4 t}{4 + t^2 b^2} \tilde{b} + \frac{2 t^2}{4 + t^2 b^2} \tilde{b}^2"

@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from proofs.theorems.chains import OF_A_PRODUCT
-from workbench.judge.theorems.proofs import Each, Follows, Given, Have, Kernel, Proof, Proven, Use
 from workbench.kinematics.printed_chains import latex_3c
+from workbench.language.goals.proofs import Each, Follows, Given, Have, Kernel, Proof, Proven, Use
 
 Product = str | tuple["Product", "Product"]  # a letter, or the cross product of two
 Addend = tuple[str, Product]  # a factor in f, g, h and what it is a factor of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import Each, Follows, Given, Have, Induction, Kernel, Proven, Use
+from workbench.language.goals.proofs import Each, Follows, Given, Have, Induction, Kernel, Proven, Use
 
 # Leibniz' rule, which the sums of (106) and (108) are.
 _AFFINE = r"\forall n \geq 0 : \mathbf{A}_{\rho}^{[n]} = \mathbf{v}^{(n)} + \omega^{(n)} \times \rho"

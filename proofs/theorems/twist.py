@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.judge.theorems.proofs import Each, Follows, Have, Kernel, Pointwise, Proven, Unique, Use
+from workbench.language.goals.proofs import Each, Follows, Have, Kernel, Pointwise, Proven, Unique, Use
 
 _POINT = r"\boldsymbol{\rho} + \mathbf{R} r"
 _SAME_FIELD = (

@@ -5,7 +5,7 @@ import ctypes
 import llvmlite.binding as llvm
 from numba import config
 
-from workbench.kinematics.lanes import WIDTH
+from workbench.kinematics.simd_lanes import WIDTH
 
 
 def operations(joints, order):

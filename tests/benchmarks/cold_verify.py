@@ -22,9 +22,9 @@ HERE = Path(__file__).parents[2]
 VERIFY = """
 import sys
 try:
-    from workbench.cli.commands import main
+    from workbench.app.commands.commands import main
 except ImportError:  # before there were rooms
-    from workbench.cli import main
+    from workbench.app.commands import main
 if "--no-cache" not in {option for each in main.commands["verify"].params for option in each.secondary_opts}:
     sys.argv.remove("--no-cache")  # before verdicts were remembered
 sys.argv[0] = "workbench"

@@ -13,13 +13,13 @@ from time import perf_counter
 
 import sympy
 
-from workbench.judge.first.exact import ExactEngine
-from workbench.judge.second.consequences import recheck
-from workbench.judge.second.drake_ring import recheck_by_drake
-from workbench.judge.second.sympy_engine import SympyEngine
-from workbench.judge.subject.assumptions import Assumptions
-from workbench.judge.subject.inventory import take_inventory
-from workbench.language.defining import read_definition
+from workbench.engines.inventory.assumptions import Assumptions
+from workbench.engines.inventory.inventory import take_inventory
+from workbench.engines.jet.consequences import recheck
+from workbench.engines.jet.drake_ring import recheck_by_drake
+from workbench.engines.jet.sympy_engine import SympyEngine
+from workbench.engines.polynomial.polynomial_engine import ExactEngine
+from workbench.language.definition_entries import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read

@@ -159,7 +159,7 @@ def main() -> None:
 
         urdf = robot_urdf("panda")
     from workbench.kinematics import Robot
-    from workbench.kinematics.lanes import WIDTH
+    from workbench.kinematics.simd_lanes import WIDTH
 
     positions, rng = len(Robot.from_urdf(urdf).positions), np.random.default_rng(0)
     print(f"{urdf.name}, {options.frame}; {WIDTH} lanes")

@@ -3,12 +3,12 @@
 from contextlib import suppress
 from functools import cache
 
-from workbench.certificates.emission.nodes import NotCertified
-from workbench.certificates.forms import certificate, forms_of
-from workbench.certificates.goals.whole import whole
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.proofs import Proven
-from workbench.judge.verdict import Outcome
+from workbench.certificates.certified_forms import certificate, forms_of
+from workbench.certificates.emission.emitted_nodes import NotCertified
+from workbench.certificates.goals.goal_theorem import whole
+from workbench.core.verdict import Outcome
+from workbench.language.goals.goals import Scope
+from workbench.language.goals.proofs import Proven
 from workbench.papers import find_paper
 
 #: The theorem claims of the chapter that are joined to one theorem, those with families first.

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
+from workbench.app.pipeline.judge_claims import ClaimResult
 from workbench.certificates import coqc
-from workbench.certificates.by_hand import by_hand
 from workbench.certificates.certify import with_certificates
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.certificates.handwritten import by_hand
+from workbench.core.verdict import Outcome, Verdict
 from workbench.papers import find_paper
-from workbench.verify.claims import ClaimResult
 
 
 def results(name):

@@ -9,18 +9,18 @@ from click.testing import CliRunner
 from tests.certificates.emitted import JOINED, joined, one
 from tests.proofs.tampering import made_false, with_a_changed_conclusion
 from workbench import check
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import ClaimResult
 from workbench.certificates import coqc
-from workbench.certificates.emission.nodes import NotCertified
-from workbench.certificates.forms import Certificate
-from workbench.certificates.goals.whole import whole
+from workbench.certificates.certified_forms import Certificate
+from workbench.certificates.emission.emitted_nodes import NotCertified
+from workbench.certificates.goals.goal_theorem import whole
 from workbench.certificates.refutation import not_empty
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
-from workbench.cli.commands import main
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.goals.goals import Scope
 from workbench.papers import find_paper
-from workbench.verify.claims import ClaimResult
 
 pytestmark = [
     pytest.mark.slow,  # compiling the library takes half a minute
@@ -66,8 +66,8 @@ def test_the_command_prints_the_axioms_and_fails_loudly(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("name", ["76", "70.div", "113.P1", "132.total", "64", "124.power"])
 def test_a_refutation_is_accepted_on_the_axioms_of_the_reals(name):
+    from workbench.app.pipeline.judge_claims import judge_paper
     from workbench.certificates.certify import exact_forms, written
-    from workbench.verify.claims import judge_paper
 
     results = [r for r in judge_paper(find_paper("chapter"), [name]) if r.claim.id == name]
     (made,) = [written(f, v).certificate for f, _, v in exact_forms(results) if v.outcome == "refuted"]

@@ -4,20 +4,20 @@ from contextlib import suppress
 
 import pytest
 
-from workbench.certificates.emission.families import general
-from workbench.certificates.emission.nodes import NotCertified
+from workbench.app.pipeline.judge_claims import ClaimResult
+from workbench.certificates.emission.emitted_families import general
+from workbench.certificates.emission.emitted_nodes import NotCertified
 from workbench.certificates.generalized import Generalizer
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
 from workbench.certificates.values.trial import holds_whatever_they_are
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.core.construct import apply, big_sum, derivative, integer, number, relation, symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.types import VECTOR, Declaration
+from workbench.core.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
-from workbench.language.typed.construct import apply, big_sum, derivative, integer, number, relation, symbol
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.types import VECTOR, Declaration
 from workbench.papers import find_paper
-from workbench.verify.claims import ClaimResult
 
 N = Linear.variable("n")
 X, Y = (symbol(Declaration(Name(name), VECTOR)) for name in "xy")

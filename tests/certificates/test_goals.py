@@ -8,16 +8,16 @@ from click.testing import CliRunner
 
 from tests.certificates.emitted import JOINED, OF_FAMILIES, joined
 from workbench import check
-from workbench.certificates.forms import forms_of
-from workbench.certificates.goals.rates import spread
-from workbench.certificates.goals.whole import of_one_instant
+from workbench.app.commands.commands import main
+from workbench.certificates.certified_forms import forms_of
+from workbench.certificates.goals.goal_theorem import of_one_instant
+from workbench.certificates.goals.instant_rates import spread
 from workbench.certificates.reading.read_back import Unread
 from workbench.certificates.theorem import theorem
 from workbench.certificates.values.trial import holds_whatever_they_are
-from workbench.cli.commands import main
-from workbench.judge.theorems.goals import atoms
-from workbench.language.typed.construct import apply, relation
-from workbench.language.typed.terms import Derivative, Symbol, TimeOperator
+from workbench.core.construct import apply, relation
+from workbench.core.terms import Derivative, Symbol, TimeOperator
+from workbench.language.goals.goals import atoms
 from workbench.papers import find_paper
 
 #: What can be done to a proposition in one place.

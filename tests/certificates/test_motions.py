@@ -10,8 +10,8 @@ from tests.certificates.emitted import all_certificates, one
 from workbench.certificates.refutation import not_empty
 from workbench.certificates.theorem import theorem
 from workbench.certificates.values import trigonometric
-from workbench.certificates.values.instances import _CHOICES, instances
-from workbench.certificates.values.instances import BASE as BASE_SLOTS
+from workbench.certificates.values.motion_instances import _CHOICES, instances
+from workbench.certificates.values.motion_instances import BASE as BASE_SLOTS
 from workbench.certificates.values.trigonometric import COSINE, SINE, TIME, Pair, Wave, flat, value, wave
 
 BASE = {("false", "Scalar", str(i)): w for i, w in enumerate((COSINE, SINE, TIME))}

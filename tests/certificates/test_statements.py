@@ -5,16 +5,16 @@ from click.testing import CliRunner
 
 from tests.certificates.emitted import all_certificates, one
 from workbench import check
-from workbench.certificates.emission.nodes import NotCertified
-from workbench.certificates.forms import certificate, forms_of
+from workbench.app.commands.commands import main
+from workbench.certificates.certified_forms import certificate, forms_of
+from workbench.certificates.emission.emitted_nodes import NotCertified
 from workbench.certificates.reading import read_back
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import Theorem, theorem
-from workbench.cli.commands import main
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.core.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.papers import find_paper
-from workbench.verify.results import ClaimResult
+from workbench.prover.results.claim_results import ClaimResult
 
 
 def test_every_statement_says_what_its_terms_say_and_is_written_again_as_it_was():

@@ -5,16 +5,16 @@ from random import Random
 
 import pytest
 
-from workbench.certificates.emission.families import general
-from workbench.certificates.emission.nodes import NotCertified
-from workbench.certificates.emission.sums import Summed, cores_of, count
+from workbench.certificates.emission.emitted_families import general
+from workbench.certificates.emission.emitted_nodes import NotCertified
+from workbench.certificates.emission.emitted_sums import Summed, cores_of, count
 from workbench.certificates.theorem import theorem
 from workbench.certificates.values.trial import holds_whatever_they_are
+from workbench.core.construct import apply, big_sum, counting, derivative, relation, symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.types import VECTOR, Declaration
 from workbench.language.definitions import Definitions
-from workbench.language.typed.construct import apply, big_sum, counting, derivative, relation, symbol
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.types import VECTOR, Declaration
 
 N, K = map(Linear.variable, "nk")
 X, Y = (symbol(Declaration(Name(name), VECTOR)) for name in "xy")

@@ -8,21 +8,21 @@ import pytest
 
 from tests.certificates.emitted import all_certificates, one
 from workbench.certificates import coqc
-from workbench.certificates.emission.families import general
-from workbench.certificates.emission.nodes import NotCertified
-from workbench.certificates.forms import Certificate
-from workbench.certificates.goals.whole import OF_MOMENTS, joined
+from workbench.certificates.certified_forms import Certificate
+from workbench.certificates.emission.emitted_families import general
+from workbench.certificates.emission.emitted_nodes import NotCertified
+from workbench.certificates.goals.goal_theorem import OF_MOMENTS, joined
 from workbench.certificates.theorem import HEADER, theorem
 from workbench.certificates.values.trial import holds_whatever_they_are
-from workbench.judge.theorems.goals import Atom, Implies, Scope
-from workbench.judge.theorems.proofs import Kernel
-from workbench.judge.theorems.rules import obligations
-from workbench.judge.theorems.sequents import Sequent
-from workbench.language.typed.instances import instantiate
-from workbench.language.typed.terms import IllFormed, Relation
+from workbench.core.integer_instances import instantiate
+from workbench.core.terms import IllFormed, Relation
+from workbench.language.goals.goals import Atom, Implies, Scope
+from workbench.language.goals.proofs import Kernel
 from workbench.papers import find_paper
+from workbench.prover.goals.proof_rules import obligations
+from workbench.prover.goals.sequents import Sequent
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.edits import edits
+from workbench.repair.terms.term_edits import edits
 
 pytestmark = [
     pytest.mark.slow,

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from workbench.judge.verdict import Verdict
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Verdict
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 KINDS = {"a": "vector", "b": "vector", "f": "scalar", "g": "scalar", "x": "scalar", "R": "rotation"}
 

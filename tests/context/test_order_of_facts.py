@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.context.judged_texts import KINDS, judged, model, text_of
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 MODEL = model({**KINDS, "y": "scalar"})
 OTHER = "f (g a) = g f a"

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.context.judged_texts import judged, model, text_of
-from workbench.judge.second import consequences
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
+from workbench.engines.jet import consequences
 
 TEXT = text_of([r"\hat{n} \cdot \hat{n} = 1"])
 HAT = "a unit vector, as its hat says"

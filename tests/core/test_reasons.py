@@ -12,15 +12,15 @@ from string import Formatter
 import pytest
 
 import workbench
-from workbench.core.context_codes import ContextCode
-from workbench.core.declaration_codes import DeclarationCode
-from workbench.core.model_codes import ModelCode
-from workbench.core.motion_codes import MotionCode
+from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.declaration_codes import DeclarationCode
+from workbench.core.codes.model_codes import ModelCode
+from workbench.core.codes.motion_codes import MotionCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.codes.verdict_codes import ResultCode, VerdictCode
 from workbench.core.reasons import Code, ErrorCode, Position, Reason, code_named
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
-from workbench.core.verdict_codes import ResultCode, VerdictCode
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.core.verdict import Outcome, Verdict
 
 ROOT = Path(workbench.__file__).parent
 CODES: list[Code] = [
@@ -63,7 +63,7 @@ def test_a_nested_position_is_printed_before_its_message() -> None:
 
 
 #: They read the messages of coqc and of tomllib.
-FOREIGN = {"certificates/coqc.py", "papers/toml/toml_file.py"}
+FOREIGN = {"certificates/coqc.py", "source/toml/toml_file.py"}
 
 #: How a message is called where one is at hand.
 _MESSAGE = re.compile(
@@ -97,7 +97,7 @@ def _is_message(node: ast.expr) -> bool:
 
 def test_no_code_compares_a_message() -> None:
     paths = [path for path in ROOT.rglob("*.py") if str(path.relative_to(ROOT)) not in FOREIGN]
-    found = {path.name: list(compared_messages(path.read_text("utf-8"))) for path in paths}
+    found = {str(path.relative_to(ROOT)): list(compared_messages(path.read_text("utf-8"))) for path in paths}
     assert {name: texts for name, texts in found.items() if texts} == {}
 
 

@@ -9,12 +9,7 @@ from pydrake.math import RotationMatrix
 
 from workbench.drake.bindings import ALIASES, ANGLE_BINDINGS, BODY_BINDINGS, CHAIN_BINDINGS, SIX_BINDINGS
 from workbench.drake.joint_paths import JointPath
-from workbench.drake.motions import (
-    P_BO_P_B,
-    chain_motion,
-    free_body_motion,
-    reference_motions,
-)
+from workbench.drake.motions import P_BO_P_B, chain_motion, free_body_motion, reference_motions
 from workbench.drake.plants import CylindricalAxis, body_motion, cylindrical_chain, free_body
 from workbench.drake.special_motions import NAMES, special_motion
 

@@ -3,18 +3,18 @@
 import numpy as np
 import pytest
 
+from workbench.core.construct import relation, symbol
+from workbench.core.names import Name
+from workbench.core.terms import Symbol
+from workbench.core.types import SCALAR, TENSOR, VECTOR, Declaration
 from workbench.drake.bindings import ANGLE_BINDINGS, BINDINGS, SIX_BINDINGS, TURN_BINDINGS, bound
 from workbench.drake.motions import reference_motions
 from workbench.drake.relations import ALSO, DEFINED, names_in
 from workbench.drake.sampled_motions import sampled_motions
-from workbench.judge.evidence.motion_check import Subject, witness
-from workbench.judge.evidence.motion_source import Bindings
-from workbench.judge.evidence.relation_terms import term_of
 from workbench.language.definitions import Definitions
-from workbench.language.typed.construct import relation, symbol
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Symbol
-from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Declaration
+from workbench.prover.motions.motion_check import Subject, witness
+from workbench.prover.motions.motion_source import Bindings
+from workbench.prover.motions.relation_terms import term_of
 
 #: Free bindings: a rotation R(t), a vector of time, a constant vector, a scalar of time, a constant line.
 FREE = {

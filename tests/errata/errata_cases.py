@@ -11,23 +11,24 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from workbench.ingest.draft import draft_of, on_drafted_kinds
-from workbench.judge.kernel.case import NoDefinitions
-from workbench.judge.second.rings import PRIME
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Conjunction, Relation, Statement, Term, Zero
-from workbench.papers.formulas import read_statement
+from workbench.app.pipeline.judge_claims import judge_claims
+from workbench.context.claims import Claim
+from workbench.context.read_formulas import read_statement
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.paper_errors import PaperError
+from workbench.core.terms import Conjunction, Relation, Statement, Term, Zero
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.jet.rings import PRIME
+from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
 from workbench.papers.load import load_paper
-from workbench.papers.model import Claim, PaperError
-from workbench.repair.propose.limits import Limits
-from workbench.repair.propose.neighbours import ALONE, neighbours_of
+from workbench.prover.decide.case import NoDefinitions
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of
 from workbench.repair.propose.repair import repair
+from workbench.repair.propose.search_limits import Limits
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.coefficients import factor_between
-from workbench.verify.claims import judge_claims
-from workbench.verify.results import ClaimResult
 
 HERE = Path(__file__).resolve().parent
 

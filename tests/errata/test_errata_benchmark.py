@@ -6,11 +6,11 @@ import pytest
 from errata_cases import HERE, SECONDS, cases, is_same_formula, measured
 from errata_table import differences, expected, summary
 
+from workbench.context.claims import Notation
+from workbench.context.read_formulas import read_statement
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
-from workbench.papers.formulas import read_statement
-from workbench.papers.model import Notation
-from workbench.papers.notation import extended
+from workbench.papers.notation_tables import extended
 
 CASES = cases()
 

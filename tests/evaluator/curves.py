@@ -18,7 +18,7 @@ from evaluator.series import (
 )
 from mpmath import mpf
 
-from workbench.language.typed.terms import Symbol
+from workbench.core.terms import Symbol
 
 
 def drawn(symbol: Symbol, curve: Callable[[], Series], fixed: Sequence[object] | None = None) -> Matrix:

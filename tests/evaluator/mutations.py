@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from random import Random
 
-from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.construct import (
+from workbench.core.construct import (
     apply,
     big_sum,
     block,
@@ -18,7 +17,7 @@ from workbench.language.typed.construct import (
     symbol,
     zero,
 )
-from workbench.language.typed.terms import (
+from workbench.core.terms import (
     Apply,
     BigSum,
     Block,
@@ -30,7 +29,8 @@ from workbench.language.typed.terms import (
     Symbol,
     Term,
 )
-from workbench.language.typed.types import Declaration
+from workbench.core.types import Declaration
+from workbench.language.naming.symbols import SymbolTable
 
 _REVERSIBLE = ("mul", "cross", "dot", "outer", "add", "compose", "div")
 _UNDONE = ("conjugate", "inverse", "transpose", "skew", "norm", "symmetric", "antisymmetric")

@@ -28,7 +28,7 @@ from evaluator.series import (
 )
 from mpmath import mpf
 
-from workbench.language.typed.terms import Apply
+from workbench.core.terms import Apply
 
 
 def applied(term: Apply, values: list[Matrix | Operator]) -> Matrix:

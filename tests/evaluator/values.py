@@ -43,9 +43,9 @@ from evaluator.series import (
 )
 from mpmath import mp, mpf
 
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import (
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.terms import (
     Apply,
     BigSum,
     Block,

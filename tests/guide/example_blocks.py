@@ -21,7 +21,7 @@ from pathlib import Path
 
 from click.testing import CliRunner
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
 
 ROOT = Path(__file__).parents[2]
 _FENCE = re.compile(

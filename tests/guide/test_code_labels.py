@@ -5,10 +5,10 @@ from __future__ import annotations
 from click.testing import CliRunner
 
 from workbench import check
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
 from workbench.core.code_labels import coded, label, suffix, telling_code
+from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.reasons import Reason
-from workbench.core.verdict_codes import VerdictCode
 
 SAME = VerdictCode.SAME_TERM()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from click.testing import CliRunner, Result
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
 from workbench.core.close_names import did_you_mean
 from workbench.guide.contents import PARTS
 from workbench.guide.generated import manual

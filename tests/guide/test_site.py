@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
 from workbench.guide.docs_source import MENTION, write_source
 from workbench.guide.generated import manual
 

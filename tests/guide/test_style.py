@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from workbench.cli.command_table import COMMANDS
+from workbench.app.commands.command_table import COMMANDS
 from workbench.core.code_labels import label
 from workbench.core.schema import SCHEMA
 from workbench.guide.api_page import FUNCTIONS, function_of

@@ -9,11 +9,11 @@ import sys
 import tomllib
 from pathlib import Path
 
-from workbench.ingest.asking import answered, questions_about
-from workbench.ingest.draft import Draft, draft_from, draft_of, on_drafted_kinds
-from workbench.judge.verdict import Grade, Outcome
-from workbench.verify.claims import judge_paper
-from workbench.verify.results import ClaimResult
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Grade, Outcome
+from workbench.papers.drafting.judged_draft import Draft, draft_from, draft_of, on_drafted_kinds
+from workbench.papers.drafting.questions_to_author import answered, questions_about
+from workbench.prover.results.claim_results import ClaimResult
 
 OPEN = "$$ 2 a + a = 3 a $$\n\n$$ \\mathbf{f} \\times a = 2 \\mathbf{f} \\times a $$\n"
 

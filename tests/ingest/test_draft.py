@@ -6,12 +6,12 @@ from pathlib import Path
 
 from click.testing import CliRunner
 
-from workbench.cli.commands import main
-from workbench.ingest.draft import draft_of, needs_draft, on_drafted_kinds
-from workbench.judge.verdict import Grade, Outcome
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Grade, Outcome
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
-from workbench.verify.results import ClaimResult
+from workbench.papers.drafting.judged_draft import draft_of, needs_draft, on_drafted_kinds
+from workbench.prover.results.claim_results import ClaimResult
 
 WRONG = r"""The vectors $\mathbf{a}$, $\mathbf{b}$ and $\mathbf{c}$:
 $$ \mathbf{a} \times (\mathbf{b} \times \mathbf{c}) = (\mathbf{a} \cdot \mathbf{c}) \mathbf{b} + (\mathbf{a} \cdot \mathbf{b}) \mathbf{c} $$

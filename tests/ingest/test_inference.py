@@ -7,10 +7,10 @@ import re
 import pytest
 from ingest.true_kinds import TRUE, UNSEEN, symbols_of
 
-from workbench.ingest.inference.infer import Inference, Source, infer, kind_name
-from workbench.ingest.inference.pieces import operations_of
-from workbench.ingest.inference.walker import Walker
-from workbench.ingest.prose import Prose
+from workbench.papers.drafting.inference.infer import Inference, Source, infer, kind_name
+from workbench.papers.drafting.inference.pieces import operations_of
+from workbench.papers.drafting.inference.walker import Walker
+from workbench.papers.drafting.words_on_symbols import Prose
 
 #: Texts that take a moment, and the symbols of them that are known to be wrong.
 QUICK = [path for path in TRUE if "errata" in path or "multibody" in path or "two_link" in path]

@@ -6,15 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from workbench.ingest import ingest
-from workbench.ingest.draft import draft_of, on_drafted_kinds
-from workbench.ingest.ingest import Ingested
-from workbench.ingest.marked_text import MarkedText
-from workbench.ingest.sentences import Facts, facts_of
-from workbench.ingest.structure import components_of
-from workbench.judge.verdict import Grade, Outcome
-from workbench.papers.texts import read_text
-from workbench.verify.claims import judge_paper
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Grade, Outcome
+from workbench.papers.drafting import ingest
+from workbench.papers.drafting.draft_model import Ingested
+from workbench.papers.drafting.formula_shapes import components_of
+from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
+from workbench.papers.drafting.marked_text import MarkedText
+from workbench.papers.drafting.sentence_kinds import Facts, facts_of
+from workbench.source.documents import read_text
 
 PAPER = Path(__file__).parent / "papers" / "two_link_arm.tex"
 

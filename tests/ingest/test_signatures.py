@@ -6,7 +6,13 @@ from itertools import product
 
 import pytest
 
-from workbench.ingest.inference.signatures import (
+from workbench.core.construct import apply, relation, symbol
+from workbench.core.names import Name
+from workbench.core.operations import OPERATORS
+from workbench.core.terms import IllFormed, Term, Unread
+from workbench.core.types import QUATERNION as QUATERNION_TYPE
+from workbench.core.types import Declaration, Type
+from workbench.papers.drafting.inference.kind_signatures import (
     MISFIT,
     QUATERNION,
     SIGNATURES,
@@ -14,12 +20,6 @@ from workbench.ingest.inference.signatures import (
     rows,
     values,
 )
-from workbench.language.typed.construct import apply, relation, symbol
-from workbench.language.typed.names import Name
-from workbench.language.typed.operators import OPERATORS
-from workbench.language.typed.terms import IllFormed, Term, Unread
-from workbench.language.typed.types import QUATERNION as QUATERNION_TYPE
-from workbench.language.typed.types import Declaration, Type
 
 SIZES = (1, 2, 3, 4, 6)
 KINDS: tuple[Kind, ...] = (

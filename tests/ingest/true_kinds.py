@@ -18,9 +18,9 @@ HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 sys.path[:0] = [str(ROOT)]
 
-from workbench.ingest.inference.infer import Inference, Inferred, kind_name  # noqa: E402
-from workbench.ingest.ingest import inferred_of  # noqa: E402
-from workbench.language.typed.types import type_of_kind  # noqa: E402
+from workbench.core.types import type_of_kind  # noqa: E402
+from workbench.papers.drafting.draft_model import inferred_of  # noqa: E402
+from workbench.papers.drafting.inference.infer import Inference, Inferred, kind_name  # noqa: E402
 
 TRUE: Mapping[str, Mapping[str, list[str]]] = json.loads((HERE / "true_kinds.json").read_text("utf-8"))
 #: Formulas of public texts whose true kinds were written down before anything was inferred of them.

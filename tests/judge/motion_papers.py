@@ -3,10 +3,10 @@
 from pathlib import Path
 from textwrap import dedent
 
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers import load_paper
+from workbench.prover.results.motion_summary import METHOD
 from workbench.report.to_json import claim_json
-from workbench.verify.claims import judge_paper
-from workbench.verify.on_motions import METHOD
 
 HEAD = r"""
     title = "A body"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from random import Random
 
-from workbench.language.typed.construct import (
+from workbench.core.construct import (
     apply,
     derivative,
     dual_unit,
@@ -14,9 +14,9 @@ from workbench.language.typed.construct import (
     symbol,
     time_operator,
 )
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import IllFormed, Term
-from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Declaration
+from workbench.core.names import Name
+from workbench.core.terms import IllFormed, Term
+from workbench.core.types import SCALAR, TENSOR, VECTOR, Declaration
 
 SYMBOLS = {
     "scalar": [Declaration(Name("f"), SCALAR), Declaration(Name("c"), SCALAR, constant=True)],

@@ -4,14 +4,14 @@ refutes, far behind those that are looked at one by one, and the same goals wher
 import pytest
 
 from tests.judge.test_goals import DEFINITIONS, SYMBOLS
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.proofs import Follows, Induction, Kernel, Proven, Termwise, Use
-from workbench.judge.theorems.prove import prove
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definitions
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definitions
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import Scope
+from workbench.language.goals.proofs import Follows, Induction, Kernel, Proven, Termwise, Use
 from workbench.language.naming.symbols import SymbolTable
+from workbench.prover.decide.decide import Judge
+from workbench.prover.goals.prove_goal import prove
 
 FAMILIES = {"K_n": r"a^{(n)}", "P_1": r"\mathbf{I}", "P_{n+1}": r"\mathbf{D} P_n + P_n(F_1)"}
 APART = {"F_5": "T", "K_5": "b", "P_5": "T"}  # K_5 = b: it is refuted that K_n is a derivative

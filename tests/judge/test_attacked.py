@@ -3,11 +3,11 @@ r"""Classes of statements of which the judge once said what is not so, with memb
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.errors import ReadError
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 from workbench.papers import PaperError, load_paper
-from workbench.verify.claims import judge_paper
-from workbench.verify.decide import undisturbed
+from workbench.prover.explain.decide_under_facts import undisturbed
 
 F = {"f": "scalar", "s_n": "scalar"}
 

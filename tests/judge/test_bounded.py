@@ -3,11 +3,11 @@ r"""\forall k < n, and induction from all that is below: proofs of true goals, a
 import pytest
 
 from tests.judge.test_goals import outcome, scope
-from workbench.judge.theorems.goals import AllBelow, GoalError
-from workbench.judge.theorems.proofs import At, False_, Follows, Given, Have, Induction, Kernel, Termwise, Use
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.integers import Linear
+from workbench.core.integer_expressions import Linear
+from workbench.core.verdict import Outcome
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import AllBelow, GoalError
+from workbench.language.goals.proofs import At, False_, Follows, Given, Have, Induction, Kernel, Termwise, Use
 
 
 def below(bound: str) -> str:

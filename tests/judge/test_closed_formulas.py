@@ -10,16 +10,16 @@ import mpmath
 import pytest
 
 from workbench import check
-from workbench.judge.first import closed_numbers
-from workbench.judge.kernel import closed
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.second import closed_values
-from workbench.judge.verdict import EngineDisagreement, Outcome
+from workbench.context.claims import Notation
+from workbench.context.read_formulas import read_statement
+from workbench.core.verdict import EngineDisagreement, Outcome
+from workbench.engines.jet import closed_values
+from workbench.engines.polynomial import closed_numbers
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.papers.formulas import read_statement
-from workbench.papers.model import Notation
+from workbench.prover.decide import closed_formulas
+from workbench.prover.decide.decide import Judge
 
 PLAIN = SymbolTable.build({})
 
@@ -156,7 +156,7 @@ def test_engines_that_differ_on_a_number_stop(monkeypatch: pytest.MonkeyPatch) -
     (true,) = read(r"\cos\frac{\pi}{3} = \frac{1}{2}", PLAIN)
     monkeypatch.setitem(closed_values._FUNCTIONS, "cos", closed_values.sympy.sin)
     with pytest.raises(EngineDisagreement):
-        closed.judge_closed(true, (), Definitions())
+        closed_formulas.judge_closed(true, (), Definitions())
 
 
 def test_premise_of_a_closed_formula_is_not_dropped() -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 SYMBOLS = {
     "p": "hamilton quaternion",

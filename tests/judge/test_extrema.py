@@ -6,14 +6,14 @@ from random import Random
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definition
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.prover.decide.decide import Judge
 
 TABLE = SymbolTable.build(
     {

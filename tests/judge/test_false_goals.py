@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import GoalError, Scope
-from workbench.judge.theorems.proofs import (
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.definition_entries import read_definitions
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import GoalError, Scope
+from workbench.language.goals.proofs import (
     ByLength,
     Cases,
     Contradicts,
@@ -27,11 +29,9 @@ from workbench.judge.theorems.proofs import (
     Ways,
     Witness,
 )
-from workbench.judge.theorems.prove import Lemmas, prove
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.defining import read_definitions
 from workbench.language.naming.symbols import SymbolTable
+from workbench.prover.decide.decide import Judge
+from workbench.prover.goals.prove_goal import Lemmas, prove
 
 VECTOR, SCALAR, TENSOR = {"kind": "vector"}, {"kind": "scalar"}, {"kind": "tensor"}
 SYMBOLS = {

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 NOTATION = r"""
 [frames]

@@ -2,9 +2,13 @@
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import All, AllFrom, Exists, GoalError, Implies, Scope
-from workbench.judge.theorems.proofs import (
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.terms import Conjunction
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.definition_entries import read_definitions
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import All, AllFrom, Exists, GoalError, Implies, Scope
+from workbench.language.goals.proofs import (
     At,
     Broken,
     ByLength,
@@ -28,13 +32,9 @@ from workbench.judge.theorems.proofs import (
     Ways,
     Witness,
 )
-from workbench.judge.theorems.prove import prove
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.defining import read_definitions
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Conjunction
+from workbench.prover.decide.decide import Judge
+from workbench.prover.goals.prove_goal import prove
 
 SYMBOLS = {
     "a": {"kind": "vector"},

@@ -13,18 +13,18 @@ from test_imports import graph, imported, modules
 
 import proofs
 import workbench
-from workbench.judge.second import sympy_gate
-from workbench.judge.second.sympy_gate import QQ, ZZ, lex, polynomial_ring, require_python_integers
+from workbench.engines.jet import sympy_gate
+from workbench.engines.jet.sympy_gate import QQ, ZZ, lex, polynomial_ring, require_python_integers
 
 ROOT = Path(workbench.__file__).parent
 SOURCES = {**modules(ROOT), **modules(Path(proofs.__file__).parent)}
 
 #: What an engine must not know, by the room in which it stands.
 FOREIGN = {
-    "workbench.judge.first": {"workbench.judge.second", "sympy", "pydrake"},
-    "workbench.judge.second": {"workbench.judge.first", "workbench.algebra", "flint"},
+    "workbench.engines.polynomial": {"workbench.engines.jet", "sympy", "pydrake"},
+    "workbench.engines.jet": {"workbench.engines.polynomial", "workbench.algebra", "flint"},
 }
-GATES = {"sympy": "workbench.judge.second.sympy_gate", "pydrake": "workbench.drake.gate"}
+GATES = {"sympy": "workbench.engines.jet.sympy_gate", "pydrake": "workbench.drake.gate"}
 
 
 def within(name: str, room: str) -> bool:
@@ -80,7 +80,7 @@ IDENTITY = r"""
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
 from workbench.language.naming.symbols import SymbolTable
-from workbench.judge.kernel.judge import Judge
+from workbench.prover.decide.decide import Judge
 
 table = SymbolTable.build({"a": {"kind": "vector"}, "R": {"kind": "rotation"}, "f": {"kind": "scalar"}})
 for latex, assume in ((r"R \frac{a}{3 f} = \frac{1}{3 f} R a", r"f \neq 0"), (r"\|3 a\| = 3 \|a\|", r"f \neq 0"),
@@ -93,7 +93,7 @@ for latex, assume in ((r"R \frac{a}{3 f} = \frac{1}{3 f} R a", r"f \neq 0"), (r"
 FLINT_FIRST = "import os; os.environ['SYMPY_GROUND_TYPES'] = 'flint'\nimport sympy; assert type(sympy.QQ(1)).__module__.startswith('flint')\n"
 IMPORTED_FIRST = "import sympy\nassert sympy.external.gmpy.GROUND_TYPES == 'flint'\n"
 SPY = """
-import workbench.judge.second.sympy_ring as engine
+import workbench.engines.jet.sympy_ring as engine
 from sympy.external.pythonmpq import PythonMPQ
 seen, ring = set(), engine.SympyRing.tops
 def tops(self, values):
@@ -125,7 +125,7 @@ def test_with_flint_s_numbers_there_is_no_verdict(numbers):
     """If integers or rationals were SymPy's own, which are FLINT's here, the engine would say so."""
     code = (
         FLINT_FIRST
-        + "from workbench.judge.second import packed, sympy_ring\n"
+        + "from workbench.engines.jet import packed_polynomials as packed, sympy_ring\n"
         + f"packed.{numbers} = sympy_ring.{numbers} = sympy.{numbers}\n"
         + IDENTITY
     )
@@ -134,12 +134,10 @@ def test_with_flint_s_numbers_there_is_no_verdict(numbers):
 
 
 def test_what_uses_sympy_s_own_numbers_is_refused_where_they_are_flint_s():
-    code = FLINT_FIRST + "from workbench.judge.second.sympy_gate import Matrix\n"
+    code = FLINT_FIRST + "from workbench.engines.jet.sympy_gate import Matrix\n"
     done = run(code)
     assert "NotExact: SymPy was imported with flint's numbers" in done.stderr
-    code = (
-        "from workbench.judge.second.sympy_gate import Matrix, QQ\nassert type(QQ(1, 2).numerator) is int\n"
-    )
+    code = "from workbench.engines.jet.sympy_gate import Matrix, QQ\nassert type(QQ(1, 2).numerator) is int\n"
     assert run(code).returncode == 0
 
 

@@ -4,7 +4,10 @@ each beside the proof of a true one that differs from it in the one word that ma
 import pytest
 
 from tests.judge.test_goals import outcome
-from workbench.judge.theorems.proofs import (
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definitions
+from workbench.language.definitions import expand
+from workbench.language.goals.proofs import (
     Broken,
     Each,
     False_,
@@ -15,9 +18,6 @@ from workbench.judge.theorems.proofs import (
     TwoWitnesses,
     Use,
 )
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definitions
-from workbench.language.definitions import expand
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term

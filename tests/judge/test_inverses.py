@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from workbench import check
-from workbench.judge.first import exact
-from workbench.judge.subject.inverses import inverted
-from workbench.judge.verdict import EngineDisagreement, Outcome
+from workbench.core.verdict import EngineDisagreement, Outcome
+from workbench.engines.inventory.inverses import inverted
+from workbench.engines.polynomial import polynomial_engine
 
 SYMBOLS = {
     "g": "rotation",
@@ -86,6 +86,8 @@ def test_inverse_through_a_definition(formula: str, outcome: Outcome) -> None:
 
 
 def test_engines_that_invert_differently_stop(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(exact, "inverted", lambda term, known, _: inverted(term, known, lambda x: x))
+    monkeypatch.setattr(
+        polynomial_engine, "inverted", lambda term, known, _: inverted(term, known, lambda x: x)
+    )
     with pytest.raises((EngineDisagreement, AssertionError)):
         assert check(r"(e^{\tilde{x}})^{-1} = e^{-\tilde{x}}", SYMBOLS).holds

@@ -5,14 +5,14 @@ from fractions import Fraction
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.assumptions import Unsatisfiable
-from workbench.judge.verdict import EngineDisagreement, Outcome
-from workbench.language.defining import read_definition
+from workbench.context.index_values import Orders
+from workbench.core.verdict import EngineDisagreement, Outcome
+from workbench.engines.inventory.assumptions import Unsatisfiable
+from workbench.language.definition_entries import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.papers.orders import Orders
+from workbench.prover.decide.decide import Judge
 
 TABLE = SymbolTable.build(
     {
@@ -259,14 +259,14 @@ class TestDefects:
         assert judged(r"a \times b = a \times b").outcome == Outcome.UNCHECKED
 
     def test_engines_that_disagree_are_a_defect(self, monkeypatch):
-        import workbench.judge.second.consequences as second
+        import workbench.engines.jet.consequences as second
 
         monkeypatch.setattr(second, "recheck", lambda *arguments: False)
         with pytest.raises(EngineDisagreement):
             judged(TRUE["Lagrange"])
 
     def test_a_wrong_first_engine_is_found_out(self, monkeypatch):
-        import workbench.judge.first.exact as exact
+        import workbench.engines.polynomial.polynomial_engine as exact
 
         monkeypatch.setitem(exact._HEADS, "cross", exact._HEADS["add"])
         with pytest.raises(EngineDisagreement):

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from workbench import check
-from workbench.language.typed.errors import ReadError
+from workbench.core.formula_errors import ReadError
 
 FRAMES = r"""[frames]
 base = "N"

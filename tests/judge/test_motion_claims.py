@@ -8,24 +8,24 @@ import pytest
 from click.testing import CliRunner
 from judge.motion_papers import HEAD, MOTION, judged, motions, paper
 
-from workbench.cli.commands import main
-from workbench.core.motion_codes import MotionCode
+from workbench.app.commands.commands import main
+from workbench.app.pipeline import motion_witnesses
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.app.pipeline.motion_witnesses import Witnesses
+from workbench.core.codes.motion_codes import MotionCode
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.paper_errors import PaperError
 from workbench.core.reasons import code_of
-from workbench.core.verdict_codes import VerdictCode
+from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.drake.sampled_motions import six_revolute_motion
 from workbench.drake.special_motions import special_motion
-from workbench.judge.evidence.motion_check import Subject, witness
-from workbench.judge.evidence.motion_source import bindings_of
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.theorems.said import said
-from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import Scope
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
-from workbench.papers.model import PaperError
-from workbench.verify import witnesses
-from workbench.verify.claims import judge_paper
-from workbench.verify.witnesses import Witnesses
+from workbench.prover.goals.goal_equations import said
+from workbench.prover.motions.motion_check import Subject, witness
+from workbench.prover.motions.motion_source import bindings_of
 
 # --- goals
 
@@ -213,9 +213,9 @@ class Planted:
 def test_a_corrected_form_above_its_error_fails_the_run(tmp_path, monkeypatch, name):
     """With a motion of the wrong sign, which neither the plant nor the definitions are asked about."""
     planted = Planted(special_motion("two revolute joints"), name)
-    monkeypatch.setattr(witnesses, "_motions", lambda notation: (planted,))
-    monkeypatch.setattr(witnesses, "_require_agreement", lambda motion: None)
-    monkeypatch.setattr("workbench.judge.evidence.binding_check.require_consistent", lambda *anything: None)
+    monkeypatch.setattr(motion_witnesses, "_motions", lambda notation: (planted,))
+    monkeypatch.setattr(motion_witnesses, "_require_agreement", lambda motion: None)
+    monkeypatch.setattr("workbench.prover.motions.binding_check.require_consistent", lambda *anything: None)
     printed = r"""
         printed = '\ddot{p} + \dot{R} x = \dot{v} - \omega \times (R x)'
         corrected = '\ddot{p} + \dot{R} x = \dot{v} + \omega \times (R x)'

@@ -13,17 +13,17 @@ from random import Random
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.assumptions import Unsatisfiable
-from workbench.judge.subject.inventory import NotExact, take_inventory
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.instances import instantiate
-from workbench.language.typed.terms import Conjunction, IllFormed, Relation
+from workbench.core.integer_instances import instantiate
+from workbench.core.terms import Conjunction, IllFormed, Relation
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.assumptions import Unsatisfiable
+from workbench.engines.inventory.inventory import NotExact, take_inventory
 from workbench.papers import find_paper
+from workbench.prover.decide.decide import Judge
+from workbench.prover.results.claim_results import HOLDS
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.edits import KINDS, Edit, Refused, edits
-from workbench.repair.terms.places import sides
-from workbench.verify.results import HOLDS
+from workbench.repair.terms.subterm_positions import sides
+from workbench.repair.terms.term_edits import KINDS, Edit, Refused, edits
 
 SAMPLE = 40
 SEED = 53

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 SYMBOLS = {
     "x": {"kind": "vector", "coordinate": True},

@@ -3,7 +3,8 @@
 import pytest
 
 from tests.judge.test_goals import scope
-from workbench.judge.theorems.proofs import (
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.proofs import (
     ByLength,
     Cases,
     Contradicts,
@@ -22,10 +23,9 @@ from workbench.judge.theorems.proofs import (
     Ways,
     Witness,
 )
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.theorems.rules import obligations
-from workbench.judge.theorems.sequents import Sequent
 from workbench.language.printing.printer import to_latex
+from workbench.prover.goals.proof_rules import obligations
+from workbench.prover.goals.sequents import Sequent
 
 #: A goal and its proof; rule: statement | what is supposed | the least integers.
 ASKED = [

@@ -4,7 +4,8 @@ with given derivatives: true goals, and false ones of their form."""
 import pytest
 
 from tests.judge.test_goals import outcome
-from workbench.judge.theorems.proofs import (
+from workbench.core.verdict import Outcome
+from workbench.language.goals.proofs import (
     Each,
     Follows,
     Given,
@@ -16,7 +17,6 @@ from workbench.judge.theorems.proofs import (
     Use,
     Witness,
 )
-from workbench.judge.verdict import Outcome
 
 ANGLE = r"\exists p \in \mathbb{R} : \cos p = c \wedge \sin p = d"
 ON_CIRCLE = r"\forall c, d \in \mathbb{R} : c^2 + d^2 = 1 \Rightarrow"

@@ -8,15 +8,15 @@ from itertools import product
 
 import pytest
 
-from workbench.judge.kernel.case import NoDefinitions
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.construct import apply, derivative, relation, symbol
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.operators import GRADIENTS, LINEAR, OPERATORS, PARTIALS
-from workbench.language.typed.terms import IllFormed
-from workbench.language.typed.types import QUATERNION, SCALAR, TENSOR, VECTOR, Declaration
+from workbench.core.construct import apply, derivative, relation, symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.operations import GRADIENTS, LINEAR, OPERATORS, PARTIALS
+from workbench.core.terms import IllFormed
+from workbench.core.types import QUATERNION, SCALAR, TENSOR, VECTOR, Declaration
+from workbench.core.verdict import Outcome
+from workbench.prover.decide.case import NoDefinitions
+from workbench.prover.decide.decide import Judge
 
 TYPES = (VECTOR, TENSOR, SCALAR, QUATERNION)
 PLACE = symbol(Declaration(Name("r"), VECTOR, coordinate=True))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import SpecError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.errors import SpecError
 
 POSITIVE = {"kind": "scalar", "positive": True}
 SYMBOLS = {

@@ -3,10 +3,10 @@
 import pytest
 
 from workbench import check
-from workbench.judge.first.exact import ExactEngine
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome
+from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.papers import PaperError, load_paper
-from workbench.verify.claims import judge_paper
 
 SYMBOLS = {
     "a": {"kind": "vector", "uniform": True},

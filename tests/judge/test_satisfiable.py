@@ -8,10 +8,10 @@ from random import Random
 import pytest
 from judge.test_judge import judged
 
-from workbench.judge.second.number_field import Algebraic, NumberField, NumberFieldRing
-from workbench.judge.subject.assumptions import Unsatisfiable
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.assumptions import Unsatisfiable
+from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.jet.number_field import Algebraic, NumberField, NumberFieldRing
 
 SATISFIABLE = [
     [r"\cos \alpha = -1"],

@@ -4,13 +4,13 @@ the kind that it is said to be, what is false, what is left undecided, and what 
 import pytest
 
 from workbench import check
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.prover.decide.decide import Judge
 
 TABLE = SymbolTable.build(
     {

@@ -7,14 +7,14 @@ from dataclasses import replace
 import pytest
 
 from workbench import check
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definitions
+from workbench.core.formula_errors import ReadError, SpecError
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import NotExact
+from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.errors import ReadError, SpecError
+from workbench.prover.decide.decide import Judge
 
 SPECS = {
     **{name: {"kind": "scalar"} for name in ("q", "p", "k", r"\theta")},

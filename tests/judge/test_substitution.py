@@ -3,16 +3,16 @@
 import pytest
 
 from tests.judge.test_goals import SYMBOLS, outcome, scope
-from workbench.judge.theorems.goals import GoalError
-from workbench.judge.theorems.proofs import Follows, Given, Kernel, Use
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.theorems.sequents import integers_of
-from workbench.judge.theorems.substitution import Substitution, at_integer, is_constant
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definitions
+from workbench.core.integer_expressions import Linear, as_linear
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definitions
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import GoalError
+from workbench.language.goals.proofs import Follows, Given, Kernel, Use
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.typed.integers import Linear, as_linear
+from workbench.prover.goals.sequents import integers_of
+from workbench.prover.goals.substitution import Substitution, at_integer, is_constant
 
 #: Goals with a letter c ∈ V₃ at some place, that stands for itself as {}.
 PLACES = [

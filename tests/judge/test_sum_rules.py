@@ -2,11 +2,17 @@
 
 import pytest
 
-from workbench.core.verdict_codes import VerdictCode
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.addends import spread
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.proofs import (
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import apply, derivative
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import instantiate
+from workbench.core.terms import BigSum
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.addend_expansion import spread
+from workbench.language.definition_entries import read_definitions
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import Scope
+from workbench.language.goals.proofs import (
     Each,
     Follows,
     Given,
@@ -18,17 +24,11 @@ from workbench.judge.theorems.proofs import (
     Termwise,
     Use,
 )
-from workbench.judge.theorems.prove import SAME_ADDENDS, prove
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.theorems.tidy import is_same_sum, tidy
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
-from workbench.language.typed.construct import apply, derivative
-from workbench.language.typed.instances import instantiate
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import BigSum
+from workbench.prover.decide.decide import Judge
+from workbench.prover.goals.product_normal_form import is_same_sum, tidy
+from workbench.prover.goals.prove_goal import SAME_ADDENDS, prove
 
 SYMBOLS = {
     "a": "vector", "b": "vector", "x": "vector", "f": "scalar", "c_k": "vector", "T": "tensor", "U": "tensor",

@@ -3,7 +3,7 @@
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 SYMBOLS = {"a": "vector", "b": "vector", "f": "scalar", "T": "tensor", "F_n": "tensor"}
 WITH_ONE = [

@@ -16,47 +16,47 @@ PAGE = ROOT / "guide" / "explanation" / "trust.md"
 
 #: Where a `proved` begins: the judge, the rules for goals, and what reads formulas and definitions.
 ENTRANCES = (
-    "workbench.judge.kernel.judge",
-    "workbench.judge.theorems.prove",
+    "workbench.prover.decide.decide",
+    "workbench.prover.goals.prove_goal",
     "workbench.language.reader",
-    "workbench.language.defining",
+    "workbench.language.definition_entries",
 )
 
 #: By folder: what its files do for a `proved`, and what checks that.
 CHECKS = {
+    "core": ("which terms there are, and which fit together; verdicts", "types and weights; tests/language"),
+    "core/codes": ("codes of reasons", "tests/core, tests/judge"),
     "language": (
         "what the formula says",
         "types and weights; the read-back in every report; read ∘ print = 1 and fuzz (tests/language)",
     ),
-    "language/typed": ("which terms there are, and which fit together", "the same"),
     "language/grammar": ("what stands in which brackets", "the same"),
     "language/naming": ("which symbol a name means", "the same"),
     "language/elaboration": ("what each form of the notation says", "the same"),
     "language/printing": ("what the read-back shows", "the same"),
-    "core": ("codes of reasons, keys of declarations; data only", "tests/judge, tests/papers/test_schema.py"),
-    "judge": ("the form of a verdict", "tests/judge"),
-    "judge/subject": (
+    "language/goals": ("what goals and proofs say", "the same; wrong proofs for every rule (test_goals)"),
+    "engines/inventory": (
         "what the free quantities are",
         "both engines and Drake's motions on the same parameters (test_engines, tests/drake); mutants",
     ),
-    "judge/kernel": (
+    "prover/decide": (
         "when residuals make a verdict",
         "no second implementation: laws, false and mutated identities, red-team cases, mutants (tests/judge)",
     ),
-    "judge/theorems": (
+    "prover/goals": (
         "which equations make a goal",
         "false goals and wrong proofs for every rule (test_goals, test_sum_rules); every goal and proof of the"
         " chapter tampered with (tests/proofs/test_tampering); mutants",
     ),
-    "algebra": ("the first engine's ring", "the second engine, on every proof; mutants"),
-    "judge/first": ("the residual is 0", "the second engine, on every proof; mutants"),
-    "judge/second": (
+    "algebra": ("the ring of the polynomial engine", "the jet engine, on every proof; mutants"),
+    "engines/polynomial": ("the residual is 0", "the jet engine, on every proof; mutants"),
+    "engines/jet": (
         "the residual is 0, again",
-        "the first engine, on every proof; Python's integers are made sure of (test_independence); mutants",
+        "the polynomial engine, on every proof; Python's integers are made sure of (test_independence); mutants",
     ),
-    "judge/evidence": (
+    "prover/counterexamples": (
         "vetoes and counterexamples only; a wrong point can withhold a `proved`, none can give it",
-        "the first engine evaluates counterexamples again; Drake",
+        "the polynomial engine evaluates counterexamples again; Drake",
     ),
 }
 
@@ -93,9 +93,9 @@ def test_each_folder_of_what_is_trusted_has_its_row():
 
 
 def test_the_kernel_is_trusted_whole():
-    for room in ("subject", "first", "kernel"):
-        there = {path for path in (ROOT / "judge" / room).glob("*.py") if path.name != "__init__.py"}
-        assert there == set(trusted()[f"judge/{room}"])
+    for room in ("engines/inventory", "engines/polynomial", "prover/decide"):
+        there = {path for path in (ROOT / room).glob("*.py") if path.name != "__init__.py"}
+        assert there == set(trusted()[room])
 
 
 def test_the_page_on_trust_lists_what_is_trusted():

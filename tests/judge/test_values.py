@@ -17,19 +17,19 @@ from evaluator.identities import IDENTITIES, TABLE
 from evaluator.series import NotRead
 from evaluator.values import World
 
-from workbench.budget import STANDARD, OutOfBudget, Workers
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.assumptions import Unsatisfiable
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.defining import read_definitions
+from workbench.context.index_values import Orders
+from workbench.core.construct import apply, derivative, number, rebuild, relation, symbol
+from workbench.core.integer_instances import instantiate
+from workbench.core.names import Name
+from workbench.core.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
+from workbench.core.verdict import Outcome, Verdict
+from workbench.engines.inventory.assumptions import Unsatisfiable
+from workbench.engines.inventory.inventory import NotExact
+from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
-from workbench.language.typed.construct import apply, derivative, number, rebuild, relation, symbol
-from workbench.language.typed.instances import instantiate
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
-from workbench.papers.orders import Orders
+from workbench.prover.decide.decide import Judge
+from workbench.runtime import STANDARD, OutOfBudget, Workers
 
 Found = tuple[str, Verdict | None]
 

@@ -21,21 +21,21 @@ from evaluator.series import NotRead
 from evaluator.values import World
 from test_values import Wrong, campaign, verdict_on
 
-from workbench.budget import STANDARD, OutOfBudget, Workers
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.defining import read_definitions
+from workbench.context.claims import Notation
+from workbench.context.index_values import Orders, orders_within
+from workbench.context.read_formulas import read_statement
+from workbench.core.construct import apply, derivative, number, relation, symbol
+from workbench.core.names import Name
+from workbench.core.terms import IllFormed, Implication, Statement, Zero
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.author_notation import Hand
+from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
-from workbench.language.hand import Hand
-from workbench.language.printing.authors import in_the_hand_of
+from workbench.language.printing.author_spelling import in_the_hand_of
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import apply, derivative, number, relation, symbol
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import IllFormed, Implication, Statement, Zero
-from workbench.papers.formulas import read_statement
 from workbench.papers.load import load_notation
-from workbench.papers.model import Notation
-from workbench.papers.orders import Orders, orders_within
+from workbench.prover.decide.decide import Judge
+from workbench.runtime import STANDARD, OutOfBudget, Workers
 
 #: Taylor coefficients: more than two derivatives of what the kits define.
 LENGTH = 6

@@ -5,13 +5,13 @@ from pathlib import Path
 import pytest
 from judge.motion_papers import MOTION, judged, motions, paper
 
-from workbench.core.verdict_codes import VerdictCode
-from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.app.pipeline.motion_witnesses import Witnesses
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.paper_errors import PaperError
+from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.papers import find_paper
-from workbench.papers.model import PaperError
 from workbench.report.to_json import report_json
-from workbench.verify.claims import judge_paper
-from workbench.verify.witnesses import Witnesses
 
 
 def test_what_holds_is_seen_on_every_motion(tmp_path):

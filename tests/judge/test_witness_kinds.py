@@ -3,8 +3,8 @@
 import pytest
 from motion_papers import judged, motions, paper
 
-from workbench.papers.model import PaperError
-from workbench.verify.claims import judge_paper
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.paper_errors import PaperError
 
 HEAD = r"""
     title = "A body"

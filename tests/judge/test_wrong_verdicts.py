@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from workbench import check
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import EngineDisagreement, Outcome
-from workbench.language.typed.errors import ReadError
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import EngineDisagreement, Outcome
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
+from workbench.prover.decide.decide import Judge
 
 PAPERS = Path(__file__).parent / "papers"
 SYMBOLS = {

@@ -14,11 +14,7 @@ from tests.kinematics.three_bodies import (
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import apply, cross, dot, is_orthogonal, vector
 from workbench.drake.plants import CylindricalAxis, cylindrical_chain, set_state
-from workbench.kinematics.aronhold_kennedy import (
-    Configuration,
-    relative_twists,
-    three_axes,
-)
+from workbench.kinematics.aronhold_kennedy import Configuration, relative_twists, three_axes
 from workbench.kinematics.screws import from_rodrigues_vector
 
 EXAMPLES = [

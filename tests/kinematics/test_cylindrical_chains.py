@@ -8,10 +8,10 @@ import pytest
 
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import apply, cross, scale
-from workbench.judge.first.exact import ExactEngine
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.inventory import take_inventory
-from workbench.judge.verdict import Outcome
+from workbench.core.construct import relation
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import take_inventory
+from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.kinematics.chain import Joint, SerialChain
 from workbench.kinematics.cylindrical_chains import (
     current_lines,
@@ -27,7 +27,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.construct import relation
+from workbench.prover.decide.decide import Judge
 
 CLOSED_FORMS = {2: twist_derivatives_2c, 3: twist_derivatives_3c}
 

@@ -8,16 +8,7 @@ import pytest
 from flint import fmpq
 from pydrake.symbolic import Expression, Variable
 
-from workbench.algebra.dual_tensors import (
-    adjugate,
-    apply,
-    cross,
-    determinant,
-    outer,
-    skew,
-    transpose,
-    vect,
-)
+from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, outer, skew, transpose, vect
 from workbench.kinematics import fields, frames, points
 from workbench.kinematics.tensors import identity_like, sym
 

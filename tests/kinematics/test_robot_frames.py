@@ -10,7 +10,7 @@ from random_robots import NEAR, joint, motion, random_pose, tree
 
 from workbench.kinematics.robot import Robot, SingularJacobian, TreeJoint
 from workbench.kinematics.robot.balls import quaternion_of_rpy, rotation_of_rpy
-from workbench.kinematics.robot.frames import FrameMotion
+from workbench.kinematics.robot.robot_frames import FrameMotion
 
 
 def serial_arm():

@@ -352,7 +352,7 @@ sys.path.insert(0, {os.path.dirname(__file__)!r})
 import numpy as np
 from plain_tree import plain_motion
 from random_robots import tree
-from workbench.kinematics import lanes
+from workbench.kinematics import simd_lanes as lanes
 assert lanes.WIDTH == {width}
 rng = np.random.default_rng(1)
 screws = ["revolute", "prismatic", "cylindrical", "helical"]

@@ -17,12 +17,7 @@ import numpy as np
 
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import cross, dot, scale
-from workbench.kinematics.aronhold_kennedy import (
-    Configuration,
-    ThreeAxes,
-    relative_twists,
-    three_axes,
-)
+from workbench.kinematics.aronhold_kennedy import Configuration, ThreeAxes, relative_twists, three_axes
 
 TOLERANCE = 1e-13
 SLIDES = (Fraction(0), Fraction(3, 2), Fraction(-2, 5))

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import pytest
 
+from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError
 
 PLAIN = {
     r"\lambda": "scalar",

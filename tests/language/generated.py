@@ -6,12 +6,12 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
+from workbench.core import construct
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.terms import Apply, IllFormed, Integer, Number, Symbol, Term, Zero
+from workbench.core.types import SCALAR, TENSOR, VECTOR, Declaration
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed import construct
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Symbol, Term, Zero
-from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Declaration
 
 SPECS = {
     r"\omega": {"kind": "vector", "aliases": [r"\boldsymbol{\omega}"]},

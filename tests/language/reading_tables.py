@@ -8,19 +8,19 @@ from dataclasses import fields, replace
 from functools import cache
 from typing import Any
 
-from workbench.language.defining import read_definitions
-from workbench.language.grammar.latex import latex_of
+from workbench.core.formula_errors import Fault, IllFormedAt, ReadError, SpecError
+from workbench.core.names import Name
+from workbench.core.terms import IllFormed, Naming, Statement, Symbol, Term
+from workbench.core.types import Declaration
+from workbench.language.definition_entries import read_definitions
+from workbench.language.grammar.formula_tokens import tokenize
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
-from workbench.language.grammar.tokens import tokenize
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula, read_term
-from workbench.language.typed.errors import Fault, IllFormedAt, ReadError, SpecError
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import IllFormed, Naming, Statement, Symbol, Term
-from workbench.language.typed.types import Declaration
-from workbench.papers.cutting.formula_lines import split_lines, whole_line
+from workbench.source.rows.formula_lines import split_lines, whole_line
 
 PLAIN = """
 \\lambda scalar;  \\mu scalar;  \\underline{s} dual scalar;  c_{ij} scalar;  x vector;  y vector;  z_n vector

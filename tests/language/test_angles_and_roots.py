@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.errors import ReadError
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 
 SYMBOLS = {
     **{name: "scalar" for name in (r"\theta", r"\phi", "f", "g")},

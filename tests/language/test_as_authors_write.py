@@ -3,11 +3,11 @@
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
-from workbench.language.typed.errors import ReadError
 
 KINDS = {
     "x": "scalar",

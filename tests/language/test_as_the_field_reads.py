@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from language.field_kinds import TABLE
+from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
+from workbench.core.names import Name
+from workbench.core.terms import Symbol
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Symbol
 
 SAME = [
     (r"\|a\|_2^2", r"\|a\|^2"),

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from language.field_kinds import KINDS, TABLE
+from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.papers import load_notation
 
 

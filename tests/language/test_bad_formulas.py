@@ -8,13 +8,13 @@ from dataclasses import replace
 
 import pytest
 
+from workbench.core.formula_errors import Fault, IllFormedAt, Misfit, ReadError
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.statements import clauses_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Chain
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import Fault, IllFormedAt, Misfit, ReadError
 
 TABLE = SymbolTable.build(
     {

@@ -6,8 +6,8 @@ import pytest
 
 from tests.language.as_read import reads
 from workbench import check
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.errors import ReadError
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 
 
 @pytest.mark.parametrize(

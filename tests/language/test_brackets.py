@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from workbench.core.construct import apply, derivative
+from workbench.core.terms import IllFormed, Term
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.typed.construct import apply, derivative
-from workbench.language.typed.terms import IllFormed, Term
 
 SPECS = {
     r"\lambda": "scalar",

@@ -6,11 +6,11 @@ import pickle
 
 import pytest
 
-from workbench.language.defining import read_definition
+from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
+from workbench.core.terms import Counting, Derivative, DualUnit, Identity, TimeOperator
+from workbench.language.definition_entries import read_definition
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.typed.terms import Counting, Derivative, DualUnit, Identity, TimeOperator
 
 SCALAR, VECTOR, TENSOR = ({"kind": kind} for kind in ("scalar", "vector", "tensor"))
 

@@ -8,13 +8,13 @@ from collections.abc import Iterable
 import pytest
 
 from tests.language.chapter import PARTS, Part
-from workbench.language.defining import read_definitions
+from workbench.core.formula_errors import IllFormedAt
+from workbench.core.terms import Conjunction, Equivalence, Implication, Relation
+from workbench.language.definition_entries import read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import Reading, read, read_formula
-from workbench.language.typed.errors import IllFormedAt
-from workbench.language.typed.terms import Conjunction, Equivalence, Implication, Relation
-from workbench.papers.cutting.formula_lines import split_lines
+from workbench.source.rows.formula_lines import split_lines
 
 CASES = [(name, equation, latex) for name, part in PARTS.items() for equation, latex in part.formulas]
 

@@ -8,15 +8,15 @@ from pathlib import Path
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definition, read_definitions
+from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
+from workbench.core.integer_instances import instantiate
+from workbench.core.terms import IllFormed, Symbol, Term
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definition, read_definitions
 from workbench.language.definitions import Definitions, expand
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.typed.instances import instantiate
-from workbench.language.typed.terms import IllFormed, Symbol, Term
 from workbench.papers import load_paper
 
 TABLE = SymbolTable.build(

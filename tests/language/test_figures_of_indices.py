@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from workbench.core.formula_errors import ReadError
+from workbench.core.terms import Symbol
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.typed.errors import ReadError
-from workbench.language.typed.terms import Symbol
 
 
 def named(latex: str, *declared: str) -> str:

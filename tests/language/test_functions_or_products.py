@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.errors import ReadError
 
 MODEL = r"""
 [conventions]

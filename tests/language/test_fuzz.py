@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from tests.language.chapter import PARTS
 from tests.language.generated import TABLE
-from workbench.language.defining import read_definition, read_definitions
+from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
+from workbench.language.definition_entries import read_definition, read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
-from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 
 REAL = read_definitions(PARTS["real"].definitions, SymbolTable.build(PARTS["real"].symbols))[1]
 FORMULAS = [latex for part in PARTS.values() for _, latex in part.formulas]

@@ -10,16 +10,16 @@ from hypothesis import HealthCheck, given, settings
 
 from tests.language.generated import TABLE, VARIABLES, terms
 from workbench import check
-from workbench.language.hand import Hand
+from workbench.core.construct import zero
+from workbench.core.formula_errors import ReadError
+from workbench.core.integer_instances import free_integers
+from workbench.core.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term
+from workbench.language.author_notation import Hand
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.printing.authors import in_the_hand_of
+from workbench.language.printing.author_spelling import in_the_hand_of
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.construct import zero
-from workbench.language.typed.errors import ReadError
-from workbench.language.typed.instances import free_integers
-from workbench.language.typed.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term
-from workbench.papers.installed import installed_names
+from workbench.papers.installed_papers import installed_names
 from workbench.papers.load import load_installed
 
 VECTOR, TENSOR, QUATERNION = {"x": "vector"}, {"x": "tensor"}, {"x": "quaternion"}

@@ -10,21 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.language.generated import TABLE, VARIABLES, terms
+from workbench.core.construct import apply, big_sum, counting, identity, integer, number, power, zero
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import LARGEST, count, free_integers, instantiate, raised
+from workbench.core.terms import BigSum, Counting, IllFormed, Integer, Number, Term, Zero
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.construct import (
-    apply,
-    big_sum,
-    counting,
-    identity,
-    integer,
-    number,
-    power,
-    zero,
-)
-from workbench.language.typed.instances import LARGEST, count, free_integers, instantiate, raised
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import BigSum, Counting, IllFormed, Integer, Number, Term, Zero
 
 
 def at(latex: str, **values: int) -> str:

@@ -6,7 +6,7 @@ import pytest
 
 from tests.language.as_read import reads, said
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 #: A set, what a member of it is called, which of the terms are declared to be in it, and for which it is a claim.
 TRIVIAL, CLAIMS = (

@@ -2,10 +2,10 @@
 
 import pytest
 
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.terms import Block
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Block
 
 TABLE = SymbolTable.build(
     {

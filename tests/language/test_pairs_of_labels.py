@@ -7,13 +7,13 @@ from pathlib import Path
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.typed.errors import ReadError
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 SYMBOLS = {
     r"\overrightarrow{OA}": "vector",

@@ -7,12 +7,12 @@ from itertools import permutations
 
 import pytest
 
-from workbench.language.defining import read_definitions
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.names import Name
+from workbench.language.definition_entries import read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.names import Name
 
 LETTERS = ("x", "y", "z")
 KINDS = dict.fromkeys((*LETTERS, "f", "g", "v"), "vector") | {"A": "rotation", "s": "scalar"}

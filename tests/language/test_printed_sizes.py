@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.papers import load_notation
-from workbench.papers.notation import extended
+from workbench.papers.notation_tables import extended
 
 SIZES = range(1, 7)
 PAIRS = [(1, 1), (3, 1), (1, 3), (3, 3), (4, 4), (6, 1), (2, 5), (6, 6)]

@@ -6,11 +6,11 @@ import pytest
 from judge.test_values import IDENTITIES, TABLE
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 
 KINDS = {
     **{name: "hamilton quaternion" for name in ("p", "q", "q_a", "q_b")},

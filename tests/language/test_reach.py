@@ -2,9 +2,9 @@
 
 import pytest
 
+from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.errors import IllFormedAt, ReadError
 
 TABLE = SymbolTable.build(
     {

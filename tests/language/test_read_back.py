@@ -9,12 +9,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.language.generated import TABLE, VARIABLES, terms
-from workbench.language.grammar.latex import latex_of
+from workbench.core.terms import Term
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
-from workbench.language.typed.terms import Term
 
 _NO_CHECKS = list(HealthCheck)
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.language.reading_tables import VARIABLES, said, tables
+from workbench.core.construct import rebuild
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.typed.construct import rebuild
 
 ARROW = "  ⟶  "
 PLACE = Path(__file__).parent / "readings"

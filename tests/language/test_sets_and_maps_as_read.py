@@ -6,15 +6,15 @@ import pytest
 
 from tests.language.as_read import TABLE, reads
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.construct import apply, relation, symbol, zero
+from workbench.core.formula_errors import Fault
+from workbench.core.names import Name
+from workbench.core.types import Declaration
+from workbench.core.verdict import Outcome
 from workbench.language.elaboration.sets import members_of
 from workbench.language.grammar.parser import parse
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
-from workbench.language.typed.construct import apply, relation, symbol, zero
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.names import Name
-from workbench.language.typed.types import Declaration
 
 
 @pytest.mark.parametrize(

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError
 
 KINDS = {
     "A": "tensor",

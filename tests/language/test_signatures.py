@@ -6,13 +6,13 @@ from itertools import product
 
 import pytest
 
-from workbench.language.typed.construct import apply, symbol
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.operators import OPERATORS
-from workbench.language.typed.signatures import function, of_square, times
-from workbench.language.typed.terms import IllFormed, Symbol, Unread
-from workbench.language.typed.types import OPERATOR, QUATERNION, Declaration, Type, Weight
+from workbench.core.construct import apply, symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.operations import OPERATORS
+from workbench.core.signatures import function, of_square, times
+from workbench.core.terms import IllFormed, Symbol, Unread
+from workbench.core.types import OPERATOR, QUATERNION, Declaration, Type, Weight
 
 SIZES = {
     "s": (1, 1),

@@ -6,16 +6,16 @@ import pytest
 
 from tests.language.chapter import PARTS
 from tests.language.generated import TABLE
-from workbench.language.defining import read_definitions
+from workbench.core.formula_errors import ReadError, SpecError
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.terms import Apply, Symbol
+from workbench.core.types import VECTOR, Declaration
+from workbench.language.definition_entries import read_definitions
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import ReadError, SpecError
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, Symbol
-from workbench.language.typed.types import VECTOR, Declaration
 
 
 def test_an_exact_name_goes_before_a_member_of_a_family() -> None:

@@ -2,9 +2,9 @@
 
 import pytest
 
+from workbench.core.formula_errors import ReadError
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.typed.errors import ReadError
 
 TABLE = SymbolTable.build({"A": {"kind": "tensor"}, "B": {"kind": "tensor"}, "a": {"kind": "vector"}})
 

@@ -7,11 +7,11 @@ from itertools import product
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.typed.errors import ReadError
 
 WORDS = {
     "DV": "vector",

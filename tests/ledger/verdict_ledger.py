@@ -21,16 +21,16 @@ sys.path[:0] = [str(TESTS.parent), str(TESTS)]
 from evaluator.identities import IDENTITIES, TABLE  # noqa: E402
 from evaluator.mutations import mutated_once  # noqa: E402
 
+from workbench.app.pipeline.judge_claims import judge_claims, judge_paper  # noqa: E402
+from workbench.context.claims import Claim, Formula, Notation, Paper  # noqa: E402
+from workbench.context.read_formulas import read_statement  # noqa: E402
+from workbench.core.formula_errors import IllFormed, IllFormedAt, ReadError  # noqa: E402
+from workbench.core.terms import Relation, Statement  # noqa: E402
 from workbench.language.definitions import Definitions  # noqa: E402
 from workbench.language.printing.printer import to_latex  # noqa: E402
-from workbench.language.typed.errors import IllFormed, IllFormedAt, ReadError  # noqa: E402
-from workbench.language.typed.terms import Relation, Statement  # noqa: E402
-from workbench.papers.formulas import read_statement  # noqa: E402
-from workbench.papers.installed import installed_names  # noqa: E402
+from workbench.papers.installed_papers import installed_names  # noqa: E402
 from workbench.papers.load import load_installed, load_paper  # noqa: E402
-from workbench.papers.model import Claim, Formula, Notation, Paper  # noqa: E402
-from workbench.verify.claims import judge_claims, judge_paper  # noqa: E402
-from workbench.verify.results import ClaimResult  # noqa: E402
+from workbench.prover.results.claim_results import ClaimResult  # noqa: E402
 
 #: How many formulas are generated.
 GENERATED = 300

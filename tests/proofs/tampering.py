@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import fields, is_dataclass, replace
 
-from workbench.judge.theorems.goals import (
+from workbench.core.construct import apply, number, relation, symbol
+from workbench.core.names import Name
+from workbench.core.terms import Conjunction, Equivalence, Implication, Relation, Statement
+from workbench.core.types import Declaration
+from workbench.language.goals.goals import (
     All,
     AllBelow,
     AllFrom,
@@ -17,11 +21,7 @@ from workbench.judge.theorems.goals import (
     Iff,
     Implies,
 )
-from workbench.judge.theorems.proofs import Follows, Squares, TwoWitnesses, Unique, Witness
-from workbench.language.typed.construct import apply, number, relation, symbol
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Conjunction, Equivalence, Implication, Relation, Statement
-from workbench.language.typed.types import Declaration
+from workbench.language.goals.proofs import Follows, Squares, TwoWitnesses, Unique, Witness
 
 Change = Callable[[Relation], Relation]
 

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.verdict import Outcome
+from workbench.context.claims import FAULTS
+from workbench.core.verdict import Outcome
 from workbench.papers import find_paper
-from workbench.papers.mends import mended, same_formula
-from workbench.papers.model import FAULTS
-from workbench.typeset.latex_atoms import atoms_of
+from workbench.papers.corrections import mended, same_formula
+from workbench.source.typeset.latex_atoms import atoms_of
 
 CHAPTER = Path(__file__).parents[3] / "shared" / "chapter.md"
 

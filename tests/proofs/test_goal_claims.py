@@ -7,15 +7,15 @@ from pathlib import Path
 import pytest
 
 import proofs
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.proofs import Kernel, Proven
-from workbench.judge.theorems.prove import prove
-from workbench.judge.theorems.reading import read_goal
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.app.pipeline.judge_claims import PaperJudge
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import Scope
+from workbench.language.goals.proofs import Kernel, Proven
 from workbench.papers import PaperError
 from workbench.papers.load import find_paper, merge
-from workbench.verify.claims import PaperJudge
+from workbench.prover.decide.decide import Judge
+from workbench.prover.goals.prove_goal import prove
 
 CHAPTER = Path(proofs.__file__).parent / "chapter"
 FILES = sorted(CHAPTER.glob("[0-9]*.toml"))

@@ -6,10 +6,10 @@ import subprocess
 
 import pytest
 
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers import find_paper
 from workbench.report import render
 from workbench.report.document import document_of
-from workbench.verify.claims import judge_paper
 
 ERRORS = {
     "Eqs. (37), (107), (108), (110), (111), (112), (113)",

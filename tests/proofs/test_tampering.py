@@ -16,14 +16,14 @@ from tests.proofs.tampering import (
     with_idle_conclusions,
     without_a_premise,
 )
-from workbench.budget import Budget, OutOfBudget, Workers
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import All, AllFrom, Exists, Goal, Scope
-from workbench.judge.theorems.proofs import False_, Kernel, Proven
-from workbench.judge.theorems.prove import prove
-from workbench.judge.verdict import Outcome
+from workbench.context.claims import Claim
+from workbench.core.verdict import Outcome
+from workbench.language.goals.goals import All, AllFrom, Exists, Goal, Scope
+from workbench.language.goals.proofs import False_, Kernel, Proven
 from workbench.papers.load import find_paper
-from workbench.papers.model import Claim
+from workbench.prover.decide.decide import Judge
+from workbench.prover.goals.prove_goal import prove
+from workbench.runtime import Budget, OutOfBudget, Workers
 
 T = TypeVar("T")
 

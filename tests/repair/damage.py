@@ -6,23 +6,23 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.inventory import NotExact
-from workbench.language.grammar.latex import latex_of
+from workbench.context.read_formulas import read_statement
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.terms import Statement
+from workbench.engines.inventory.inventory import NotExact
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Accented, Group, Infix, Product
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Statement
 from workbench.papers import Claim, Formula
-from workbench.papers.formulas import read_statement
-from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.prover.decide.decide import Judge
 from workbench.repair.propose.repair import repair
+from workbench.repair.propose.search_limits import STANDARD, Limits
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.edits import Edit, edits
-from workbench.repair.trees.marks import Mark, all_marks, marked
-from workbench.repair.trees.nodes import below
+from workbench.repair.terms.term_edits import Edit, edits
+from workbench.repair.trees.lost_marks import Mark, all_marks, marked
+from workbench.repair.trees.tree_nodes import below
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import pytest
 from repair.damage import Damaged, Result, damages, repaired, right_claims, twice
 
 from workbench.papers import find_paper
-from workbench.verify.results import HOLDS
+from workbench.prover.results.claim_results import HOLDS
 
 SEED = 6
 #: Damaged claims, damages of one kind for one claim, the least share that is repaired as it was.

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 from workbench.papers import load_paper
-from workbench.repair.propose.proposed import Proposed
+from workbench.prover.results.proposed_form import Proposed
 from workbench.repair.propose.repair import repair
 
 #: A sign error, printed with a denominator and without, by the letters e, r, s, k.

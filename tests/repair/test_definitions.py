@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
+from workbench.context.read_formulas import read_statement
 from workbench.papers import find_paper, load_paper
-from workbench.papers.formulas import read_statement
-from workbench.repair.propose.definitions import repair_definitions
-from workbench.verify.results import HOLDS
+from workbench.prover.decide.decide import Judge
+from workbench.prover.results.claim_results import HOLDS
+from workbench.repair.propose.definition_repair import repair_definitions
 
 HOPELESS = r"""
 title = "What no definition near this one makes true"

@@ -6,14 +6,14 @@ from random import Random
 import pytest
 from repair.damage import read_or_fault, right_claims
 
-from workbench.judge.second.rings import PRIME
-from workbench.language.grammar.latex import latex_of
+from workbench.engines.jet.rings import PRIME
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.papers import find_paper
-from workbench.repair.terms.arithmetic import coefficient, times
 from workbench.repair.terms.coefficients import LARGEST, fewest_changes, rational
-from workbench.repair.terms.edits import KINDS, Edit, Refused, edits
-from workbench.repair.terms.places import places, replaced, subterm
+from workbench.repair.terms.subterm_positions import places, replaced, subterm
+from workbench.repair.terms.term_arithmetic import coefficient, times
+from workbench.repair.terms.term_edits import KINDS, Edit, Refused, edits
 
 
 @pytest.fixture(scope="module")

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_claims
+from workbench.core.verdict import Outcome
 from workbench.papers.load import load_paper
-from workbench.repair.propose.limits import Limits
-from workbench.repair.propose.neighbours import neighbours_of
+from workbench.repair.propose.chain_neighbours import neighbours_of
 from workbench.repair.propose.repair import Repair, repair
-from workbench.verify.claims import judge_claims
+from workbench.repair.propose.search_limits import Limits
 
 LIMITS = Limits(seconds=60.0)
 SCALARS = dict.fromkeys(("a", "b", "c", "d", r"\theta"), "scalar")

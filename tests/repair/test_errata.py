@@ -9,12 +9,12 @@ import pytest
 from click.testing import CliRunner
 from rich.console import Console
 
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
 from workbench.papers import find_paper
-from workbench.repair.propose.errata import compared, errata_table, known_errata, summary
-from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.known_errata import compared, errata_table, known_errata, summary
+from workbench.repair.propose.parallel_repairs import repair_claims
 from workbench.repair.propose.repair import Repair, repair
-from workbench.repair.propose.run import repair_claims
+from workbench.repair.propose.search_limits import Limits
 
 #: Of the errata of the chapter, at least so many are corrected as by hand.
 CORRECTED = 62

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
-from workbench.repair.terms.members import membership
+from workbench.core.verdict import Outcome
+from workbench.repair.terms.false_members import membership
 
 SYMBOLS = {
     "R": "rotation", "S": "rotation", "T": "tensor", "a": "vector", "b": "vector", "p": "vector",

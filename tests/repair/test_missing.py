@@ -5,16 +5,16 @@ from random import Random
 import pytest
 from repair.damage import read_or_fault, right_claims
 
-from workbench.judge.subject.inventory import NotExact
-from workbench.language.typed.terms import Apply, IllFormed
+from workbench.core.terms import Apply, IllFormed
+from workbench.engines.inventory.inventory import NotExact
 from workbench.papers import find_paper
 from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
-from workbench.repair.terms.addends import Supply
-from workbench.repair.terms.arithmetic import sum_of
-from workbench.repair.terms.missing import MissingAddends, is_linear
-from workbench.repair.terms.places import places, replaced
+from workbench.repair.terms.addend_products import Supply
+from workbench.repair.terms.missing_addend import MissingAddends, is_linear
+from workbench.repair.terms.subterm_positions import places, replaced
+from workbench.repair.terms.term_arithmetic import sum_of
 
 
 @pytest.fixture(scope="module")

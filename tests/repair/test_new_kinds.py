@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
-from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.search_limits import Limits
 
 SYMBOLS = {
     "e": {"kind": "hamilton quaternion", "unit": True},

@@ -10,16 +10,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench import check
-from workbench.judge.second.rings import PRIME
-from workbench.language.grammar.latex import latex_of
+from workbench.context.read_formulas import read_statement
+from workbench.engines.jet.rings import PRIME
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.papers import Claim, Formula
-from workbench.papers.formulas import read_statement
-from workbench.repair.propose.errata import compared
-from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.known_errata import compared
 from workbench.repair.propose.repair import repair
-from workbench.repair.screening.sums import zero_sums
-from workbench.repair.trees.spellings import spellings
+from workbench.repair.propose.search_limits import Limits
+from workbench.repair.screening.addend_sums import zero_sums
+from workbench.repair.trees.misspellings import spellings
 
 SYMBOLS = {
     r"\omega": {"kind": "vector", "weight": 1},

@@ -13,16 +13,16 @@ from click.testing import CliRunner
 from repair.damage import damages, read_or_fault, right_claims, same
 
 from workbench import check
-from workbench.cli.commands import main
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.second.rings import PRIME
+from workbench.app.commands.commands import main
+from workbench.engines.jet.rings import PRIME
 from workbench.papers import find_paper
 from workbench.papers.load import merge
-from workbench.repair.propose.definitions import repair_definitions
-from workbench.repair.propose.limits import Limits
+from workbench.prover.decide.decide import Judge
+from workbench.prover.results.claim_results import HOLDS
+from workbench.repair.propose.definition_repair import repair_definitions
 from workbench.repair.propose.repair import repair
+from workbench.repair.propose.search_limits import Limits
 from workbench.repair.screening.screen import Screen
-from workbench.verify.results import HOLDS
 
 SAMPLE = 6
 

@@ -6,10 +6,10 @@ from random import Random
 import pytest
 from repair.damage import damages, read_or_fault, right_claims, same
 
-from workbench.language.typed.construct import relation
-from workbench.language.typed.terms import Conjunction, IllFormed, Relation, Zero
+from workbench.core.construct import relation
+from workbench.core.terms import Conjunction, IllFormed, Relation, Zero
 from workbench.papers import find_paper
-from workbench.repair.terms.arithmetic import times
+from workbench.repair.terms.term_arithmetic import times
 
 
 @pytest.fixture(scope="module")

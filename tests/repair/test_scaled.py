@@ -5,12 +5,12 @@ from itertools import islice, product
 
 import pytest
 
+from workbench.core.terms import Relation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.terms import Relation
 from workbench.repair.terms.coefficients import Scaling, scaled
-from workbench.repair.terms.linear import addend_places
-from workbench.repair.terms.places import subterm
+from workbench.repair.terms.linear_places import addend_places
+from workbench.repair.terms.subterm_positions import subterm
 
 KINDS = {**dict.fromkeys("abcdef", "scalar"), **dict.fromkeys("uvw", "vector"), "T": "tensor"}
 TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()})

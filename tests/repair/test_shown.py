@@ -11,14 +11,14 @@ from click.testing import CliRunner
 from rich.console import Console
 
 from workbench import check
-from workbench.cli import proposals as shown
-from workbench.cli.commands import main
-from workbench.cli.proposals import difference_text, proposed_lines, repair_lines, search_bar
-from workbench.judge.verdict import Outcome
-from workbench.papers.model import Claim, Formula
-from workbench.repair.propose.limits import Limits
-from workbench.repair.propose.proposed import Proposed
+from workbench.app.commands import proposal_text as shown
+from workbench.app.commands.commands import main
+from workbench.app.commands.proposal_text import difference_text, proposed_lines, repair_lines, search_bar
+from workbench.context.claims import Claim, Formula
+from workbench.core.verdict import Outcome
+from workbench.prover.results.proposed_form import Proposed
 from workbench.repair.propose.repair import Repair
+from workbench.repair.propose.search_limits import Limits
 
 PARTS = [{"same": "a ="}, {"printed": "", "proposed": "2"}, {"same": "b"}, {"printed": "+ c", "proposed": ""}]
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.language.chapter import PARTS
-from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
-from workbench.papers.cutting.formula_lines import split_lines
+from workbench.source.rows.formula_lines import split_lines
 
 FORMULAS = [latex for part in PARTS.values() for _, latex in part.formulas]
 #: What else the grammar has.

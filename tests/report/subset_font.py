@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from workbench.report import mathml
-from workbench.typeset import glyphs
+from workbench.source.typeset import glyphs
 
 FONT = Path(mathml.__file__).parent / "font" / "workbench-math.woff2"
 #: What MathML has beside the table of symbols: spaces, the invisible signs, and what is written into text.

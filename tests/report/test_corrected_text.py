@@ -11,13 +11,14 @@ import pytest
 from click.testing import CliRunner
 from sample_report import claim, report_of
 
-from workbench.cli.commands import main
-from workbench.papers.model import Edit, Mend, Span
-from workbench.papers.texts import Source
+from workbench.app.commands.commands import main
+from workbench.context.claims import Edit, Mend
+from workbench.core.spans import Span
 from workbench.report import ReportError
 from workbench.report.corrected_text import errata_diff
 from workbench.report.render import write_report
-from workbench.verify.edited import SourceEdit
+from workbench.source.documents import Source
+from workbench.source.documents.source_edits import SourceEdit
 
 TEXT = (
     "# A text\n\nFirst.\n\n$$a  = b + c \\quad (1)$$\n\nThen (3) says so.\n\n$$a = b + c + d \\quad (2)$$\n"

@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from workbench import check
-from workbench.cli.terminal import claim_lines
-from workbench.judge.verdict import Counterexample
-from workbench.language.typed.types import QUATERNION, SCALAR, TENSOR, VECTOR, Type
+from workbench.app.commands.terminal import claim_lines
+from workbench.core.types import QUATERNION, SCALAR, TENSOR, VECTOR, Type
+from workbench.core.verdict import Counterexample
 from workbench.report.counterexamples import against, told, value_as_text
 
 REAL = [SCALAR, VECTOR, TENSOR, QUATERNION, Type(4, 4)]

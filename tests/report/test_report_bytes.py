@@ -11,7 +11,14 @@ EVERY_VERDICT = Path(__file__).parent.parent / "papers" / "every_verdict.toml"
 
 
 def files(out: Path, cache: Path, seed: str, *options: str) -> dict[str, bytes]:
-    call = [sys.executable, "-c", "from workbench.cli.commands import main; main()", "report", "--out", out]
+    call = [
+        sys.executable,
+        "-c",
+        "from workbench.app.commands.commands import main; main()",
+        "report",
+        "--out",
+        out,
+    ]
     seeded = os.environ | {"PYTHONHASHSEED": seed, "WORKBENCH_CACHE": str(cache)}
     done = subprocess.run([*call, *options], env=seeded, capture_output=True, text=True)
     assert done.returncode in (0, 1), done.stderr

@@ -13,15 +13,15 @@ from itertools import pairwise
 import pytest
 from sample_report import CLAIMS, claim, report_of, sample
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.judge.verdict import Outcome
-from workbench.papers.model import Edit, Mend
-from workbench.repair.propose.proposed import Proposed
-from workbench.report import ReportError, html, render
+from workbench.context.claims import Edit, Mend
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.verdict import Outcome
+from workbench.prover.results.proposed_form import Proposed
+from workbench.report import ReportError, html_page, render
 from workbench.report.counterexamples import as_printed
 from workbench.report.document import document_of
-from workbench.report.kinds import VERDICTS
 from workbench.report.render import write_report
+from workbench.report.shown_kinds import VERDICTS
 from workbench.report.to_json import report_json
 
 
@@ -81,7 +81,7 @@ def test_a_report_that_cannot_be_rendered_leaves_the_old_files(tmp_path, monkeyp
     unset = report_of([claim("1", "1", "1", "refuted", printed="a", note="\u4e00")])
     with pytest.raises(ReportError, match=r"expected what pdfLaTeX sets, got U\+4E00"):
         write_report(*unset, tmp_path)
-    monkeypatch.setattr(html, "mathml", lambda *_: 1 / 0)
+    monkeypatch.setattr(html_page, "mathml", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         write_report(*sample(), tmp_path)
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before

@@ -15,13 +15,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sample_report import claim, report_of, sample
 
-from workbench.judge.verdict import Outcome
-from workbench.papers.model import Edit, Mend
+from workbench.context.claims import Edit, Mend
+from workbench.core.verdict import Outcome
+from workbench.prover.results.claim_results import ClaimResult
 from workbench.report import render
+from workbench.report.anchors import is_number
 from workbench.report.document import document_of
-from workbench.report.kinds import STATES
-from workbench.report.places import is_number
-from workbench.verify.results import ClaimResult
+from workbench.report.shown_kinds import STATES
 
 EDITS = Mend(edits=(Edit("a", "b", is_math=True),))
 FAULTS = ("error", "misprint", "wording", "transcription", "hypothesis")

@@ -6,8 +6,8 @@ import subprocess
 
 import pytest
 
-from workbench.report import ReportError, markdown, tex
-from workbench.report.prose import formula, text
+from workbench.report import ReportError, erratum_note, markdown_text
+from workbench.report.mixed_prose import formula, text
 
 
 def test_nothing_from_the_input_becomes_markup(nasty):
@@ -35,16 +35,16 @@ def test_markdown_escapes_headings_and_text(nasty):
     ],
 )
 def test_markdown_escapes_nothing_without_need(plain):
-    assert markdown.escaped(plain) == plain
+    assert markdown_text.escaped(plain) == plain
 
 
 @pytest.mark.parametrize("plain", ["# a", "- a", "1. a", "+ a", "> a"])
 def test_markdown_escapes_what_begins_a_block(plain):
-    assert markdown.escaped(plain).replace("\\", "") == plain != markdown.escaped(plain)
+    assert markdown_text.escaped(plain).replace("\\", "") == plain != markdown_text.escaped(plain)
 
 
 def test_bar_in_a_cell_of_a_table_ends_no_cell():
-    assert "|" not in markdown.cell([formula("|a|"), text(" ")])
+    assert "|" not in markdown_text.cell([formula("|a|"), text(" ")])
 
 
 def test_markdown_shows_what_it_cannot_typeset_as_source(nasty):
@@ -71,19 +71,19 @@ def test_markdown_mathematics_is_one_line_between_dollars(texts):
     ],
 )
 def test_text_of_the_erratum_note(plain, latex):
-    assert tex.escaped(plain) == latex
+    assert erratum_note.escaped(plain) == latex
 
 
 @pytest.mark.parametrize("character", ["漢", "ſ", "\ue001"])
 def test_what_latex_cannot_set_is_an_error(character):
     with pytest.raises(ReportError, match=f"U\\+{ord(character):04X}"):
-        tex.escaped(f"a {character}")
+        erratum_note.escaped(f"a {character}")
 
 
 @pytest.mark.parametrize("name", ["texts", "nasty"])
 def test_erratum_note_is_balanced(name, request):
-    tex = request.getfixturevalue(name)["erratum.tex"]
-    bare = re.sub(r"\\[\\{}%$&#_]", "", tex)
+    erratum_note = request.getfixturevalue(name)["erratum.tex"]
+    bare = re.sub(r"\\[\\{}%$&#_]", "", erratum_note)
     depth = 0
     for character in bare:
         depth += (character == "{") - (character == "}")
@@ -91,7 +91,7 @@ def test_erratum_note_is_balanced(name, request):
     assert depth == 0
     assert "$" not in bare
     assert bare.count(r"\(") == bare.count(r"\)")
-    environments = re.findall(r"\\(begin|end)\{(\w+\*?)\}", tex)
+    environments = re.findall(r"\\(begin|end)\{(\w+\*?)\}", erratum_note)
     stack = []
     for kind, environment in environments:
         if kind == "begin":

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from workbench.report import mathml as adapter
 from workbench.report.mathml import mathml
-from workbench.typeset import glyphs
-from workbench.typeset.latex_atoms import atoms_of
+from workbench.source.typeset import glyphs
+from workbench.source.typeset.latex_atoms import atoms_of
 
 NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
 

@@ -7,15 +7,15 @@ import subprocess
 import pytest
 from judge.motion_papers import paper
 
-from workbench.core.motion_codes import MotionCode
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.context.claims import Claim, Formula
+from workbench.core.codes.motion_codes import MotionCode
 from workbench.core.reasons import Reason
-from workbench.judge.verdict import Evidence, Outcome, Verdict
-from workbench.papers.model import Claim, Formula
+from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.prover.results.motion_summary import ALGEBRA, METHOD
 from workbench.report import render
-from workbench.report.motions import Unseen, motions_of
-from workbench.verify.claims import judge_paper
-from workbench.verify.on_motions import ALGEBRA, METHOD
-from workbench.verify.results import ClaimResult
+from workbench.report.motion_coverage import Unseen, motions_of
 
 NONE = MotionCode.ALGEBRA()
 

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers import load_paper
 from workbench.report import render
 from workbench.report.to_json import claim_json
-from workbench.verify.claims import judge_paper
 
 TEXTBOOK = Path(__file__).parent.parent / "papers" / "textbook.toml"
 

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import told
-from workbench.budget import Budget
-from workbench.judge.kernel.judge import Judge
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.paper_errors import PaperError
 from workbench.language.printing.printer import to_latex
 from workbench.papers.load import load_paper
-from workbench.papers.model import PaperError
-from workbench.verify.claims import judge_paper
+from workbench.prover.decide.decide import Judge
+from workbench.runtime import Budget
 
 
 def outcomes(folder: Path, text: str, model: str, suffix: str = "md") -> list[str]:

@@ -9,21 +9,21 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import doubts, told
-from workbench.ingest import ingest, model_text
-from workbench.ingest.inference.infer import infer
-from workbench.ingest.proposal import ground_of
-from workbench.ingest.proposals import proposals_for
-from workbench.ingest.prose import Prose
-from workbench.ingest.reading import Reader
-from workbench.ingest.typefaces import Guess, by_typeface
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.formula_errors import ReadError
+from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.errors import ReadError
 from workbench.papers import load_paper
-from workbench.papers.cutting.chains import steps_of
-from workbench.papers.texts import read_text
-from workbench.verify.claims import judge_paper
+from workbench.papers.drafting import ingest, model_text
+from workbench.papers.drafting.inference.infer import infer
+from workbench.papers.drafting.model_proposal import ground_of
+from workbench.papers.drafting.notation_proposals import proposals_for
+from workbench.papers.drafting.trial_reading import Reader
+from workbench.papers.drafting.typefaces import Guess, by_typeface
+from workbench.papers.drafting.words_on_symbols import Prose
+from workbench.source.documents import read_text
+from workbench.source.rows.chains import steps_of
 
 #: What a text writes, and its steps as they are read.
 SPELLED = [

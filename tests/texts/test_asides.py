@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import told
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 MODEL = "source = 'p.{}'\n[symbols]\n" + "\n".join(
     f"'{name}' = {{{{ kind = '{kind}' }}}}"

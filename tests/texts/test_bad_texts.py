@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from workbench.papers import PaperError, load_paper
-from workbench.papers.texts import SUFFIXES, read_text
+from workbench.source.documents import SUFFIXES, read_text
 
 WARNED = [
     ("unclosed bracket", r"\[ a = b", "never closed", ["a = b"]),
@@ -203,7 +203,7 @@ def test_a_damaged_text_is_read_or_refused_in_words(
 @pytest.mark.skipif("WORKBENCH_TEXTS" not in os.environ, reason="WORKBENCH_TEXTS names no folder of texts")
 def test_a_folder_of_public_texts() -> None:
     """No exception, no hang, every token in its place, over all texts in the folder."""
-    from workbench.papers.cutting.chains import steps_of
+    from workbench.source.rows.chains import steps_of
 
     count = 0
     for path in sorted(Path(os.environ["WORKBENCH_TEXTS"]).rglob("*")):

@@ -11,11 +11,11 @@ from random import Random
 import pytest
 
 from tests.display_layouts import LAYOUTS, TERMS, Chain, some_chains, some_side
-from workbench.papers.cutting.chains import Step, steps_of
-from workbench.papers.cutting.cut import Cut, Role
-from workbench.papers.cutting.cutter import cut_display
-from workbench.papers.cutting.display_vocabulary import GAPS
-from workbench.papers.texts import Display, is_text, read_text
+from workbench.source.documents import Display, is_text, read_text
+from workbench.source.rows.chains import Step, steps_of
+from workbench.source.rows.cutter import cut_display
+from workbench.source.rows.display_statements import Cut, Role
+from workbench.source.rows.display_vocabulary import GAPS
 
 ROOT = Path(__file__).parents[2]
 COUNT = 60

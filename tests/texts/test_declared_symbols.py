@@ -19,7 +19,7 @@ from tests.texts.written import (
     told,
     verdicts,
 )
-from workbench.papers.model import PaperError
+from workbench.core.paper_errors import PaperError
 
 WRITTEN = list(zip(ALPHABETS, FORMATS, strict=True))
 LAWS = [

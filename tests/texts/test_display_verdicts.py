@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import told
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers.load import load_paper
-from workbench.verify.claims import judge_paper
 
 MODEL = r"""
 source = "x.tex"

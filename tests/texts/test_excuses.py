@@ -21,9 +21,9 @@ from tests.texts.written import (
     told,
     verdicts,
 )
-from workbench.cli.commands import main
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers.load import load_paper
-from workbench.verify.claims import judge_paper
 
 WRITTEN = list(zip(ALPHABETS, FORMATS, strict=True))
 FALSE = [

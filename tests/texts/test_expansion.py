@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.papers.texts import Display, Text, read_text
+from workbench.source.documents import Display, Text, read_text
 
 EXPANDED = [
     (r"\newcommand{\w}{\omega}", r"\w \times r", r"\omega\times r"),

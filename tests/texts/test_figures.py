@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import doubts, told
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
-from workbench.verify.claims import judge_paper
 
 KINDS = {
     **dict.fromkeys((r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}", r"\mathbf{e}_1", r"\mathbf{e}_2", r"\mathbf{e}_3"), "vector"),

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.verdict import Outcome
-from workbench.papers.text_claims.text_load import load_text
-from workbench.verify.claims import judge_claims
+from workbench.app.pipeline.judge_claims import judge_claims
+from workbench.core.verdict import Outcome
+from workbench.papers.texts.load_texts import load_text
 
 WORDS = ["falls", "si", "wobei", "donde", "dans le cas où", "jeśli", "если", "mit", "hvis"]
 LAYOUTS = [

@@ -7,13 +7,13 @@ from random import Random
 import pytest
 
 from tests.display_layouts import LAYOUTS, plain, some_chains
-from workbench.language.grammar.tokens import MOST_CHARACTERS
+from workbench.core.formula_errors import ReadError
+from workbench.language.grammar.formula_tokens import MOST_CHARACTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.errors import ReadError
-from workbench.papers.cutting.cutter import cut_display
-from workbench.papers.cutting.formula_lines import split_lines
-from workbench.papers.texts import read_text
+from workbench.source.documents import read_text
+from workbench.source.rows.cutter import cut_display
+from workbench.source.rows.formula_lines import split_lines
 
 TABLE = SymbolTable.build({name: {"kind": "scalar", "weight": 0} for name in "abcdx"})
 ENVIRONMENTS = [

@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from workbench.cli.commands import main
-from workbench.judge.verdict import Outcome
-from workbench.language.printing.authors import in_the_hand_of
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.context.read_formulas import read_statement
+from workbench.core.verdict import Outcome
+from workbench.language.printing.author_spelling import in_the_hand_of
 from workbench.language.printing.printer import to_latex
 from workbench.papers import PaperError, load_paper
-from workbench.papers.formulas import read_statement
-from workbench.verify.claims import judge_paper
 
 MODEL = r"""
 source = "p.md"

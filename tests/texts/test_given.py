@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import told
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome, Verdict
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 MODEL = r"""source = "p.md"
 [symbols]

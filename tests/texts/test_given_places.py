@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.texts.test_frames import verdicts
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome
 from workbench.papers import PaperError, load_paper
-from workbench.verify.claims import judge_paper
 
 PENDULUM = r"""
 source = "p.md"

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.papers.load import load_paper
-from workbench.verify.claims import judge_claims
 
 MODEL = """
 source = "text.tex"

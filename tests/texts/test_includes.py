@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.papers.texts import Text, read_text
+from workbench.source.documents import Text, read_text
 
 
 def _read(tmp_path: Path, content: str, name: str = "p.tex") -> Text:

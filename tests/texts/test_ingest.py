@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from workbench.ingest import ingest, model_text
-from workbench.judge.verdict import Grade
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Grade
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
+from workbench.papers.drafting import ingest, model_text
 
 TEXTS = Path(__file__).parents[2] / "proofs" / "texts"
 

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 CASES = tomllib.loads((Path(__file__).parent / "known_texts.toml").read_text(encoding="utf-8"))["case"]
 

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import doubts, told
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
-from workbench.verify.claims import judge_paper
 
 KINDS = """
 x = "scalar"

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import doubts, told
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
-from workbench.verify.claims import judge_paper
 
 SKEW = r"\operatorname{skew}(v)"
 TURN = r"\begin{bmatrix} c_\theta & -s_\theta \\ s_\theta & c_\theta \end{bmatrix}"

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers.load import load_paper
-from workbench.papers.texts import read_text
-from workbench.verify.claims import judge_paper
+from workbench.source.documents import read_text
 
 SHOWN, HIDDEN = r"\[ a = b \]", r"\[ a = c \]"
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 AXES = "[frames]\nbase = 'N'\ndot = 'N'\nnames = ['B']\naxes = { B = ['e_1', 'e_2', 'e_3'] }\n"
 VECTORS = "[symbols]\n'e_1' = 'vector'\n'e_2' = 'vector'\n'e_3' = 'vector'\n"

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.papers.texts import read_text
+from workbench.source.documents import read_text
 
 ARTICLE = r"""
 \documentclass{article}

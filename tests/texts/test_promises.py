@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.paper_errors import PaperError
+from workbench.core.verdict import Outcome
 from workbench.papers.load import load_paper
-from workbench.papers.model import PaperError
-from workbench.verify.claims import judge_paper
 
 TURN = r"\begin{bmatrix} \cos a & -\sin a & 0 \\ \sin a & \cos a & 0 \\ 0 & 0 & 1 \end{bmatrix}"
 KEPT = [

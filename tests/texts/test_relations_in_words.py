@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.papers.text_claims.text_load import load_text
-from workbench.verify.claims import judge_claims
+from workbench.app.pipeline.judge_claims import judge_claims
+from workbench.core.verdict import Outcome, Verdict
+from workbench.papers.texts.load_texts import load_text
 
 RELATIONS = [
     ("orthogonal", "(a + b)^2 = a^2 + b^2"),

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.verdict import Outcome
-from workbench.language.printing.authors import in_the_hand_of
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Outcome
+from workbench.language.printing.author_spelling import in_the_hand_of
 from workbench.language.printing.printer import to_latex
 from workbench.papers import load_paper
-from workbench.verify.claims import judge_paper
 
 NAVIGATION = r"""
 source = "p.md"

@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import told
-from workbench.language.typed.names import Name
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.names import Name
+from workbench.core.paper_errors import PaperError
 from workbench.papers.load import load_paper
-from workbench.papers.model import PaperError
-from workbench.verify.claims import judge_paper
 
 HEADINGS = [
     "## Parent\n\nWords.\n\n### Child\n\n",

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import doubts, told
-from workbench.judge.verdict import Outcome
-from workbench.papers.cutting.chains import steps_of
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.paper_errors import PaperError
+from workbench.core.verdict import Outcome
 from workbench.papers.load import load_paper
-from workbench.papers.model import PaperError
-from workbench.papers.texts import read_text
-from workbench.verify.claims import judge_paper
+from workbench.source.documents import read_text
+from workbench.source.rows.chains import steps_of
 
 SPELLED = {
     r"a = \boldsymbol\omega_\mathcal{B/N}": r"a = \boldsymbol\omega_{\mathcal{B}/\mathcal{N}}",

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.paper_errors import PaperError
 from workbench.papers.load import load_paper
-from workbench.papers.model import PaperError
-from workbench.verify.claims import judge_paper
 
 
 def outcomes(folder: Path, text: str, model: str) -> list[str]:

@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from workbench.cli.commands import main
-from workbench.judge.verdict import Outcome
+from workbench.app.commands.commands import main
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.paper_errors import PaperError
+from workbench.core.verdict import Outcome
 from workbench.papers import load_paper
-from workbench.papers.cutting.chains import steps_of
-from workbench.papers.model import PaperError
-from workbench.papers.texts import read_text
-from workbench.verify.claims import judge_paper
+from workbench.source.documents import read_text
+from workbench.source.rows.chains import steps_of
 
 TEXT = r"""\newcommand{\cross}[2]{#1 \times #2}
 %! workbench: symbols.'a' = { kind = "vector" }

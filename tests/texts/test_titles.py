@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.papers.texts.titles import title_of
+from workbench.source.documents.titles import title_of
 
 
 @pytest.mark.parametrize(

@@ -7,13 +7,13 @@ from itertools import product
 
 import pytest
 
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.app.pipeline import judge_claims as claims_module
+from workbench.app.pipeline.judge_claims import ClaimJudge
+from workbench.app.pipeline.verdict_keys import Keys
+from workbench.context.claims import Claim, Formula
+from workbench.context.read_formulas import read_statement
+from workbench.core.verdict import Outcome, Verdict
 from workbench.papers import load_paper
-from workbench.papers.formulas import read_statement
-from workbench.papers.model import Claim, Formula
-from workbench.verify import claims as claims_module
-from workbench.verify.claims import ClaimJudge
-from workbench.verify.keys import Keys
 
 QUESTION = "A = B; -C = D or A = B - C = D?"
 SYMBOLS = "\n".join(

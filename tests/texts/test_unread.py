@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import told
+from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers.load import load_paper
-from workbench.verify.claims import judge_paper
 
 KINDS = {**dict.fromkeys((r"\theta", r"\phi", "x", "y", "z", "m"), "scalar"), "v": "vector"}
 

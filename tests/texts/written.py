@@ -6,10 +6,10 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from workbench.judge.verdict import Grade, Outcome, Verdict
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Grade, Outcome, Verdict
 from workbench.papers import load_paper
-from workbench.papers.text_claims.text_paper import TextPaper
-from workbench.verify.claims import judge_paper
+from workbench.papers.texts.text_paper import TextPaper
 
 FORMATS = ("tex", "md", "rst")
 #: Letters for two vectors, four scalars and a constant.

@@ -5,7 +5,7 @@ from formulas import TYPICAL, formulas
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of, latex_of
+from workbench.source.typeset.latex_atoms import LatexNotTypesettable, atoms_of, latex_of
 
 
 @pytest.mark.parametrize("latex", TYPICAL)

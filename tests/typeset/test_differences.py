@@ -5,8 +5,8 @@ from formulas import TYPICAL, formulas
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from workbench.typeset.differences import Change, difference
-from workbench.typeset.latex_atoms import atoms_of, latex_of
+from workbench.source.typeset.differences import Change, difference
+from workbench.source.typeset.latex_atoms import atoms_of, latex_of
 
 
 @pytest.mark.parametrize("latex", TYPICAL)

@@ -8,9 +8,9 @@ import pytest
 from formulas import formulas
 from hypothesis import given, settings
 
-from workbench.typeset.differences import difference
-from workbench.typeset.excerpts import excerpts, in_one_line, left_side
-from workbench.typeset.latex_atoms import atoms_of
+from workbench.source.typeset.differences import difference
+from workbench.source.typeset.excerpts import excerpts, in_one_line, left_side
+from workbench.source.typeset.latex_atoms import atoms_of
 
 
 @given(formulas, formulas)

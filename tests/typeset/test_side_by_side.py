@@ -8,12 +8,12 @@ from formulas import formulas
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.core.verdict import Outcome, Verdict
 from workbench.papers import find_paper
 from workbench.repair.propose.repair import Proposal
 from workbench.repair.trees.as_printed import as_printed
-from workbench.typeset.differences import difference, in_one_line
-from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of, in_colour
+from workbench.source.typeset.differences import difference, in_one_line
+from workbench.source.typeset.latex_atoms import LatexNotTypesettable, atoms_of, in_colour
 
 ERRATA = [
     (claim.printed.latex, (claim.corrected or claim.reading).latex)

@@ -6,16 +6,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.certificates import coqc
-from workbench.certificates.by_hand import by_hand
-from workbench.certificates.emission.nodes import NotCertified, OneInstant
-from workbench.certificates.forms import Certificate, Form, certificate, forms_of
-from workbench.certificates.goals.whole import of_one_instant
+from workbench.certificates.certified_forms import Certificate, Form, certificate, forms_of
+from workbench.certificates.emission.emitted_nodes import NotCertified, OneInstant
+from workbench.certificates.goals.goal_theorem import of_one_instant
+from workbench.certificates.handwritten import by_hand
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.printing.authors import in_the_hand_of
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.printing.author_spelling import in_the_hand_of
 from workbench.papers import Paper
-from workbench.verify.results import Certification, ClaimResult
+from workbench.prover.results.claim_results import Certification, ClaimResult
 
 
 @dataclass(frozen=True)

@@ -10,15 +10,13 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 
+from workbench.certificates.emission.emitted_nodes import KINDS, NotCertified
 from workbench.certificates.emission.emitter import Emitter
-from workbench.certificates.emission.nodes import KINDS, NotCertified
-from workbench.language.definitions import Definitions
-from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import apply, big_sum, derivative, power, rebuild, relation, symbol
-from workbench.language.typed.instances import free_integers, instantiate
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import (
+from workbench.core.construct import apply, big_sum, derivative, power, rebuild, relation, symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import free_integers, instantiate
+from workbench.core.names import Name
+from workbench.core.terms import (
     Apply,
     BigSum,
     Counting,
@@ -32,7 +30,9 @@ from workbench.language.typed.terms import (
     Term,
     TimeOperator,
 )
-from workbench.language.typed.types import Declaration
+from workbench.core.types import Declaration
+from workbench.language.definitions import Definitions
+from workbench.language.printing.printer import to_latex
 
 
 class Generalizer:

@@ -9,12 +9,12 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from workbench.certificates.certified_forms import Certificate, Form
 from workbench.certificates.emission.collector import Origin
+from workbench.certificates.emission.emitted_nodes import ATOM, Node, NotCertified, flag, single
 from workbench.certificates.emission.emitter import Emitter
-from workbench.certificates.emission.nodes import ATOM, Node, NotCertified, flag, single
-from workbench.certificates.forms import Certificate, Form
 from workbench.certificates.theorem import Theorem, theorem
-from workbench.certificates.values.instances import (
+from workbench.certificates.values.motion_instances import (
     BASE,
     Instance,
     Quotient,
@@ -24,11 +24,11 @@ from workbench.certificates.values.instances import (
     place,
 )
 from workbench.certificates.values.trigonometric import order, parsed
-from workbench.judge.verdict import Verdict
+from workbench.core.construct import derivative
+from workbench.core.integer_instances import instantiate
+from workbench.core.terms import Conjunction, IllFormed, Naming
+from workbench.core.verdict import Verdict
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import derivative
-from workbench.language.typed.instances import instantiate
-from workbench.language.typed.terms import Conjunction, IllFormed, Naming
 
 #: Of a vector on which an operator acts: any that tells two operators apart.
 _PROBE = (("1", "2", "-1", "3"), ("2", "-3", "1", "1"), ("3", "1", "2", "-1"))

@@ -7,20 +7,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from workbench.certificates import coqc
-from workbench.certificates.emission.nodes import NotCertified
-from workbench.certificates.forms import Certificate
+from workbench.certificates.certified_forms import Certificate
+from workbench.certificates.emission.emitted_nodes import NotCertified
 from workbench.certificates.generalized import Generalizer
-from workbench.certificates.goals.whole import whole
+from workbench.certificates.goals.goal_theorem import whole
 from workbench.certificates.theorem import theorem_for_all
 from workbench.certificates.values.trial import can_be_certified, holds_whatever_they_are
-from workbench.judge.theorems.goals import Atom, Scope
-from workbench.judge.theorems.proofs import Proof, Proven
-from workbench.judge.theorems.rules import obligations
-from workbench.judge.theorems.sequents import Obligation, Premise, Sequent
-from workbench.judge.verdict import Outcome
-from workbench.language.typed.terms import IllFormed
-from workbench.papers.model import Claim
-from workbench.verify.results import Certification, ClaimResult
+from workbench.context.claims import Claim
+from workbench.core.terms import IllFormed
+from workbench.core.verdict import Outcome
+from workbench.language.goals.goals import Atom, Scope
+from workbench.language.goals.proofs import Proof, Proven
+from workbench.prover.goals.proof_rules import obligations
+from workbench.prover.goals.sequents import Obligation, Premise, Sequent
+from workbench.prover.results.claim_results import Certification, ClaimResult
 
 
 @dataclass(frozen=True)

@@ -5,19 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.certificates.emission import blocks, functions, nodes, operators, sums
+from workbench.certificates.emission import (
+    blocks,
+    emitted_functions,
+    emitted_nodes,
+    emitted_operators,
+    emitted_sums,
+)
 from workbench.certificates.emission.collector import Summed
+from workbench.certificates.emission.emitted_families import general
+from workbench.certificates.emission.emitted_nodes import (
+    ATOM,
+    KINDS,
+    Node,
+    NotCertified,
+    OneInstant,
+    flag,
+    single,
+)
 from workbench.certificates.emission.emitter import Emitter
-from workbench.certificates.emission.families import general
-from workbench.certificates.emission.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
-from workbench.certificates.reading.said_again import faults_of
+from workbench.certificates.reading.compare import faults_of
 from workbench.certificates.values.trial import can_be_certified
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.sequents import relations_of
-from workbench.language.definitions import Definitions, expand
-from workbench.language.typed.construct import relation as make_relation
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import (
+from workbench.core.construct import relation as make_relation
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import (
     Apply,
     Conjunction,
     Derivative,
@@ -29,7 +40,10 @@ from workbench.language.typed.terms import (
     Symbol,
     Term,
 )
-from workbench.language.typed.types import SCALAR
+from workbench.core.types import SCALAR
+from workbench.language.definitions import Definitions, expand
+from workbench.language.goals.goals import Scope
+from workbench.prover.goals.sequents import relations_of
 
 HEADER = """From Coq Require Import QArith List.
 From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Fraction Context Steps.
@@ -163,7 +177,7 @@ def theorem(
             made = _written(emitter, name, statement, assume, integers, lasting)
             if cores or not emitter.met:
                 break
-            cores = sums.cores_of(emitter.met)
+            cores = emitted_sums.cores_of(emitter.met)
         if can_be_certified(made):
             break
     return made
@@ -194,7 +208,7 @@ def _written(
     lasting: bool,
 ) -> Theorem:
     definitions = emitter.definitions
-    emitter.differentiated = sums.differentiated(statement)
+    emitter.differentiated = emitted_sums.differentiated(statement)
     for variable in integers:
         emitter.integers[variable] = emitter.fresh(variable)
     made = Theorem(name, emitter, source=(statement, assume, integers))
@@ -233,7 +247,7 @@ def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:
     """A norm is what a rule says of it, and rules stand before quotients."""
     for part in (p for term in terms for p in term.walk()):
         if isinstance(part, Apply) and part.head == "norm" and part.arguments[0].type.kind == "vector":
-            real = Apply(SCALAR, None, "norm", (functions.part("re", part.arguments[0]),))
+            real = Apply(SCALAR, None, "norm", (emitted_functions.part("re", part.arguments[0]),))
             emitter.term(real if part.type.dual else part)
 
 
@@ -258,12 +272,12 @@ def _conclude(made: Theorem, relation: Relation) -> None:
     if "operator" in kinds:
         dual = left.type.dual or right.type.dual
         value = emitter.variable(dual, "Vector", emitter.fresh("x"))
-        first = operators.operator(emitter, left, dual, "Vector")(value)
-        second = operators.operator(emitter, right, dual, "Vector")(value)
+        first = emitted_operators.operator(emitter, left, dual, "Vector")(value)
+        second = emitted_operators.operator(emitter, right, dual, "Vector")(value)
     else:
         if not kinds <= set(KINDS):
-            raise NotCertified(nodes.named(min(kinds - set(KINDS))))
-        first, second = nodes.together((emitter.term(left), emitter.term(right)))
+            raise NotCertified(emitted_nodes.named(min(kinds - set(KINDS))))
+        first, second = emitted_nodes.together((emitter.term(left), emitter.term(right)))
         if not emitter.binders:  # nothing else says which ring the numbers are of
             first = replace(first, text=f"({first.text} : {first.type})", level=ATOM)
     made.conclusions.append(equation(first, second))
@@ -271,7 +285,7 @@ def _conclude(made: Theorem, relation: Relation) -> None:
 
 
 def equation(left: Node, right: Node) -> str:
-    left, right = nodes.together((left, right))
+    left, right = emitted_nodes.together((left, right))
     return f"{left.at(69)} {'≡ε' if left.dual else '≡'} {right.at(69)}"
 
 
@@ -280,7 +294,7 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
     pivot = _pivot(emitter, premise)
     if pivot is not None:
         emitter.pivots[pivot[0]] = True
-    left, right = nodes.together((emitter.term(premise.left), emitter.term(premise.right)))
+    left, right = emitted_nodes.together((emitter.term(premise.left), emitter.term(premise.right)))
     known = emitter.suppose(equation(left, right), "premise", [(left.deep, right.deep)])
     if pivot is None:
         place = f"{left.deep} {right.deep}"
@@ -291,8 +305,8 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
         emitter.premised[symbol] = rest[0], f"({proof} {known})"
     value = emitter.term(rest[0])
     for other in rest[1:]:
-        value = nodes.minus(value, emitter.term(other))
-    value = nodes.embedded(value, value.dual or symbol.type.dual)
+        value = emitted_nodes.minus(value, emitter.term(other))
+    value = emitted_nodes.embedded(value, value.dual or symbol.type.dual)
     free = emitter.definitions.lookup(symbol) is None
     emitter.stands_for(emitter.symbol(symbol), value, f"({proof} {known})", by_definition=free)
 

@@ -1,6 +1,7 @@
-"""What is known when a claim is judged, as data: facts with their origin, strength, duration and symbols.
+"""What is known when a claim is judged: facts with origin, strength, duration and symbols.
 
-Providers make facts: formulas, conditions and sentences of the text, and conventions of the field. This
-package imports terms and engines, no documents. `verify` decides claims under these facts and explains the
-verdict.
+What is this? The types of claims and facts, and the providers of facts: the model, formulas, conditions and
+sentences of the text, conventions of the field. When do I come here? To add a convention (conventions.py), a
+word (lexicon.py) or a property (core/properties.py). What may it import? core, language, source, engines.
+What checks it? tests/context.
 """

@@ -9,19 +9,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from workbench.context import figures
+from workbench.context import vector_figures
 from workbench.context.facts import Context, Fact, Origin, Provider, Strength
-from workbench.context.figures import Made
+from workbench.context.formula_subject import Subject, names_of
 from workbench.context.free_symbols import free_in, terms_of
-from workbench.context.subject import Subject, names_of
-from workbench.context.suppositions import having, joined, meaning, of_length_one
+from workbench.context.property_statements import having, joined, meaning, of_length_one
+from workbench.context.vector_figures import Made
+from workbench.core.construct import apply, block, number, symbol
+from workbench.core.operations import CIRCULAR
+from workbench.core.properties import PROPERTIES
+from workbench.core.terms import Apply, Derivative, Symbol, Zero
+from workbench.core.types import SCALAR
 from workbench.language.naming.symbols import UNIT_LETTERS
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import apply, block, number, symbol
-from workbench.language.typed.operators import CIRCULAR
-from workbench.language.typed.properties import PROPERTIES
-from workbench.language.typed.terms import Apply, Derivative, Symbol, Zero
-from workbench.language.typed.types import SCALAR
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ def _named(symbols: list[Symbol]) -> str:
 
 
 def _hats(subject: Subject) -> Iterator[Made]:
-    vectors = [each for each in subject.free if each.type.kind == "vector" and figures.has_hat(each)]
+    vectors = [each for each in subject.free if each.type.kind == "vector" and vector_figures.has_hat(each)]
     own = [each for each in vectors if not (each.declaration.unit or each.index)]
     if own:
         yield f"{_named(own)}: a unit vector, as its hat says", own, having("unit", own)
@@ -75,12 +75,12 @@ def _identities(subject: Subject) -> Iterator[Made]:
 
 def _lengths(subject: Subject) -> Iterator[Made]:
     vectors = {
-        figures.unstyled(each): each
+        vector_figures.unstyled(each): each
         for each in subject.free
-        if each.type.kind == "vector" and not figures.has_hat(each)
+        if each.type.kind == "vector" and not vector_figures.has_hat(each)
     }
     for own in _numbers(subject):
-        if whole := vectors.get(figures.unstyled(own)):
+        if whole := vectors.get(vector_figures.unstyled(own)):
             words = f"{to_latex(own)}: the length of {to_latex(whole)}"
             yield words, [own, whole], meaning(own, apply("norm", whole))
 
@@ -239,9 +239,9 @@ CONVENTIONS = (
     Convention("symmetric", Strength.GUESSED, False, _flag("symmetric")),
     Convention("skew", Strength.GUESSED, False, _flag("skew")),
     Convention("orthogonal", Strength.GUESSED, False, _flag("orthogonal")),
-    Convention("axes", Strength.GUESSED, True, figures.axes),
-    Convention("right angle", Strength.GUESSED, False, figures.right_angles),
-    Convention("turning", Strength.GUESSED, False, figures.turning),
+    Convention("axes", Strength.GUESSED, True, vector_figures.axes),
+    Convention("right angle", Strength.GUESSED, False, vector_figures.right_angles),
+    Convention("turning", Strength.GUESSED, False, vector_figures.turning),
     Convention("spin", Strength.GUESSED, False, _spins),
     Convention("length one", Strength.GUESSED, False, _of_length_one),
     Convention("small", Strength.GUESSED, False, _small),

@@ -8,9 +8,9 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import NamedTuple
 
-from workbench.judge.verdict import Strength
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Definition, Relation, Statement, Symbol, Term
+from workbench.core.names import Name
+from workbench.core.terms import Definition, Relation, Statement, Symbol, Term
+from workbench.core.verdict import Strength
 
 
 class Duration(StrEnum):

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from workbench.language.definitions import Definitions
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import (
+from workbench.core.names import Name
+from workbench.core.terms import (
     Apply,
     Conjunction,
     IllFormed,
@@ -17,7 +16,8 @@ from workbench.language.typed.terms import (
     Term,
     sides_of,
 )
-from workbench.language.typed.types import Declaration
+from workbench.core.types import Declaration
+from workbench.language.definitions import Definitions
 
 
 def terms_of(statement: Statement) -> Iterator[Term]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from workbench.context.facts import Fact, Origin, Provider, Strength
+from workbench.context.formula_subject import names_of
 from workbench.context.lexicon import (
     BE,
     CASE,
@@ -23,11 +24,10 @@ from workbench.context.lexicon import (
     PROPERTY_WORDS,
     STOP,
 )
-from workbench.context.subject import names_of
-from workbench.context.suppositions import having
+from workbench.context.property_statements import having
+from workbench.core.properties import PROPERTIES
+from workbench.core.terms import Symbol
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.properties import PROPERTIES
-from workbench.language.typed.terms import Symbol
 
 _SYMBOLS = r"⟦\d+⟧(?:\s*(?:,|,?\s*and|or)\s*⟦\d+⟧)*"
 _FILL = rf"(?:(?!(?:{STOP})\b)[A-Za-z-]+\s+){{0,2}}?"

@@ -1,5 +1,6 @@
-"""What all other packages share: reasons and their codes, the keys of files, the search for close names.
+"""Data that every other package shares: terms, types, names, spans, reasons, verdicts.
 
-What is this? Tables and small types. When do I come here? To add a message, a code or a key.
-What may it import? Nothing of ours. What checks it? tests/core.
+What is this? Small immutable types, and the tables of codes and keys. When do I come here? To add an
+operation, a property, a code or a key. What may it import? Nothing of ours. What checks it? tests/core,
+tests/language.
 """

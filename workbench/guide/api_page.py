@@ -77,7 +77,7 @@ def api_site_page() -> str:
     """Returns the same page for Sphinx, by autodoc."""
     parts = ["# Python API", "What `from workbench import …` gives: five functions and twelve classes."]
     for name in FUNCTIONS:
-        place = "workbench.check" if name == "check" else f"workbench.api.{name}"
+        place = "workbench.check" if name == "check" else f"workbench.app.api.{name}"
         parts.append(f"## {name}\n\n```{{eval-rst}}\n.. autofunction:: {place}\n```")
     for name, members in MEMBERS.items():
         listed = ", ".join(f"`{member}`" for member in members)

@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from workbench import core
+from workbench.core import codes
 from workbench.core.code_labels import label
 from workbench.core.reasons import Code
 
@@ -65,9 +65,8 @@ _BY_TABLE = {
 @cache
 def all_codes() -> Mapping[str, Code]:
     """Returns the codes of all tables by their label, as in WB-UNKNOWN-SYMBOL."""
-    for module in pkgutil.iter_modules(core.__path__, "workbench.core."):
-        if module.name.endswith("_codes"):
-            import_module(module.name)
+    for module in pkgutil.iter_modules(codes.__path__, "workbench.core.codes."):
+        import_module(module.name)
     return {label(code): code for table in Code.__subclasses__() for code in table}
 
 

@@ -14,16 +14,7 @@ from math import comb
 
 import numpy as np
 
-from workbench.algebra.dual_tensors import (
-    adjugate,
-    apply,
-    cross,
-    determinant,
-    dot,
-    outer,
-    skew,
-    transpose,
-)
+from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, dot, outer, skew, transpose
 from workbench.kinematics.tensors import as_tensors, as_vectors, divide, scalar_kind
 
 from .fields import paired_derivatives, solve

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.kinematics import chain_recursion, lanes, tree_arithmetic, tree_memory
+from workbench.kinematics import chain_recursion, simd_lanes, tree_arithmetic, tree_memory
 from workbench.kinematics.chain_recursion import (
     Base,
     extend_exponential,
@@ -27,7 +27,7 @@ from workbench.kinematics.chain_recursion import (
     turn_and_step,
 )
 from workbench.kinematics.compiled_kernels import OF_BOUND, BoundKernel, Kernel, compiled_kernel
-from workbench.kinematics.lanes import SIZE, WIDTH, load, number, scalar_cosines_and_sines, spread, store
+from workbench.kinematics.simd_lanes import SIZE, WIDTH, load, number, scalar_cosines_and_sines, spread, store
 from workbench.kinematics.tree_arithmetic import LARGEST_ANGLE, OPTIONS, compiled, cosine_and_sine, inlined
 from workbench.kinematics.tree_memory import (
     Memory,
@@ -41,7 +41,7 @@ from workbench.kinematics.tree_memory import (
 )
 
 HEAD, ROW = 4, 10  # numbers before the factors, and for each joint, in the plan
-PARTS = (lanes, tree_arithmetic, tree_memory, chain_recursion)  # what is compiled into the pass
+PARTS = (simd_lanes, tree_arithmetic, tree_memory, chain_recursion)  # what is compiled into the pass
 
 
 class Room(NamedTuple):

@@ -18,7 +18,7 @@ import numpy as np
 
 from workbench.kinematics.chain_joints import Joint
 from workbench.kinematics.chain_kernel import HEAD, ROW, bound_chain_kernel, chain_kernel
-from workbench.kinematics.lanes import WIDTH
+from workbench.kinematics.simd_lanes import WIDTH
 from workbench.kinematics.tree_plan import Plan
 
 NEAR = 3072  # doubles of the nearest cache that blocks which take turns may fill

@@ -31,14 +31,7 @@ from math import comb
 import numpy as np
 
 from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, skew, trace, vect
-from workbench.kinematics.tensors import (
-    as_tensors,
-    as_vectors,
-    divide,
-    identity_like,
-    scalar_kind,
-    sym,
-)
+from workbench.kinematics.tensors import as_tensors, as_vectors, divide, identity_like, scalar_kind, sym
 
 
 def paired_derivatives(x, y, names: tuple[str, str]) -> tuple[np.ndarray, np.ndarray]:

@@ -11,16 +11,7 @@ from math import comb
 
 import numpy as np
 
-from workbench.algebra.dual_tensors import (
-    adjugate,
-    apply,
-    cross,
-    determinant,
-    dot,
-    outer,
-    skew,
-    transpose,
-)
+from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, dot, outer, skew, transpose
 from workbench.kinematics.tensors import as_vectors, divide, identity_like, scalar_kind
 
 from .fields import solve

@@ -32,12 +32,7 @@ from workbench.algebra.dual_tensors import (
     vect,
 )
 from workbench.kinematics.numbers import takes_numbers, takes_reals
-from workbench.kinematics.rotations import (
-    angle_and_axis,
-    length_and_direction,
-    rotation,
-    sine_and_versine,
-)
+from workbench.kinematics.rotations import angle_and_axis, length_and_direction, rotation, sine_and_versine
 
 if TYPE_CHECKING:
     from workbench.drake.gate import RigidTransform

@@ -11,7 +11,7 @@ from typing import Any
 
 from numba import njit
 
-from workbench.kinematics.lanes import (
+from workbench.kinematics.simd_lanes import (
     REGISTERS,
     fused_multiply_add,
     load,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from workbench.kinematics.lanes import (
+from workbench.kinematics.simd_lanes import (
     SIZE,
     load,
     number,

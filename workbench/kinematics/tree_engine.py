@@ -76,7 +76,7 @@ def compute(q: np.ndarray, plan: Plan, out: np.ndarray) -> None:
 def states_side_by_side(frames: int, states: int, rows: int) -> np.ndarray:
     """Fresh memory (frames, states, rows) in which the states' numbers are neighbours, on whole cache
     lines."""
-    from workbench.kinematics.lanes import SIZE, WIDTH
+    from workbench.kinematics.simd_lanes import SIZE, WIDTH
 
     padded = -(-states // WIDTH) * WIDTH
     memory = np.empty(frames * rows * padded + WIDTH)

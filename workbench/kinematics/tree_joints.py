@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.kinematics.lanes import SIZE, load, number, spread, store
+from workbench.kinematics.simd_lanes import SIZE, load, number, spread, store
 from workbench.kinematics.tree_arithmetic import (
     Axes,
     Vector,

@@ -21,17 +21,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.kinematics import lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory
+from workbench.kinematics import simd_lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory
 from workbench.kinematics.compiled_kernels import OF_BOUND, BoundKernel, Kernel, compiled_kernel
-from workbench.kinematics.lanes import (
-    SIZE,
-    WIDTH,
-    load,
-    number,
-    scalar_cosines_and_sines,
-    spread,
-    store,
-)
+from workbench.kinematics.simd_lanes import SIZE, WIDTH, load, number, scalar_cosines_and_sines, spread, store
 from workbench.kinematics.tree_arithmetic import (
     LARGEST_ANGLE,
     OPTIONS,
@@ -67,7 +59,7 @@ HEAD, STEP, BODY = 14, 24, 19  # doubles of the header, a step and a body in the
 ORIGIN = 10  # where in the header the point is that positions are reckoned from
 TURNING = 13  # and how many orders of the Jacobian's turning parts are wanted
 LARGE = 2_000_000  # doubles of a result that is written past the caches, which it would only empty
-PARTS = (lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory)  # what is compiled into the pass
+PARTS = (simd_lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory)  # what is compiled into the pass
 
 
 class Room(NamedTuple):

@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.kinematics import lanes
+from workbench.kinematics import simd_lanes
 from workbench.kinematics.compiled_kernels import compiled_kernel
-from workbench.kinematics.lanes import (
+from workbench.kinematics.simd_lanes import (
     CHUNK,
     SIZE,
     WIDTH,
@@ -146,7 +146,7 @@ def copy_past_caches(source: int, target: int, count: int, sums: int) -> bool:
 
 @cache
 def _copier() -> Callable[[int, int, int, int], bool]:
-    return compiled_kernel(copy_past_caches, (lanes,), OPTIONS, "boolean(int64, int64, int64, int64)")
+    return compiled_kernel(copy_past_caches, (simd_lanes,), OPTIONS, "boolean(int64, int64, int64, int64)")
 
 
 def finite_copy(numbers: np.ndarray) -> np.ndarray | None:

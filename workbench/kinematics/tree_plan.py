@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from workbench.kinematics.compiled_kernels import BoundKernel, Kernel
-from workbench.kinematics.lanes import SIZE, WIDTH
+from workbench.kinematics.simd_lanes import SIZE, WIDTH
 from workbench.kinematics.tree_arithmetic import ABOUT_X, GENERAL, IDENTITY
 from workbench.kinematics.tree_bodies import COLUMN, POSE
 from workbench.kinematics.tree_joints import BALL, SCREW, SLIDE, TURN

@@ -6,14 +6,13 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Protocol
 
-from workbench.core.type_codes import TypeCode
-from workbench.language.naming.spelling import Named
-from workbench.language.typed.construct import apply, number, power, rebuild, relation, zero
-from workbench.language.typed.instances import free_integers, instantiate
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.operators import CIRCULAR
-from workbench.language.typed.terms import (
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.construct import apply, number, power, rebuild, relation, zero
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import free_integers, instantiate
+from workbench.core.names import Name
+from workbench.core.operations import CIRCULAR
+from workbench.core.terms import (
     Apply,
     Definition,
     Identity,
@@ -26,7 +25,8 @@ from workbench.language.typed.terms import (
     Zero,
     sides_of,
 )
-from workbench.language.typed.types import PI, SCALAR, Declaration
+from workbench.core.types import PI, SCALAR, Declaration
+from workbench.language.naming.spelling import Named
 
 #: At the left of the name of a positive number, it names its root.
 _ROOT = ("\\surd",)

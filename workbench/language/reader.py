@@ -10,8 +10,12 @@ from functools import partial
 from itertools import chain, starmap
 from typing import TypeVar
 
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault, IllFormedAt, Misfit, ReadError, place
 from workbench.core.reasons import Reason
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.terms import Relation, Statement, Term
+from workbench.core.types import SCALAR
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import Range, names_a_set
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
@@ -19,10 +23,6 @@ from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Lines, Node
 from workbench.language.grammar.vocabulary import BY_HAND, EXPECTED
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, IllFormedAt, Misfit, ReadError, place
-from workbench.language.typed.terms import Relation, Statement, Term
-from workbench.language.typed.types import SCALAR
 
 __all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term", "unclaimed"]
 

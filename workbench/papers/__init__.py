@@ -8,8 +8,9 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from workbench.papers.model import Claim, Formula, InstalledPaper, Notation, Paper, PaperError
-from workbench.papers.orders import Orders
+from workbench.context.claims import Claim, Formula, InstalledPaper, Notation, Paper
+from workbench.context.index_values import Orders
+from workbench.core.paper_errors import PaperError
 
 if TYPE_CHECKING:
     from workbench.papers.load import (

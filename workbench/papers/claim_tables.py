@@ -6,22 +6,22 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from workbench.core.model_codes import ModelCode
+from workbench.context.claims import Claim, Formula, Notation, Stated
+from workbench.context.index_values import Orders
+from workbench.context.read_formulas import FormulaReader
+from workbench.core.codes.model_codes import ModelCode
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.paper_errors import KeyPath
 from workbench.core.schema import key_names
-from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers
-from workbench.judge.theorems.proofs import Proven
-from workbench.judge.theorems.reading import read_goal
+from workbench.core.terms import Conjunction, Statement
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import GoalError, Scope, atoms, bound_integers
+from workbench.language.goals.proofs import Proven
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
-from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Conjunction, Statement
-from workbench.papers.cutting.formula_lines import Line, split_lines
-from workbench.papers.formulas import FormulaReader
-from workbench.papers.mends import fault_of, mend_of
-from workbench.papers.model import Claim, Formula, Notation, Stated
-from workbench.papers.orders import Orders
-from workbench.papers.toml.toml_file import TomlFile
-from workbench.papers.toml.toml_places import KeyPath
+from workbench.papers.corrections import fault_of, mend_of
+from workbench.source.rows.formula_lines import Line, split_lines
+from workbench.source.toml.toml_file import TomlFile
 
 _ID = re.compile(r"[\w.+*'-]{1,80}")
 _HYPOTHESIS = re.compile(r"\\hypothesis\s*\\Rightarrow")

@@ -19,12 +19,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from workbench.language.typed.construct import apply, block, derivative, number, symbol, zero
-from workbench.language.typed.errors import SpecError
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Definition, Term, Zero
-from workbench.language.typed.types import TENSOR, VECTOR, Declaration, Type, type_of_kind
+from workbench.core.construct import apply, block, derivative, number, symbol, zero
+from workbench.core.formula_errors import SpecError
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.terms import Definition, Term, Zero
+from workbench.core.types import TENSOR, VECTOR, Declaration, Type, type_of_kind
 
 TRANSFORM = type_of_kind("transform")
 

@@ -12,18 +12,19 @@ from functools import partial, wraps
 from pathlib import Path
 from typing import Any, TypeVar
 
-from workbench.budget import Budget, Workers
-from workbench.core.model_codes import ModelCode
+from workbench.context.claims import CITATION_KEYS, Claim, Notation, Paper
+from workbench.core.codes.model_codes import ModelCode
+from workbench.core.paper_errors import PaperError
 from workbench.core.schema import key_names
-from workbench.judge.theorems.proofs import Proven
-from workbench.memory.store import Store
-from workbench.papers.faults import Faults
-from workbench.papers.installed import DEFAULT, installed, installed_names, name_of, paper_of
-from workbench.papers.kept import Kept
-from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError
+from workbench.language.goals.proofs import Proven
+from workbench.papers.collected_errors import Faults
+from workbench.papers.installed_papers import DEFAULT, installed, installed_names, name_of, paper_of
 from workbench.papers.notation_files import budget_of, nearest, notation_chain
-from workbench.papers.sisters import claim_ids, sisters_of
-from workbench.papers.toml.toml_file import TomlFile
+from workbench.papers.paper_cache import Kept
+from workbench.papers.sibling_files import claim_ids, sisters_of
+from workbench.runtime import Budget, Workers
+from workbench.runtime.store import Store
+from workbench.source.toml.toml_file import TomlFile
 
 _PAPER_KEYS = key_names("paper file")
 _NO_FILES = "the installed paper has no claim files"
@@ -38,8 +39,8 @@ def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: 
     """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with all that
     is wrong and where, if the file cannot be used. faults: where those of single claims are put, if not
     raised.   store: where what was read before is found again."""
-    from workbench.papers.text_claims.text_load import load_model, load_text
-    from workbench.papers.texts import is_text
+    from workbench.papers.texts.load_texts import load_model, load_text
+    from workbench.source.documents import is_text
 
     path = Path(path)
     if is_text(path):
@@ -117,7 +118,7 @@ def find_paper(
         return load_installed(DEFAULT, store, meanwhile)
     if str(name) in installed_names() and not Path(name).is_file():
         return load_installed(str(name), store, meanwhile)
-    from workbench.papers.texts import is_text
+    from workbench.source.documents import is_text
 
     path = Path(name)
     if path.exists() or path.suffix == ".toml" or is_text(path) or path.name != str(name):
@@ -339,14 +340,14 @@ def _size(file: _PaperFile) -> int:
 def _load_readers() -> None:
     """Here, once, and not in each process."""
     import workbench.papers.claim_tables
-    import workbench.papers.notation  # noqa: F401
+    import workbench.papers.notation_tables  # noqa: F401
     from workbench.language.grammar.parser import parse
 
     parse("x")
 
 
 def _notation_of(files: Sequence[TomlFile]) -> Notation:
-    from workbench.papers.notation import notation_of
+    from workbench.papers.notation_tables import notation_of
 
     return notation_of(files)
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TypeVar
 
-from workbench.budget import Budget
 from workbench.core.schema import key_names
-from workbench.papers.toml.toml_file import TomlFile
+from workbench.runtime import Budget
+from workbench.source.toml.toml_file import TomlFile
 
 T = TypeVar("T")
 

@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
 
+from workbench.context.claims import Claim
 from workbench.core.close_names import did_you_mean
-from workbench.papers.model import Claim
 
 _RANGE = re.compile(r"(\d{1,6})\s*[-–]\s*(\d{1,6})")
 _LEADING_NUMBER = re.compile(r"\d+")

@@ -2,4 +2,4 @@
 
 from workbench.core.callable_package import make_callable
 
-make_callable(__name__, "workbench.api:repair")
+make_callable(__name__, "workbench.app.api:repair")

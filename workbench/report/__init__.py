@@ -10,4 +10,4 @@ class ReportError(ValueError):
     """The report cannot be rendered: what was expected, what was got, and where."""
 
 
-make_callable(__name__, "workbench.api:report")
+make_callable(__name__, "workbench.app.api:report")

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from workbench.papers.model import Span
-from workbench.report.states import fault_of
-from workbench.verify.edited import Replacement, applied, patch_of
-from workbench.verify.results import ClaimResult
+from workbench.core.spans import Span
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.report.claim_states import fault_of
+from workbench.source.documents.source_edits import Replacement, applied, patch_of
 
 #: Whose faults are the author's: what a transcription lost is right in the print.
 FAULTS = ("error", "warning", "misprint", "wording")

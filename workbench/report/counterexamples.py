@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from workbench.judge.verdict import Counterexample, Outcome
-from workbench.language.typed.types import QUATERNION, Type, type_of_kind
-from workbench.report.prose import Run, formula, text
-from workbench.verify.results import ClaimResult
+from workbench.core.types import QUATERNION, Type, type_of_kind
+from workbench.core.verdict import Counterexample, Outcome
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.report.mixed_prose import Run, formula, text
 
 _LETTER = re.compile(
     r"\\(?!dot|ddot|dddot|ddddot|tilde|underline|mathbf|boldsymbol|mathrm|left|right|cos|sin)[A-Za-z]+"

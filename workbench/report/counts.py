@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Sequence
 from importlib.metadata import version
 
-from workbench.report.kinds import VERDICTS
-from workbench.verify.on_motions import ALGEBRA
-from workbench.verify.results import ClaimResult
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.prover.results.motion_summary import ALGEBRA
+from workbench.report.shown_kinds import VERDICTS
 
 _PACKAGES = {
     "workbench": "kinematics-workbench",

@@ -6,16 +6,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from workbench.papers.model import Paper
+from workbench.context.claims import Paper
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.report.anchors import Heirs, Place, Places, equation_key
 from workbench.report.counts import summary, versions
-from workbench.report.entries import Entry, Equation, entry_of, equation_of
+from workbench.report.equation_entries import Entry, Equation, entry_of, equation_of
 from workbench.report.errata import Errata, errata_of
 from workbench.report.error_rows import ErrorRow, error_rows
-from workbench.report.kinds import SHOWN, Kind
-from workbench.report.motions import Motions, motions_of
-from workbench.report.places import Heirs, Place, Places, equation_key
-from workbench.report.prose import Run, runs_of
-from workbench.verify.results import ClaimResult
+from workbench.report.mixed_prose import Run, runs_of
+from workbench.report.motion_coverage import Motions, motions_of
+from workbench.report.shown_kinds import SHOWN, Kind
 
 
 @dataclass(frozen=True)

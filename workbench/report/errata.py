@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from workbench.context.claims import FAULTS
+from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.reasons import Reason
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.judge.verdict import Outcome
-from workbench.papers.model import FAULTS
+from workbench.core.verdict import Outcome
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.prover.results.motion_summary import percent
+from workbench.report.anchors import Heirs, Place, joined, with_headings
+from workbench.report.claim_states import fault_of
 from workbench.report.counterexamples import Against, against
-from workbench.report.places import Heirs, Place, joined, with_headings
-from workbench.report.prose import Run, formula, power_of_ten, runs_of, text
-from workbench.report.states import fault_of
-from workbench.typeset.differences import difference
-from workbench.verify.on_motions import percent
-from workbench.verify.results import ClaimResult
+from workbench.report.mixed_prose import Run, formula, power_of_ten, runs_of, text
+from workbench.source.typeset.differences import difference
 
 _OTHERS = "Others."
 #: A longer sentence is not quoted where it is corrected.

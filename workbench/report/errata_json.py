@@ -6,9 +6,9 @@ import json
 from typing import Any
 
 from workbench.report.document import Document
-from workbench.report.entries import Entry
+from workbench.report.equation_entries import Entry
 from workbench.report.errata import Correction
-from workbench.report.prose import Run, is_one_formula
+from workbench.report.mixed_prose import Run, is_one_formula
 from workbench.report.wording import short
 
 #: Crossref's `update-to` and JATS's `related-article` have these words for a notice of errors.

@@ -6,17 +6,17 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
+from workbench.prover.results.motion_summary import Cost
+from workbench.report.anchors import Place
 from workbench.report.counterexamples import Against
-from workbench.report.entries import Entry, Equation
+from workbench.report.equation_entries import Entry, Equation
 from workbench.report.errata import Change
-from workbench.report.kinds import STATES
-from workbench.report.places import Place
-from workbench.typeset.differences import Change as Difference
-from workbench.typeset.differences import difference
-from workbench.typeset.excerpts import left_side
-from workbench.typeset.glyphs import SYMBOLS
-from workbench.verify.on_motions import Cost
+from workbench.report.shown_kinds import STATES
+from workbench.source.typeset.differences import Change as Difference
+from workbench.source.typeset.differences import difference
+from workbench.source.typeset.excerpts import left_side
+from workbench.source.typeset.glyphs import SYMBOLS
 
 #: The signs in the column "Verified", with their words.
 TWICE = ("✓✓", "proved by two engines")

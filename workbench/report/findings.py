@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from workbench.core.code_labels import suffix
-from workbench.judge.verdict import Grade, Outcome
+from workbench.core.spans import Span
+from workbench.core.verdict import Grade, Outcome
 from workbench.papers import Paper, PaperError
-from workbench.papers.model import Span
-from workbench.papers.text_claims.text_paper import TextPaper
+from workbench.papers.texts.text_paper import TextPaper
+from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.report.counterexamples import told
-from workbench.verify.edited import SourceEdit
-from workbench.verify.results import HOLDS, ClaimResult
+from workbench.source.documents.source_edits import SourceEdit
 
 #: The levels of SARIF, of editors and of CI.
 _LEVEL_OF = {

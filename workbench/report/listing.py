@@ -8,15 +8,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbench.core.code_labels import suffix
-from workbench.judge.verdict import Grade, Outcome
-from workbench.papers.model import Span
-from workbench.papers.text_claims.text_paper import TextPaper
-from workbench.papers.texts import Display
+from workbench.core.spans import Span
+from workbench.core.verdict import Grade, Outcome
+from workbench.papers.texts.text_paper import TextPaper
+from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.report.counterexamples import Against, told
 from workbench.report.findings import place_of
-from workbench.typeset.plain_text import in_plain_text, plain_text
-from workbench.verify.edited import SourceEdit
-from workbench.verify.results import HOLDS, ClaimResult
+from workbench.source.documents import Display
+from workbench.source.documents.source_edits import SourceEdit
+from workbench.source.typeset.plain_text import in_plain_text, plain_text
 
 #: The grades from the most serious on, and the words in which displays are counted.
 _RANKS = (Grade.ERROR, Grade.WARNING, Grade.NOT_JUDGED, Grade.OK, Grade.NOTE)

@@ -17,8 +17,8 @@ from itertools import pairwise
 
 from latex2mathml.converter import convert
 
-from workbench.typeset import glyphs
-from workbench.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
+from workbench.source.typeset import glyphs
+from workbench.source.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 
 _XMLNS = "http://www.w3.org/1998/Math/MathML"
 _ACCENT_MADE_BY_CONVERTER = {

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from math import ceil, floor, log10
 
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.prover.results.motion_summary import Course, courses_of, percent
 from workbench.report.error_rows import ErrorRow
-from workbench.report.prose import power_of_ten
-from workbench.verify.on_motions import Course, courses_of, percent
-from workbench.verify.results import ClaimResult
+from workbench.report.mixed_prose import power_of_ten
 
 #: What a residual of 0 is shown as.
 LEAST = 1e-17

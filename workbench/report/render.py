@@ -15,15 +15,15 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from workbench.papers.model import Paper
-from workbench.report import ReportError, html, markdown, tex, wording
+from workbench.context.claims import Paper
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.report import ReportError, erratum_note, html_page, markdown_text, wording
 from workbench.report.corrected_text import errata_diff
 from workbench.report.document import document_of
 from workbench.report.errata_json import errata_json
-from workbench.report.kinds import SHOWN
 from workbench.report.pictures import all_errors
+from workbench.report.shown_kinds import SHOWN
 from workbench.report.to_json import report_json
-from workbench.verify.results import ClaimResult
 
 
 def write_report(
@@ -63,8 +63,8 @@ def render(paper: Paper, results: Sequence[ClaimResult], source: Path | None = N
         texts["errata.diff"] = patch
     picture, sent = all_errors(document.rows), ["erratum.tex", *(n for n in texts if n.startswith("errata"))]
     for name, environment in (
-        ("report.md", _environment(markdown.FILTERS)),
-        ("report.html", _environment(html.FILTERS, is_html=True)),
+        ("report.md", _environment(markdown_text.FILTERS)),
+        ("report.html", _environment(html_page.FILTERS, is_html=True)),
         ("erratum.tex", _tex_environment()),
     ):
         template = environment.get_template(name + ".j2")
@@ -113,7 +113,7 @@ def _environment(filters: Mapping[str, Any], is_html: bool = False) -> Environme
 
 def _tex_environment() -> Environment:
     """TeX is full of braces and per cents: its template uses << >> and <% %>."""
-    return _environment(tex.FILTERS).overlay(
+    return _environment(erratum_note.FILTERS).overlay(
         block_start_string="<%",
         block_end_string="%>",
         variable_start_string="<<",

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from workbench.judge.verdict import Counterexample, Verdict
-from workbench.papers.mends import mended, same_formula
-from workbench.papers.model import CITATION_KEYS, Claim, Formula, Paper
-from workbench.repair.propose.proposed import Proposed
+from workbench.context.claims import CITATION_KEYS, Claim, Formula, Paper
+from workbench.core.verdict import Counterexample, Verdict
+from workbench.papers.corrections import mended, same_formula
+from workbench.prover.results.claim_results import Certification, ClaimResult
+from workbench.prover.results.proposed_form import Proposed
 from workbench.report.counts import summary, versions, witness_counts
-from workbench.verify.results import Certification, ClaimResult
 
 
 def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:

@@ -6,11 +6,11 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
+from workbench.prover.results.motion_summary import percent
 from workbench.report.document import Class, Document
-from workbench.report.entries import Entry
+from workbench.report.equation_entries import Entry
 from workbench.report.error_rows import gist_of
-from workbench.verify.on_motions import percent
 
 _METHODS = (
     ("exact ring over", "exact ring over ℚ (FLINT)"),

@@ -14,11 +14,17 @@ sys.path[:0] = [str(TESTS / "errata")]
 
 from errata_cases import is_same_formula  # noqa: E402
 
-from workbench.core.verdict_codes import VerdictCode  # noqa: E402
-from workbench.judge.subject.inventory import NotExact  # noqa: E402
-from workbench.judge.verdict import Outcome  # noqa: E402
+from workbench.app.pipeline.judge_claims import judge_claims  # noqa: E402
+from workbench.context.claims import Claim, Formula, Mend  # noqa: E402
+from workbench.context.read_formulas import read_statement  # noqa: E402
+from workbench.core.codes.verdict_codes import VerdictCode  # noqa: E402
+from workbench.core.formula_errors import Fault, IllFormedAt, ReadError  # noqa: E402
+from workbench.core.paper_errors import PaperError  # noqa: E402
+from workbench.core.terms import Statement  # noqa: E402
+from workbench.core.verdict import Outcome  # noqa: E402
+from workbench.engines.inventory.inventory import NotExact  # noqa: E402
 from workbench.language.elaboration.superscripts import is_transpose  # noqa: E402
-from workbench.language.grammar.latex import latex_of  # noqa: E402
+from workbench.language.grammar.latex_forms import latex_of  # noqa: E402
 from workbench.language.grammar.parser import parse  # noqa: E402
 from workbench.language.grammar.syntax import (  # noqa: E402
     Accented,
@@ -33,17 +39,12 @@ from workbench.language.grammar.syntax import (  # noqa: E402
     core,
     is_left_script,
 )
-from workbench.language.typed.errors import Fault, IllFormedAt, ReadError  # noqa: E402
-from workbench.language.typed.terms import Statement  # noqa: E402
-from workbench.papers.formulas import read_statement  # noqa: E402
-from workbench.papers.installed import installed_names  # noqa: E402
+from workbench.papers.installed_papers import installed_names  # noqa: E402
 from workbench.papers.load import load_installed, load_paper  # noqa: E402
-from workbench.papers.model import Claim, Formula, Mend, PaperError  # noqa: E402
-from workbench.repair.propose.limits import Limits  # noqa: E402
 from workbench.repair.propose.repair import repair  # noqa: E402
+from workbench.repair.propose.search_limits import Limits  # noqa: E402
 from workbench.repair.screening.screen import Screen  # noqa: E402
-from workbench.repair.trees.nodes import below, exchanged  # noqa: E402
-from workbench.verify.claims import judge_claims  # noqa: E402
+from workbench.repair.trees.tree_nodes import below, exchanged  # noqa: E402
 
 #: A node, and what stands there instead.
 Swap = tuple[Node, Node]

@@ -21,7 +21,7 @@ from injected_errors import (
 )
 
 from workbench import check
-from workbench.papers.model import Claim
+from workbench.context.claims import Claim
 
 SYMBOLS = {
     "a": "vector",

@@ -99,9 +99,9 @@ def _limited() -> Iterator[None]:
 
 def claims_of(text: str, model: str, format_name: str) -> list[Seen]:
     """The product's claims in a text, each with its verdict, judged in this process without memory."""
-    from workbench.budget import workers
+    from workbench.app.pipeline.judge_claims import judge_paper
     from workbench.papers.load import load_paper
-    from workbench.verify.claims import judge_paper
+    from workbench.runtime import workers
 
     methods = workers.get_all_start_methods
     workers.get_all_start_methods = list  # no process of its own for each judgement

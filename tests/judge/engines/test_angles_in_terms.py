@@ -3,7 +3,7 @@
 import pytest
 from judge.test_judge import judged
 
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 SAME = [
     (r"\|a\| - \|a\| + \|b\|", r"\|b\|"),

@@ -8,19 +8,19 @@ import pytest
 from judge.random_terms import random_term
 
 from workbench import check
-from workbench.judge.first.exact import ExactEngine
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.second.components import Value, beside
-from workbench.judge.second.jets import JetEngine
-from workbench.judge.second.rings import PointSource, RationalRing, ResidueRing, sample
-from workbench.judge.second.sympy_ring import SympyRing
-from workbench.judge.subject.inventory import NotExact, take_inventory
-from workbench.judge.subject.parameters import parameters
-from workbench.language.defining import read_definitions
+from workbench.core.construct import apply, derivative, relation
+from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory.parameters import parameters
+from workbench.engines.jet.components import Value, beside
+from workbench.engines.jet.jets import JetEngine
+from workbench.engines.jet.rings import PointSource, RationalRing, ResidueRing, sample
+from workbench.engines.jet.sympy_ring import SympyRing
+from workbench.engines.polynomial.polynomial_engine import ExactEngine
+from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.construct import apply, derivative, relation
+from workbench.prover.decide.decide import Judge
 
 FREE = Definitions()
 KINDS = ("scalar", "vector", "tensor", "operator")

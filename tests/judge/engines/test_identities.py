@@ -5,14 +5,14 @@ from dataclasses import replace
 import pytest
 from evaluator.identities import IDENTITIES, TABLE
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
+from workbench.core.construct import apply, derivative, number, relation, symbol
+from workbench.core.names import Name
+from workbench.core.types import TENSOR, Declaration
+from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.construct import apply, derivative, number, relation, symbol
-from workbench.language.typed.names import Name
-from workbench.language.typed.types import TENSOR, Declaration
+from workbench.prover.decide.decide import Judge
 
 MORE = r"""
 \underline{T} \underline{T}^* = (\det \underline{T}) \mathbf{I}

@@ -4,8 +4,8 @@ from random import Random
 
 import pytest
 
-from workbench.judge.second.packed import WIDTH, PackedPolynomials
-from workbench.judge.subject.inventory import NotExact
+from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.jet.packed_polynomials import WIDTH, PackedPolynomials
 
 
 def some(packed, random, terms=4):

@@ -7,10 +7,10 @@ from random import Random
 import pytest
 from judge.test_judge import TABLE
 
-from workbench.judge.second.rings import PRIME, FloatRing, RationalRing, Residue, ResidueRing
-from workbench.judge.second.sympy_ring import Ratio, SympyRing
-from workbench.judge.second.tangents import Tangent, TangentRing, pushed
-from workbench.judge.subject.inventory import take_inventory
+from workbench.engines.inventory.inventory import take_inventory
+from workbench.engines.jet.rings import PRIME, FloatRing, RationalRing, Residue, ResidueRing
+from workbench.engines.jet.sympy_ring import Ratio, SympyRing
+from workbench.engines.jet.tangents import Tangent, TangentRing, pushed
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
 

@@ -6,7 +6,7 @@ import pytest
 from judge.test_judge import judged
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 NUMBERS = {"2": "2", "-3": "3", r"\frac{1}{2}": r"\frac{1}{2}", r"-\frac{2}{3}": r"\frac{2}{3}", "6": "6"}
 LENGTHS = [r"\|{0} a\|", r"\|{0} f a\|", r"|{0} f|", r"\sqrt{{({0})^2 (f^2 + g^2)}}"]

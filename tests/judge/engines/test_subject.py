@@ -1,23 +1,23 @@
-"""What both engines take from `judge/subject`: they would be wrong together, so each part is compared with what was
+"""What both engines take from `engines/inventory`: they would be wrong together, so each part is compared with what was
 found by hand, and with what is found where definitions are written out."""
 
 from itertools import product
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject import NotExact
-from workbench.judge.subject.angles import angles_of, sum_of_products, with_parts_of_angles
-from workbench.judge.subject.divisions import never_divides
-from workbench.judge.subject.exponentials import without_exponentials
-from workbench.judge.subject.inventory import take_inventory
-from workbench.judge.subject.parameters import parts
-from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector
-from workbench.language.defining import read_definitions
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.angle_combinations import angles_of, sum_of_products, with_parts_of_angles
+from workbench.engines.inventory.divisions import never_divides
+from workbench.engines.inventory.exponentials import without_exponentials
+from workbench.engines.inventory.inventory import take_inventory
+from workbench.engines.inventory.parameters import parts
+from workbench.engines.inventory.rodrigues import angle_and_axis, turned_vector
+from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import expand
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula, read_term
+from workbench.prover.decide.decide import Judge
 
 KINDS = {
     **{name: {"kind": "vector"} for name in "abx"},

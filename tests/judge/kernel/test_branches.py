@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 from judge.test_judge import defined, judged
 
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 
 #: How c · arc may be written, with c and what stands for α/c.
 FACTORS = {

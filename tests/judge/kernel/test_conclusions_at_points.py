@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
-from workbench.papers.model import PaperError
+from workbench.core.paper_errors import PaperError
+from workbench.core.verdict import Outcome
 
 LETTERS = "fgh"
 SYMBOLS = dict.fromkeys(LETTERS, "scalar")

@@ -6,9 +6,9 @@ import pytest
 from judge.test_judge import judged
 
 from workbench import check
-from workbench.judge.kernel.vanishing import Equations
-from workbench.judge.second import consequences
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
+from workbench.engines.jet import consequences
+from workbench.prover.decide.zero_sets import Equations
 
 SYMBOLS = (
     dict.fromkeys("abc", "vector")

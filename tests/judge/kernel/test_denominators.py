@@ -4,8 +4,8 @@ import pytest
 from judge.test_judge import judged
 
 from workbench import check
-from workbench.judge.verdict import Outcome
-from workbench.papers.orders import Orders
+from workbench.context.index_values import Orders
+from workbench.core.verdict import Outcome
 
 NESTED = [
     (r"\frac{1}{1 - \frac{1}{f}} = \frac{f}{f-1}", [r"f \neq 0", r"f \neq 1"]),

@@ -4,13 +4,13 @@ import pytest
 from judge.test_judge import PHI, PHI_TABLE, judged
 
 from workbench import check
-from workbench.judge.kernel.equation import Equation
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.second import consequences, drake_ring
-from workbench.judge.verdict import EngineDisagreement, Outcome
+from workbench.context.index_values import Orders
+from workbench.core.verdict import EngineDisagreement, Outcome
+from workbench.engines.jet import consequences, drake_ring
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
-from workbench.papers.orders import Orders
+from workbench.prover.decide.decide import Judge
+from workbench.prover.decide.equation import Equation
 
 VANISHES = "residual is 0"
 PRIME = f"random point modulo {2**61 - 1}", VANISHES, {}
@@ -205,7 +205,7 @@ def test_zero_in_the_first_engine_alone_is_a_disagreement(monkeypatch, latex):
 
 
 def test_a_counterexample_of_the_second_engine_alone_is_a_disagreement(monkeypatch):
-    from workbench.judge.first.exact import ExactEngine
+    from workbench.engines.polynomial.polynomial_engine import ExactEngine
 
     monkeypatch.setattr(ExactEngine, "at", lambda *arguments: 0)
     with pytest.raises(EngineDisagreement, match="one engine only"):

@@ -6,15 +6,15 @@ import pytest
 from evaluator.identities import TABLE as IDENTITIES
 from judge.test_judge import TABLE, defined, judged
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definition
+from workbench.context.index_values import Orders
+from workbench.core.integer_expressions import Linear
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.elaboration.ranges import Range
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.typed.integers import Linear
-from workbench.papers.orders import Orders
+from workbench.prover.decide.decide import Judge
 
 TANGLED = Definitions(
     [read_definition(key, body, IDENTITIES)[0] for key, body in {"k_{0,0}": "g", "k_{m,n}": "f"}.items()]

@@ -5,13 +5,13 @@ from random import Random
 import pytest
 from evaluator.identities import TABLE
 
-from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definition, read_definitions
+from workbench.context.index_values import Orders
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
-from workbench.papers.orders import Orders
+from workbench.prover.decide.decide import Judge
+from workbench.prover.decide.recurrence_range import exceptions, rewritten, symbolic_members
 
 
 def defined(entries):

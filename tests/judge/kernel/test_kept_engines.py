@@ -6,15 +6,15 @@ from random import Random
 import pytest
 from evaluator.identities import IDENTITIES, TABLE
 
-from workbench.judge.kernel import engines
-from workbench.judge.kernel.case import Case
-from workbench.judge.kernel.equation import Equation
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.inventory import take_inventory
+from workbench.core.construct import apply, derivative, relation
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.language import reader
-from workbench.language.defining import read_definitions
+from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
-from workbench.language.typed.construct import apply, derivative, relation
+from workbench.prover.decide import both_engines
+from workbench.prover.decide.case import Case
+from workbench.prover.decide.decide import Judge
+from workbench.prover.decide.equation import Equation
 
 
 def read(latex, table=TABLE):
@@ -44,8 +44,8 @@ def told(judge, statement):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_the_verdict_is_that_of_a_judge_that_has_seen_nothing(seed, monkeypatch):
-    monkeypatch.setattr(engines, "_MOST", (20, 60, 120, 500)[seed])
-    monkeypatch.setattr(engines, "_KEPT", (1, 3, 10, 60)[seed])
+    monkeypatch.setattr(both_engines, "_MOST", (20, 60, 120, 500)[seed])
+    monkeypatch.setattr(both_engines, "_KEPT", (1, 3, 10, 60)[seed])
     bodies = {"T": r"\dot{R} R^T", "g": r"a \cdot b"}
     free = {key: value for key, value in TABLE.symbols.items() if key not in bodies}
     definitions, table = read_definitions(bodies, replace(TABLE, symbols=free))
@@ -105,7 +105,7 @@ def test_under_an_assumption_the_engine_is_its_own():
 
 
 def test_an_engine_that_has_grown_is_replaced(monkeypatch):
-    monkeypatch.setattr(engines, "_MOST", 5)
+    monkeypatch.setattr(both_engines, "_MOST", 5)
     judge = Judge(Definitions())
     small = case(r"a = c", judge)
     before = small.second
@@ -117,7 +117,7 @@ def test_an_engine_that_has_grown_is_replaced(monkeypatch):
 
 
 def test_so_many_are_kept(monkeypatch):
-    monkeypatch.setattr(engines, "_KEPT", 2)
+    monkeypatch.setattr(both_engines, "_KEPT", 2)
     judge = Judge(Definitions())
     first = case(r"a = b", judge).exact
     assert case(r"a = c", judge).exact is not first

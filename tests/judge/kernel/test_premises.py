@@ -3,12 +3,12 @@
 import pytest
 
 from workbench import check
-from workbench.judge.kernel.premises import equal_turns, put_in
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definition
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
+from workbench.prover.decide.premise_consequences import equal_turns, put_in
 
 SYMBOLS = (
     dict.fromkeys("xyz", "scalar")

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from judge.test_extrema import TABLE, verdict
 
-from workbench.judge.first.exact import ExactEngine
-from workbench.judge.kernel.quadratics import Quadratic, solved
-from workbench.judge.kernel.varied import Varied, at_zero_part
-from workbench.judge.subject.inventory import NotExact, take_inventory
-from workbench.judge.subject.signs import is_seen_nonnegative
-from workbench.judge.verdict import Outcome
+from workbench.core.construct import apply, big_sum, derivative, power
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory.signs import is_seen_nonnegative
+from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.typed.construct import apply, big_sum, derivative, power
+from workbench.prover.decide.objective import Varied, at_zero_part
+from workbench.prover.decide.quadratic_forms import Quadratic, solved
 
 FREE = Definitions()
 THREE = SymbolTable.build({name: {"kind": "scalar"} for name in "xyz"})

@@ -6,12 +6,12 @@ from itertools import product
 import pytest
 from judge.test_judge import TABLE, defined
 
-from workbench.judge.kernel.beyond import behind, beyond
-from workbench.judge.kernel.generic import Distinct, judge_addends, ranges_apart
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read, read_term
+from workbench.prover.decide.decide import Judge
+from workbench.prover.decide.orders_past_literals import behind, beyond
+from workbench.prover.decide.unbounded_indices import Distinct, judge_addends, ranges_apart
 
 FREE = Definitions()
 

@@ -7,13 +7,13 @@ import pytest
 from evaluator.identities import TABLE as BOTH
 from judge.test_judge import TABLE, defined, judged
 
-from workbench.judge.evidence.points import trials
-from workbench.judge.kernel import rotated
-from workbench.judge.kernel.rotated import in_rotated_frame
-from workbench.judge.subject.inventory import take_inventory
-from workbench.judge.verdict import Outcome
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
+from workbench.prover.counterexamples.rational_points import trials
+from workbench.prover.decide import frame_change
+from workbench.prover.decide.frame_change import in_rotated_frame
 
 #: The rules, for letters; each is below the degree from which they are used.
 RULES = [
@@ -44,12 +44,12 @@ def dual(latex):
 
 @pytest.fixture
 def always(monkeypatch):
-    monkeypatch.setattr(rotated, "DEAR", 0)
+    monkeypatch.setattr(frame_change, "DEAR", 0)
 
 
 @pytest.fixture
 def rules_off(monkeypatch):
-    monkeypatch.setattr(rotated, "DEAR", 10**9)
+    monkeypatch.setattr(frame_change, "DEAR", 10**9)
 
 
 @pytest.mark.parametrize(
@@ -188,7 +188,7 @@ def test_a_singular_block_makes_it_conditional():
 )
 def test_the_degree_of_a_term(latex, degree):
     (claim,) = read(f"{latex} = {latex}", BOTH)
-    assert rotated._Frame(Definitions()).degree(claim.left) == degree
+    assert frame_change._Frame(Definitions()).degree(claim.left) == degree
 
 
 @pytest.mark.parametrize(
@@ -256,7 +256,7 @@ TERMS = [
 @pytest.mark.parametrize(("latex", "turned"), TERMS)
 def test_each_rule_takes_the_rotations_out(latex, turned):
     (claim, expected) = (read(f"{each} = {each}", TABLE)[0] for each in (latex, turned or latex))
-    assert rotated._Frame(Definitions()).simple(claim.left) == expected.left
+    assert frame_change._Frame(Definitions()).simple(claim.left) == expected.left
 
 
 @pytest.mark.parametrize(
@@ -278,4 +278,4 @@ def test_each_rule_takes_the_rotations_out(latex, turned):
 def test_only_a_free_rotation_and_its_transpose_turn(latex, turns):
     definitions, table = defined(Q="R")
     (claim,) = read(f"{latex} = {latex}", table)
-    assert rotated._Frame(definitions).turns(claim.left) == turns
+    assert frame_change._Frame(definitions).turns(claim.left) == turns

@@ -3,22 +3,22 @@
 import pytest
 
 from workbench import check
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders, with_free_derivatives
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import Outcome
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.context.index_values import Orders
+from workbench.core.construct import apply, derivative, symbol, zero
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import instantiate
+from workbench.core.names import Name
+from workbench.core.terms import Derivative
+from workbench.core.types import VECTOR, Declaration
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.typed.construct import apply, derivative, symbol, zero
-from workbench.language.typed.instances import instantiate
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Derivative
-from workbench.language.typed.types import VECTOR, Declaration
 from workbench.papers import load_paper
-from workbench.papers.orders import Orders
-from workbench.verify.claims import judge_paper
+from workbench.prover.decide.decide import Judge
+from workbench.prover.decide.symbolic_orders import freed, symbolic_orders, with_free_derivatives
 
 SYMBOLS = {
     "x": {"kind": "vector", "weight": 0},

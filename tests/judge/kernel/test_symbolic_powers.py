@@ -2,13 +2,13 @@
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.inventory import NotExact, take_inventory
-from workbench.judge.verdict import Outcome
+from workbench.context.index_values import Orders
+from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import NotExact, take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.papers.orders import Orders
+from workbench.prover.decide.decide import Judge
 
 TABLE = SymbolTable.build({"A": {"kind": "tensor"}, "x": {"kind": "vector"}})
 

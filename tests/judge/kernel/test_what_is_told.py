@@ -2,11 +2,11 @@
 
 import pytest
 
-from workbench.judge.kernel.judge import Judge
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
+from workbench.prover.decide.decide import Judge
 
 TABLE = SymbolTable.build(
     {

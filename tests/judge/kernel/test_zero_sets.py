@@ -6,9 +6,9 @@ from random import Random
 import pytest
 from judge.test_judge import TABLE, judged
 
-from workbench.core.verdict_codes import UNLESS_IT_LASTS
-from workbench.judge.verdict import Outcome
-from workbench.language.defining import read_definition
+from workbench.core.codes.verdict_codes import UNLESS_IT_LASTS
+from workbench.core.verdict import Outcome
+from workbench.language.definition_entries import read_definition
 from workbench.language.definitions import Definitions
 
 

@@ -1,1 +1,1 @@
-"""Typed terms as expressions of Coq, and what their symbols are."""
+"""Terms as Coq text."""

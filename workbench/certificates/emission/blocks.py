@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import product as pairs_of
 
-from workbench.certificates.emission import nodes
+from workbench.certificates.emission import emitted_nodes
 from workbench.certificates.emission.collector import Collector
-from workbench.certificates.emission.nodes import APPLICATION, ATOM, NotCertified
-from workbench.judge.subject.inventory import Lookup
-from workbench.language.typed.construct import apply, block, identity, number, zero
-from workbench.language.typed.terms import Apply, Block, Derivative, Number, Symbol, Term, Zero
-from workbench.language.typed.types import TENSOR, Type
+from workbench.certificates.emission.emitted_nodes import APPLICATION, ATOM, NotCertified
+from workbench.core.construct import apply, block, identity, number, zero
+from workbench.core.terms import Apply, Block, Derivative, Number, Symbol, Term, Zero
+from workbench.core.types import TENSOR, Type
+from workbench.engines.inventory.inventory import Lookup
 
 _NOTHING = "(Num false (0 # 1))"
 
@@ -63,7 +63,7 @@ def matrix(emitter: Collector, term: Term) -> Matrix:
         raise NotCertified("a dual block matrix")
     if isinstance(term, Zero):
         return Matrix("void", ATOM, ((_NOTHING,) * term.type.columns,) * term.type.rows)
-    if term.type.kind in nodes.KINDS and not made_of_blocks(term, emitter.definitions):
+    if term.type.kind in emitted_nodes.KINDS and not made_of_blocks(term, emitter.definitions):
         return _cell(emitter, term)
     match term:
         case Symbol():
@@ -185,7 +185,7 @@ def _unit(of: Term) -> Term:
 
 def _is_unit(made: Matrix) -> list[tuple[str, str]]:
     return [
-        (entry, nodes.number(int(i == j)).deep)
+        (entry, emitted_nodes.number(int(i == j)).deep)
         for i, row in enumerate(made.entries)
         for j, entry in enumerate(row)
     ]

@@ -6,12 +6,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from workbench.certificates.emission import nodes
-from workbench.certificates.emission.nodes import ATOM, Node, NotCertified, flag, single
+from workbench.certificates.emission import emitted_nodes
+from workbench.certificates.emission.emitted_nodes import ATOM, Node, NotCertified, flag, single
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import BigSum, Symbol, Term
+from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import BigSum, Symbol, Term
-from workbench.language.typed.types import Declaration
 
 #: What Coq, the library and the proofs call otherwise.
 _TAKEN = frozenset([
@@ -123,14 +123,14 @@ class Collector:
 
     def variable(self, dual: bool, kind: str, name: str, how: str = "free") -> Node:
         """A universally quantified variable."""
-        self.binders.append((name, nodes.type_name(dual, kind)))
+        self.binders.append((name, emitted_nodes.type_name(dual, kind)))
         self.places[name] = self.slot(dual, kind, name)
         self.origins.append(Origin(self.places[name], how, len(self.statement)))
         return self.places[name]
 
     def helper(self, node: Node, how: str, value: Node) -> Node:
         """A universally quantified variable that a premise will say everything of."""
-        self.binders.append((node.text, nodes.type_name(node.dual, node.kind)))
+        self.binders.append((node.text, emitted_nodes.type_name(node.dual, node.kind)))
         self.places[node.text] = node
         self.origins.append(Origin(node, how, len(self.statement), value))
         return node
@@ -166,7 +166,7 @@ class Collector:
 
     def shown(self, left: Node, right: Node, script: str) -> str:
         """An equation that the proof shows first; its name there."""
-        left, right = nodes.together((left, right))
+        left, right = emitted_nodes.together((left, right))
         name = self.fresh("fact")
         said = f"{left.at(69)} {'≡ε' if left.dual else '≡'} {right.at(69)}"
         self.lemmas.append(f"assert ({name} : {said}). {{ {script} }}")

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from workbench.certificates.emission import families, functions, nodes, operators, sums, suppositions
+from workbench.certificates.emission import (
+    emitted_families,
+    emitted_functions,
+    emitted_nodes,
+    emitted_operators,
+    emitted_sums,
+    emitted_suppositions,
+)
 from workbench.certificates.emission.blocks import is_column
 from workbench.certificates.emission.collector import Collector, Origin
-from workbench.certificates.emission.fields import curl, divergence
-from workbench.certificates.emission.nodes import KINDS, Node, NotCertified, flag, single
-from workbench.language.definitions import Definitions, expand
-from workbench.language.typed.instances import count
-from workbench.language.typed.terms import (
+from workbench.certificates.emission.emitted_fields import curl, divergence
+from workbench.certificates.emission.emitted_nodes import KINDS, Node, NotCertified, flag, single
+from workbench.core.integer_instances import count
+from workbench.core.terms import (
     Apply,
     BigSum,
     Block,
@@ -24,6 +30,7 @@ from workbench.language.typed.terms import (
     Term,
     Zero,
 )
+from workbench.language.definitions import Definitions, expand
 
 _UNARY = {
     "skew": ("skew", "Skew", "Tensor"),
@@ -64,66 +71,68 @@ class Emitter(Collector):
 
     def _term(self, term: Term) -> Node:
         if term.type.kind not in KINDS:
-            raise NotCertified(nodes.named(term.type.kind))
+            raise NotCertified(emitted_nodes.named(term.type.kind))
         match term:
             case Number():
-                return nodes.number(term.value)
+                return emitted_nodes.number(term.value)
             case Integer(value=value) if value.is_number:
-                return nodes.number(int(value))
+                return emitted_nodes.number(int(value))
             case Integer(value=value):
-                return self.whole(f"whole {families.numeral(self, value)}")
+                return self.whole(f"whole {emitted_families.numeral(self, value)}")
             case Counting(name=name, arguments=arguments):
                 if _numeric(term):
                     return self.term(count(name, arguments))
                 if name != "binomial":
                     raise NotCertified(f"a {name} that depends on n")
-                numbers = " ".join(families.numeral(self, a) for a in arguments)
+                numbers = " ".join(emitted_families.numeral(self, a) for a in arguments)
                 return self.whole(f"whole (choose {numbers})")
             case BigSum():
-                return sums.of_sum(self, term)
+                return emitted_sums.of_sum(self, term)
             case Zero():
-                return nodes.zero(False, KINDS[term.type.kind])
+                return emitted_nodes.zero(False, KINDS[term.type.kind])
             case Identity():
-                return nodes.identity(False)
+                return emitted_nodes.identity(False)
             case DualUnit():
-                return nodes.DUAL_UNIT
+                return emitted_nodes.DUAL_UNIT
             case Symbol():
                 return self.symbol(term)
             case Derivative():
                 if not term.order.is_number:
-                    return sums.of_symbolic_order(self, term)
+                    return emitted_sums.of_symbolic_order(self, term)
                 body = self.term(term.body)
                 if any(h.head == "norm" for h in self.helpers if isinstance(h, Apply)):
                     full = expand(term.body, self.definitions)
                     if any(isinstance(p, Apply) and p.head == "norm" for p in full.walk()):
                         raise NotCertified("the derivative of a norm")
-                return nodes.derivative(body, int(term.order))
+                return emitted_nodes.derivative(body, int(term.order))
             case Power():
                 if not term.exponent.is_number:
                     raise NotCertified("a power of symbolic exponent")
-                return nodes.raised(self.term(term.base), int(term.exponent))
+                return emitted_nodes.raised(self.term(term.base), int(term.exponent))
             case Block(entries=entries) if is_column(term):
-                return nodes.column(*(self.term(entry) for (entry,) in entries))
+                return emitted_nodes.column(*(self.term(entry) for (entry,) in entries))
             case Apply():
                 return self._apply(term)
         raise NotCertified(type(term).__name__)
 
     def whole(self, text: str) -> Node:
         """A number that depends on n."""
-        node = self.slot(False, "Scalar", text, nodes.APPLICATION)
+        node = self.slot(False, "Scalar", text, emitted_nodes.APPLICATION)
         self.origins.append(Origin(node, "constant", len(self.statement)))
-        place = f"{flag(False)} Scalar {suppositions.index(node)}"
-        self.facts.append(single(f"@Rate {place} {nodes.number(0).deep}", "(@D_whole K false _)"))
+        place = f"{flag(False)} Scalar {emitted_suppositions.index(node)}"
+        self.facts.append(single(f"@Rate {place} {emitted_nodes.number(0).deep}", "(@D_whole K false _)"))
         return node
 
     def _apply(self, term: Apply) -> Node:
         head, arguments = term.head, term.arguments
         if head == "mul" and arguments[0].type.kind == "operator":
             value = self.term(arguments[1])
-            acting = operators.operator(self, arguments[0], value.dual or arguments[0].type.dual, value.kind)
-            return acting(nodes.embedded(value, value.dual or arguments[0].type.dual))
-        if head in functions.HEADS:
-            return functions.HEADS[head](self, term)
+            acting = emitted_operators.operator(
+                self, arguments[0], value.dual or arguments[0].type.dual, value.kind
+            )
+            return acting(emitted_nodes.embedded(value, value.dual or arguments[0].type.dual))
+        if head in emitted_functions.HEADS:
+            return emitted_functions.HEADS[head](self, term)
         if head == "divergence":
             return divergence(self, arguments[0])
         if head == "curl":
@@ -132,27 +141,27 @@ class Emitter(Collector):
             total = self.term(arguments[0])
             for addend in arguments[1:]:
                 if isinstance(addend, Apply) and addend.head == "neg":
-                    total = nodes.minus(total, self.term(addend.arguments[0]))
+                    total = emitted_nodes.minus(total, self.term(addend.arguments[0]))
                 else:
-                    total = nodes.plus(total, self.term(addend))
+                    total = emitted_nodes.plus(total, self.term(addend))
             return total
         made = [self.term(a) for a in arguments]
         if head in _UNARY:
-            return nodes.call(*_UNARY[head], *made)
+            return emitted_nodes.call(*_UNARY[head], *made)
         if head in _BINARY:
             left, right = made
-            return nodes.infix(*_BINARY[head], left, right)
+            return emitted_nodes.infix(*_BINARY[head], left, right)
         match head:
             case "neg":
-                return nodes.neg(made[0])
+                return emitted_nodes.neg(made[0])
             case "mul":
-                return nodes.times(*made)
+                return emitted_nodes.times(*made)
             case "triple":
-                return nodes.call("triple", "Triple", "Scalar", *made)
+                return emitted_nodes.call("triple", "Triple", "Scalar", *made)
             case "re":
-                return nodes.half("real_part", "Re", made[0])
+                return emitted_nodes.half("real_part", "Re", made[0])
             case "du":
-                return nodes.half("dual_part", "Du", made[0])
+                return emitted_nodes.half("dual_part", "Du", made[0])
         raise NotCertified(head)
 
     def symbol(self, symbol: Symbol) -> Node:
@@ -178,21 +187,21 @@ class Emitter(Collector):
     def _new(self, symbol: Symbol) -> Node:
         kind = KINDS.get(symbol.type.kind)
         if kind is None:
-            raise NotCertified(nodes.named(symbol.type.kind))
+            raise NotCertified(emitted_nodes.named(symbol.type.kind))
         for said, obstacle in _BEYOND.items():
             if getattr(symbol.declaration, said):
                 raise NotCertified(obstacle)
         body = self.definitions.lookup(symbol)
         if any(not index.is_number for index in symbol.index):
-            return families.member(self, symbol, kind, body)
+            return emitted_families.member(self, symbol, kind, body)
         if body is None:
             if symbol.arguments:
                 raise NotCertified("a function that nothing defines")
             name = self.name(symbol)
             self.read_back[name] = symbol
-            return suppositions.variable(self, symbol, kind, name)
+            return emitted_suppositions.variable(self, symbol, kind, name)
         value = self.term(body)
-        value = nodes.embedded(value, symbol.type.dual or value.dual)
+        value = emitted_nodes.embedded(value, symbol.type.dual or value.dual)
         name = self.name(symbol)
         self.read_back[name] = symbol
         if symbol in self.pivots:

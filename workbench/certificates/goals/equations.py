@@ -7,22 +7,22 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from workbench.certificates.emission.nodes import ATOM, KINDS, NotCertified
+from workbench.certificates.emission.emitted_nodes import ATOM, KINDS, NotCertified
+from workbench.certificates.goals.instant_rates import spread
 from workbench.certificates.goals.lemmas import only_now, restored, without_derivatives
-from workbench.certificates.goals.places import Alias, Place, as_given, belongs, flattened, has
+from workbench.certificates.goals.proof_positions import Alias, Place, as_given, belongs, flattened, has
 from workbench.certificates.goals.propositions import said
-from workbench.certificates.goals.rates import spread
 from workbench.certificates.goals.script import Script
 from workbench.certificates.theorem import Theorem, theorem_for_all
 from workbench.certificates.values.trial import can_be_certified
-from workbench.judge.theorems.goals import Atom, Variable
-from workbench.judge.theorems.members import read_members
-from workbench.judge.theorems.proofs import Each, Kernel, Proof
-from workbench.judge.theorems.substitution import Substitution
+from workbench.core.construct import symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
 from workbench.language.definitions import expand
-from workbench.language.typed.construct import symbol
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
+from workbench.language.goals.goals import Atom, Variable
+from workbench.language.goals.proofs import Each, Kernel, Proof
+from workbench.prover.goals.named_members import read_members
+from workbench.prover.goals.substitution import Substitution
 
 
 class Equations(Script):

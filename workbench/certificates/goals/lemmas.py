@@ -6,14 +6,13 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from workbench.certificates.emission.nodes import KINDS, NotCertified
+from workbench.certificates.emission.emitted_nodes import KINDS, NotCertified
 from workbench.certificates.reading.read_back import expression
 from workbench.certificates.theorem import Theorem
-from workbench.language.definitions import Definitions
-from workbench.language.typed.construct import rebuild, relation, symbol
-from workbench.language.typed.instances import free_integers
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import (
+from workbench.core.construct import rebuild, relation, symbol
+from workbench.core.integer_instances import free_integers
+from workbench.core.names import Name
+from workbench.core.terms import (
     Apply,
     BigSum,
     Counting,
@@ -28,7 +27,8 @@ from workbench.language.typed.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.typed.types import Declaration
+from workbench.core.types import Declaration
+from workbench.language.definitions import Definitions
 
 
 def at_an_instant(lemma: Theorem) -> str:

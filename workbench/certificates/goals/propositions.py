@@ -9,15 +9,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from workbench.certificates.emission import nodes
+from workbench.certificates.emission import emitted_nodes
 from workbench.certificates.emission.collector import identifier
+from workbench.certificates.emission.emitted_families import prepare
+from workbench.certificates.emission.emitted_nodes import APPLICATION, ATOM, KINDS, Node, NotCertified
+from workbench.certificates.emission.emitted_suppositions import conditions
 from workbench.certificates.emission.emitter import Emitter
-from workbench.certificates.emission.families import prepare
-from workbench.certificates.emission.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified
-from workbench.certificates.emission.suppositions import conditions
 from workbench.certificates.reading.meaning import is_written_out
 from workbench.certificates.theorem import relations
-from workbench.judge.theorems.goals import (
+from workbench.core.construct import symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import free_integers
+from workbench.core.names import Name
+from workbench.core.terms import Apply, Number, Relation, Symbol, Term
+from workbench.language.definitions import Definitions
+from workbench.language.goals.goals import (
     All,
     AllFrom,
     AtLeast,
@@ -32,19 +38,7 @@ from workbench.judge.theorems.goals import (
     atoms,
     inside,
 )
-from workbench.judge.theorems.sequents import kind_of, names_of, relations_of
-from workbench.language.definitions import Definitions
-from workbench.language.typed.construct import symbol
-from workbench.language.typed.instances import free_integers
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import (
-    Apply,
-    Number,
-    Relation,
-    Symbol,
-    Term,
-)
+from workbench.prover.goals.sequents import kind_of, names_of, relations_of
 
 #: What stands before that which holds at all times.
 ALWAYS = "forall now : instant, "
@@ -91,7 +85,7 @@ class Speaker(Emitter):
             return Node(symbol.type.dual, KINDS[symbol.type.kind], text, APPLICATION, "?")
         body = self.definitions.lookup(symbol)
         if body is not None and is_written_out(symbol, self.definitions, self.bound):
-            return nodes.embedded(self.term(body), symbol.type.dual)
+            return emitted_nodes.embedded(self.term(body), symbol.type.dual)
         return super()._new(symbol)
 
     def letter(self, variable: Variable, suffix: str = "") -> str:
@@ -104,7 +98,7 @@ class Speaker(Emitter):
     def call(self, letter: Symbol, name: str) -> None:
         kind = KINDS.get(letter.type.kind)
         if kind is None:
-            raise NotCertified(nodes.named(letter.type.kind))
+            raise NotCertified(emitted_nodes.named(letter.type.kind))
         self.put(letter, Node(letter.type.dual, kind, name, ATOM, "?"))
         self.read_back[name] = letter
         self._made = {}
@@ -112,7 +106,7 @@ class Speaker(Emitter):
     def _apply(self, term: Apply) -> Node:
         match term.head, term.arguments:
             case "div", (above, below) if not isinstance(below, Number):
-                return nodes.times(self.over(below), self.term(above))
+                return emitted_nodes.times(self.over(below), self.term(above))
             case "reciprocal", (below,):
                 return self.over(below)
             case "norm", (inner,):
@@ -128,7 +122,7 @@ class Speaker(Emitter):
             raise NotCertified("a quotient by anything but a scalar")
         if not value.dual:
             return _number(f"over now {value.at(ATOM)}")
-        real = nodes.half("real_part", "Re", value)
+        real = emitted_nodes.half("real_part", "Re", value)
         text = f"dual_over {value.at(ATOM)} (over now {real.at(ATOM)})"
         return Node(True, "Scalar", text, APPLICATION, "?")
 
@@ -137,7 +131,7 @@ class Speaker(Emitter):
             raise NotCertified("a norm of anything but a vector")
         if not value.dual:
             return _number(f"length now {value.at(ATOM)}")
-        size = self._length(nodes.half("real_part", "Re", value)).at(ATOM)
+        size = self._length(emitted_nodes.half("real_part", "Re", value)).at(ATOM)
         text = f"dual_length {value.at(ATOM)} {size} (over now {size})"
         return Node(True, "Scalar", text, APPLICATION, "?")
 
@@ -158,8 +152,8 @@ def binder(variable: Variable, name: str) -> str:
         raise NotCertified("a map")
     own = variable.declaration.type
     if own.kind not in KINDS:
-        raise NotCertified(nodes.named(own.kind))
-    return f"({name} : {nodes.type_name(own.dual, KINDS[own.kind])})"
+        raise NotCertified(emitted_nodes.named(own.kind))
+    return f"({name} : {emitted_nodes.type_name(own.dual, KINDS[own.kind])})"
 
 
 # propositions
@@ -298,8 +292,8 @@ def _relation(speaker: Speaker, one: Relation) -> str:
 def sides(speaker: Speaker, one: Relation) -> tuple[Node, ...]:
     for side in (one.left, one.right):
         if side.type.kind not in KINDS:
-            raise NotCertified(nodes.named(side.type.kind))
-    return nodes.together((speaker.term(one.left), speaker.term(one.right)))
+            raise NotCertified(emitted_nodes.named(side.type.kind))
+    return emitted_nodes.together((speaker.term(one.left), speaker.term(one.right)))
 
 
 def equal(dual: bool, left: str, right: str) -> str:

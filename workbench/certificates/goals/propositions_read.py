@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.certificates.emission.suppositions import conditions
+from workbench.certificates.emission.emitted_suppositions import conditions
 from workbench.certificates.goals.propositions import ALWAYS, binder, every
 from workbench.certificates.reading.meaning import OfTerm, OfText
 from workbench.certificates.reading.read_back import Expression, Parser, Unread
 from workbench.certificates.theorem import relations
-from workbench.judge.theorems.goals import (
+from workbench.core.construct import symbol
+from workbench.core.terms import Relation, Term
+from workbench.core.types import Declaration
+from workbench.language.goals.goals import (
     All,
     AllFrom,
     AtLeast,
@@ -22,9 +25,6 @@ from workbench.judge.theorems.goals import (
     Implies,
     Variable,
 )
-from workbench.language.typed.construct import symbol
-from workbench.language.typed.terms import Relation, Term
-from workbench.language.typed.types import Declaration
 
 _SUPPOSED = ("rotation", "dual_rotation", "unit_vector", "constant")
 

@@ -6,15 +6,15 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import pairwise
 
-from workbench.certificates.emission import nodes
-from workbench.certificates.emission.nodes import ATOM, NotCertified
-from workbench.certificates.emission.suppositions import conditions
+from workbench.certificates.emission import emitted_nodes
+from workbench.certificates.emission.emitted_nodes import ATOM, NotCertified
+from workbench.certificates.emission.emitted_suppositions import conditions
 from workbench.certificates.goals.propositions import ALWAYS, Speaker, binder
 from workbench.certificates.theorem import Theorem
-from workbench.judge.theorems.goals import Variable
-from workbench.language.typed.construct import relation
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Relation, Term
+from workbench.core.construct import relation
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Relation, Term
+from workbench.language.goals.goals import Variable
 
 
 def after(many: int, number: str) -> str:
@@ -108,7 +108,7 @@ class Script:
     def _node(self, term: Term, dual: bool, plain: bool = True) -> str:
         """The term as an argument, of its type over the smooth functions. plain: a name needs none."""
         node = self.speaker.term(term)
-        node = nodes.embedded(node, node.dual or dual)
+        node = emitted_nodes.embedded(node, node.dual or dual)
         return node.text if plain and node.level == ATOM else f"({node.text} : {node.type})"
 
     def text(self, term: Term) -> str:

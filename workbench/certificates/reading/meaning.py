@@ -13,17 +13,11 @@ from fractions import Fraction
 from typing import Any
 
 from workbench.certificates.reading.read_back import Expression, Unread, number
-from workbench.judge.kernel.case import NoDefinitions
-from workbench.judge.subject.rodrigues import angle_and_axis
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.sequents import names_of
-from workbench.language.definitions import Definitions
-from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.construct import rebuild, symbol
-from workbench.language.typed.instances import count, instantiate
-from workbench.language.typed.integers import Linear, as_linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import (
+from workbench.core.construct import rebuild, symbol
+from workbench.core.integer_expressions import Linear, as_linear
+from workbench.core.integer_instances import count, instantiate
+from workbench.core.names import Name
+from workbench.core.terms import (
     Apply,
     BigSum,
     Block,
@@ -39,7 +33,13 @@ from workbench.language.typed.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.typed.types import Declaration
+from workbench.core.types import Declaration
+from workbench.engines.inventory.rodrigues import angle_and_axis
+from workbench.language.definitions import Definitions
+from workbench.language.goals.goals import Scope
+from workbench.language.naming.symbols import SymbolTable
+from workbench.prover.decide.case import NoDefinitions
+from workbench.prover.goals.sequents import names_of
 
 _UNARY = {
     "skew": "skew",

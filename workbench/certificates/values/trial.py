@@ -9,8 +9,8 @@ from random import Random
 from typing import Protocol
 
 from workbench.certificates.emission.collector import Collector
-from workbench.certificates.emission.nodes import flag
-from workbench.certificates.values.instances import place
+from workbench.certificates.emission.emitted_nodes import flag
+from workbench.certificates.values.motion_instances import place
 from workbench.certificates.values.trigonometric import (
     Pair,
     Values,

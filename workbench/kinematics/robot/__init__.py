@@ -4,7 +4,7 @@ from workbench.kinematics.robot.closed_loops import BallConstraint, ClosedLoops,
 from workbench.kinematics.robot.inverse import SingularJacobian
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.robot import Robot
-from workbench.kinematics.robot.urdf import UrdfError
+from workbench.kinematics.robot.robot_urdf import UrdfError
 
 __all__ = [
     "BallConstraint",

@@ -18,7 +18,7 @@ from workbench.kinematics.robot.derivative_names import order_name
 from workbench.kinematics.robot.joint_limits import of_body
 
 if TYPE_CHECKING:
-    from workbench.kinematics.robot.frames import PointMotion
+    from workbench.kinematics.robot.robot_frames import PointMotion
     from workbench.kinematics.robot.states import States
 
 WITHIN, BEYOND, NOT_DETERMINED = "within", "BEYOND", "not determined"

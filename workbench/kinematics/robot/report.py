@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 from workbench.algebra.dual_tensors import determinant, vect
 from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
 from workbench.kinematics.centres import Locus
-from workbench.kinematics.robot.frames import FrameMotion
 from workbench.kinematics.robot.robot import Robot
+from workbench.kinematics.robot.robot_frames import FrameMotion
 from workbench.kinematics.robot.structure import whole
 from workbench.kinematics.tensors import as_vectors, sym
 

@@ -23,10 +23,10 @@ from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
 from workbench.kinematics.robot.paths import Path as JointPath
 from workbench.kinematics.robot.paths import as_path, read_samples
+from workbench.kinematics.robot.robot_urdf import WORLD, UrdfError, read_urdf
 from workbench.kinematics.robot.scalars import autodiff_motion, casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
 from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
-from workbench.kinematics.robot.urdf import WORLD, UrdfError, read_urdf
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:

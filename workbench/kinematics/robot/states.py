@@ -17,7 +17,6 @@ from numpy.typing import ArrayLike
 from workbench.algebra.dual_tensors import transpose
 from workbench.drake.joint_paths import Path
 from workbench.kinematics.robot.common_base import without_common_base
-from workbench.kinematics.robot.frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.leibniz import (
     about_moving_point,
     carried_vector,
@@ -28,6 +27,7 @@ from workbench.kinematics.robot.leibniz import (
     turned,
 )
 from workbench.kinematics.robot.partials import twist_partial
+from workbench.kinematics.robot.robot_frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.structure import LARGE, Body, Structure, whole
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD

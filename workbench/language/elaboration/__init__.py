@@ -1,1 +1,1 @@
-"""What a syntax tree says: each form of the notation as typed terms, with the symbols of a table."""
+"""Syntax nodes to typed terms, one module for each part of the notation. `elaborate` calls the others."""

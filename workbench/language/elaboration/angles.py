@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from workbench.core.terms import Derivative, Symbol, Term
 from workbench.language.grammar.syntax import Bracket, Node
 from workbench.language.naming.scope import Scope
-from workbench.language.typed.terms import Derivative, Symbol, Term
 
 #: Letters that are angles wherever a text writes them behind a sine.
 _ANGLES = frozenset(

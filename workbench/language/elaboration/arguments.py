@@ -5,18 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault, SpecError
+from workbench.core.names import Name, is_prefix
+from workbench.core.operations import CIRCULAR
 from workbench.core.reasons import Reason
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.language.grammar.latex import latex_of
-from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
-from workbench.language.naming.declarations import key_spelling
-from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import Named, Spelling
-from workbench.language.printing.printer import to_latex
-from workbench.language.typed.errors import Fault, SpecError
-from workbench.language.typed.names import Name, is_prefix
-from workbench.language.typed.operators import CIRCULAR
-from workbench.language.typed.terms import (
+from workbench.core.terms import (
     Apply,
     Derivative,
     Number,
@@ -26,7 +20,13 @@ from workbench.language.typed.terms import (
     TimeOperator,
     is_accented_symbol,
 )
-from workbench.language.typed.types import Declaration
+from workbench.core.types import Declaration
+from workbench.language.grammar.latex_forms import latex_of
+from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.naming.declarations import key_spelling
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import Named, Spelling
+from workbench.language.printing.printer import to_latex
 
 
 def _both_readings(function: Term, bracket: Bracket) -> Reason:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import reduce
 
+from workbench.core.terms import Term
 from workbench.language.grammar.syntax import Bracket, Group, Matrix, Node
 from workbench.language.naming.scope import Scope
-from workbench.language.typed.terms import Term
 
 
 def of_vectors(scope: Scope, node: Node) -> Term | None:

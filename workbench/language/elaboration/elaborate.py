@@ -5,8 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction as Rational
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import Compared
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import Compared
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.shapes import with_scaled_units
+from workbench.core.signatures import agree
+from workbench.core.terms import Apply, IllFormed, Integer, Number, Term, Unread, Zero
 from workbench.language.elaboration.empty_cells import entries_of
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.nablas import as_del
@@ -36,11 +41,6 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.patterns import Known
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.shapes import with_scaled_units
-from workbench.language.typed.signatures import agree
-from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Term, Unread, Zero
 
 _LONGEST_NUMBER = 100
 

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from itertools import accumulate, pairwise
 from typing import Protocol
 
+from workbench.core import construct
+from workbench.core.formula_errors import Fault
+from workbench.core.shapes import filling
+from workbench.core.terms import Term
 from workbench.language.grammar.syntax import Group, Matrix, Node
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.shapes import filling
-from workbench.language.typed.terms import Term
 
 _ROWS = list[list[Term | None]]
 

@@ -5,21 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
-from workbench.language.grammar.syntax import (
-    Bracket,
-    Fraction,
-    Leaf,
-    Node,
-    Scripted,
-    is_numeral,
-)
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.shapes import scalar_and_vector
+from workbench.core.terms import Block, IllFormed, Integer, Number, Term
+from workbench.language.grammar.syntax import Bracket, Fraction, Leaf, Node, Scripted, is_numeral
 from workbench.language.naming.scope import Scope
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.shapes import scalar_and_vector
-from workbench.language.typed.terms import Block, IllFormed, Integer, Number, Term
 
 
 @dataclass(slots=True)

@@ -6,8 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.integer_expressions import Linear
+from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_TENSORS, word_of
+from workbench.core.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
 from workbench.language.elaboration.angles import goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.determinants import of_vectors
@@ -30,11 +35,6 @@ from workbench.language.grammar.syntax import (
 from workbench.language.grammar.vocabulary import words_in_a_formula
 from workbench.language.naming.patterns import Known
 from workbench.language.naming.spelling import linear
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.operators import CIRCULAR, OF_ANGLES, OF_TENSORS, word_of
-from workbench.language.typed.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
 
 _OR_A_FACTOR = ', or say [conventions] brackets = "factors": what is in one behind it multiplies it'
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault
+from workbench.core.operations import SIGNS
+from workbench.core.shapes import scalar_and_vector
+from workbench.core.terms import Apply, Term
 from workbench.language.grammar.syntax import Infix
 from workbench.language.grammar.vocabulary import OWN_SIGNS
 from workbench.language.naming.scope import Scope
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.operators import SIGNS
-from workbench.language.typed.shapes import scalar_and_vector
-from workbench.language.typed.terms import Apply, Term
 
 _AMBIGUOUS = "several products without brackets are ambiguous"
 

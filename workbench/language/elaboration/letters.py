@@ -5,8 +5,14 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import replace
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.formula_errors import Fault, Misfit, Unranged
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.terms import Apply, Identity, IllFormed, Symbol, Term, Zero
+from workbench.core.types import CLOCK, PI, SCALAR, VECTOR, Declaration
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning
 from workbench.language.elaboration.printed_sizes import size_below, sized_as_printed, sized_matrix
 from workbench.language.elaboration.quotients import value_of
@@ -36,12 +42,6 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, spell, under_accent
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit, Unranged
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, Identity, IllFormed, Symbol, Term, Zero
-from workbench.language.typed.types import CLOCK, PI, SCALAR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
 Lettered = tuple[Term, Node | None]

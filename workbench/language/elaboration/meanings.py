@@ -6,15 +6,15 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.types import CLOCK, PI, Declaration
 from workbench.language.elaboration.printed_sizes import size_below
 from workbench.language.grammar.syntax import Leaf, Node, Scripted
 from workbench.language.naming.declarations import UNIT
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.spelling import Scripts, spell, variable_name
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.types import CLOCK, PI, Declaration
 
 _UNITS = frozenset((UNIT, Name("I", ("\\underline", "\\mathbf"))))
 _FONTS = ((), ("\\boldsymbol",), ("\\mathrm",), ("\\mathbb",), ("\\mathit",), ("\\mathsf",), ("\\mathcal",))

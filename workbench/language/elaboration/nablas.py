@@ -8,8 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.terms import IllFormed, Symbol, Term
+from workbench.core.types import VECTOR
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.grammar.syntax import (
     Bracket,
@@ -23,10 +27,6 @@ from workbench.language.grammar.syntax import (
     unstyled,
 )
 from workbench.language.naming.scope import Scope
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.terms import IllFormed, Symbol, Term
-from workbench.language.typed.types import VECTOR
 
 NABLA = "\\nabla"
 

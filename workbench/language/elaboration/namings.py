@@ -10,9 +10,25 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeGuard
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
-from workbench.core.verdict_codes import VerdictCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import relation
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.terms import (
+    Apply,
+    Conjunction,
+    DualUnit,
+    IllFormed,
+    Implication,
+    Naming,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import set_name
 from workbench.language.elaboration.sets import (
@@ -25,22 +41,6 @@ from workbench.language.elaboration.sets import (
 from workbench.language.grammar.syntax import Bracket, Chain, Node, Product, Scripted
 from workbench.language.naming.spelling import linear
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import relation
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import (
-    Apply,
-    Conjunction,
-    DualUnit,
-    IllFormed,
-    Implication,
-    Naming,
-    Relation,
-    Statement,
-    Symbol,
-    Term,
-)
 
 Read = Callable[[Elaborator, Node], Statement]
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.construct import zero
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.shapes import filling, sizes
+from workbench.core.terms import Block, Identity, IllFormed, Term, Zero
+from workbench.core.types import Type
 from workbench.language.grammar.syntax import Bracket, Infix, Leaf, Matrix, Node, Product, core
 from workbench.language.naming.scope import Scope
-from workbench.language.typed.construct import zero
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.shapes import filling, sizes
-from workbench.language.typed.terms import Block, Identity, IllFormed, Term, Zero
-from workbench.language.typed.types import Type
 
 
 def size_below(sub: Node | None) -> tuple[Type | None, bool]:

@@ -7,7 +7,12 @@ from dataclasses import replace
 from itertools import zip_longest
 from typing import Any
 
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault
+from workbench.core.operations import CIRCULAR, GRADIENTS, OF_TENSORS, word_of
+from workbench.core.terms import Apply, Term
+from workbench.core.types import VECTOR
 from workbench.language.elaboration.arguments import is_argument, is_own_variable, refuse_member
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
@@ -42,11 +47,6 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.patterns import Known
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Scripts, spell_label
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.operators import CIRCULAR, GRADIENTS, OF_TENSORS, word_of
-from workbench.language.typed.terms import Apply, Term
-from workbench.language.typed.types import VECTOR
 
 _DIFFERENTIATE = GRADIENTS | {"d/dt", "∇", "the operator"}
 

@@ -6,8 +6,14 @@ from dataclasses import replace
 from fractions import Fraction as Rational
 from typing import Any, NamedTuple
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.names import Name
+from workbench.core.operations import HYPERBOLIC, QUOTIENTS
+from workbench.core.terms import IllFormed, Number, Term, Unread, Zero
+from workbench.core.types import Type
 from workbench.language.grammar.syntax import (
     Fraction,
     Group,
@@ -22,12 +28,6 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import spell_label
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.names import Name
-from workbench.language.typed.operators import HYPERBOLIC, QUOTIENTS
-from workbench.language.typed.terms import IllFormed, Number, Term, Unread, Zero
-from workbench.language.typed.types import Type
 
 _PARTIAL = "\\partial"
 

@@ -11,7 +11,13 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.construct import apply, block, identity, number, relation, zero
+from workbench.core.formula_errors import Fault
+from workbench.core.integer_expressions import Linear, as_linear
+from workbench.core.names import Name
+from workbench.core.terms import Apply, Block, Relation, Symbol, Term
+from workbench.core.types import TENSOR, VECTOR, Type
 from workbench.language.grammar.syntax import (
     Bracket,
     Chain,
@@ -29,12 +35,6 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.construct import apply, block, identity, number, relation, zero
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.integers import Linear, as_linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, Block, Relation, Symbol, Term
-from workbench.language.typed.types import TENSOR, VECTOR, Type
 
 NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
 

@@ -10,8 +10,13 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.construct import apply, identity, number, relation, zero
+from workbench.core.formula_errors import Fault
+from workbench.core.names import Name
+from workbench.core.terms import Apply, Block, IllFormed, Relation, Symbol, Term, Zero
+from workbench.core.types import SCALAR, TENSOR, VECTOR, Declaration, Type
 from workbench.language.elaboration.ranges import set_name
 from workbench.language.grammar.syntax import (
     Bracket,
@@ -27,11 +32,6 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.naming.spelling import Scripts, Spelling, spell
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.construct import apply, identity, number, relation, zero
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, Block, IllFormed, Relation, Symbol, Term, Zero
-from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Declaration, Type
 
 _STYLES = ("mathbf", "mathbb", "mathrm", "mathcal", "mathfrak", "mathsf", "boldsymbol", "underline")
 

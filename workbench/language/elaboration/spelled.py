@@ -6,7 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.names import ACCENTS, Name
+from workbench.core.terms import Term
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -24,10 +28,6 @@ from workbench.language.grammar.syntax import (
 from workbench.language.grammar.vocabulary import FONTS
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import in_a_word, prefixed
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.names import ACCENTS, Name
-from workbench.language.typed.terms import Term
 
 
 def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:

@@ -5,10 +5,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.formula_errors import Fault, Misfit, Unranged
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import (
+    Block,
+    Conjunction,
+    Equivalence,
+    IllFormed,
+    Implication,
+    Relation,
+    Statement,
+    Term,
+)
+from workbench.core.types import SCALAR, Type, type_of_kind
 from workbench.language.elaboration.elaborate import Elaborator
-from workbench.language.elaboration.extrema import extrema, is_extremal
+from workbench.language.elaboration.extremum_operators import extrema, is_extremal
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
 from workbench.language.elaboration.ranges import (
     Membership,
@@ -24,20 +38,6 @@ from workbench.language.grammar.syntax import Chain, Conditional, Given, Joined,
 from workbench.language.grammar.vocabulary import ORIENTATIONS
 from workbench.language.naming.scope import DEEPEST_TERM
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit, Unranged
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import (
-    Block,
-    Conjunction,
-    Equivalence,
-    IllFormed,
-    Implication,
-    Relation,
-    Statement,
-    Term,
-)
-from workbench.language.typed.types import SCALAR, Type, type_of_kind
 
 #: An index that may be any is tried with so many values; a formula has at most so many of them.
 GENERIC_VALUES, MOST_GENERIC = 3, 4

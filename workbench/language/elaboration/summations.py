@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault, Unranged
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import free_integers
+from workbench.core.terms import Term
 from workbench.language.grammar.syntax import Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import variable_name
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Unranged
-from workbench.language.typed.instances import free_integers
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Term
 
 #: What the number of all members may be called, where a text gives it no name.
 _COUNTS = "NMLKnmlk"

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core import construct, integer_instances
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Apply, Derivative, Symbol, Term
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -24,10 +28,6 @@ from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import linear
 from workbench.language.naming.symbols import may_be_label
-from workbench.language.typed import construct, instances
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, Derivative, Symbol, Term
 
 
 def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
@@ -139,7 +139,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
             return scope.rate(sup.at, term, scope.integer(order), None)
     if (halves := _halves(inner)) is not None:
         root = rooted(scope, sup.at, term)
-        return scope.build(sup.at, instances.raised, root, Linear(halves))
+        return scope.build(sup.at, integer_instances.raised, root, Linear(halves))
     exponent = linear(inner, scope.variables)
     if exponent is None:
         known = "an integer, -1, T, -T, *, or an order in round brackets"

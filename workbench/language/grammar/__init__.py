@@ -1,1 +1,1 @@
-"""From LaTeX text to the bracket structure of a formula, and how each form is written."""
+"""From LaTeX to the brackets of a formula: tokens, vocabulary, LALR grammar, syntax nodes."""

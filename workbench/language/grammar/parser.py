@@ -12,7 +12,10 @@ from lark import Lark, Token, Transformer
 from lark.exceptions import UnexpectedInput
 from lark.lexer import Lexer
 
-from workbench.core.syntax_codes import SyntaxCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault
+from workbench.core.operations import FUNCTIONS
+from workbench.language.grammar.formula_tokens import MOST_CHARACTERS, tokenize
 from workbench.language.grammar.syntax import (
     Accented,
     Binomial,
@@ -37,9 +40,6 @@ from workbench.language.grammar.syntax import (
     core,
     in_a_row,
 )
-from workbench.language.grammar.tokens import MOST_CHARACTERS, tokenize
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.operators import FUNCTIONS
 
 
 class _Builder(Transformer):

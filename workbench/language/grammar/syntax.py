@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TypeGuard, overload
 
-from workbench.language.typed.operators import FUNCTIONS
+from workbench.core.operations import FUNCTIONS
 
 
 @dataclass(frozen=True, slots=True)

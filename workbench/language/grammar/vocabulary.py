@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.operations import FUNCTIONS, TEX_FUNCTIONS
 from workbench.core.reasons import Reason
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.language.typed.operators import FUNCTIONS, TEX_FUNCTIONS
 
 _LETTERS = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho

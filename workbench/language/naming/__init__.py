@@ -1,1 +1,1 @@
-"""What a paper names: its symbols, their spellings, its notation, and what is in scope."""
+"""The symbols of a paper: declarations, spellings, notations, and the scope in which a formula is read."""

@@ -7,8 +7,12 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.codes.declaration_codes import DeclarationCode
+from workbench.core.formula_errors import Fault, SpecError
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
 from workbench.core.schema import flag_names, key_names
+from workbench.core.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import (
     Accented,
@@ -36,10 +40,6 @@ from workbench.language.naming.spelling import (
     spell,
     under_accent,
 )
-from workbench.language.typed.errors import Fault, SpecError
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name
-from workbench.language.typed.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = flag_names()
 _FLAGGED = {

@@ -7,9 +7,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
-from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.codes.declaration_codes import DeclarationCode
+from workbench.core.construct import zero
+from workbench.core.formula_errors import Fault, SpecError
+from workbench.core.names import Name
 from workbench.core.schema import key_names
-from workbench.language.grammar.latex import latex_of
+from workbench.core.shapes import filling
+from workbench.core.terms import Term
+from workbench.core.types import KINDS, type_of_kind
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import (
     Bracket,
@@ -28,12 +34,6 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.naming.patterns import Known, agrees, fill, occurs, parts_of, same
 from workbench.language.naming.spelling import refuse_operation, spell_label
-from workbench.language.typed.construct import zero
-from workbench.language.typed.errors import Fault, SpecError
-from workbench.language.typed.names import Name
-from workbench.language.typed.shapes import filling
-from workbench.language.typed.terms import Term
-from workbench.language.typed.types import KINDS, type_of_kind
 
 #: alone in a bracket or under an accent, with a mark of its own, or beside others.
 Place = Literal["alone", "marked", "beside"]

@@ -7,8 +7,8 @@ from dataclasses import dataclass, fields, replace
 from functools import cache
 from typing import Any, cast
 
+from workbench.core.terms import Term
 from workbench.language.grammar.syntax import Bracket, Chain, Infix, Leaf, Node, Product, Sum, core, in_a_row
-from workbench.language.typed.terms import Term
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,32 +8,11 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import TypeVar
 
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.language.grammar.syntax import (
-    Accented,
-    Bracket,
-    Group,
-    Leaf,
-    Node,
-    Product,
-    Scripted,
-    Styled,
-    Sum,
-    core,
-)
-from workbench.language.naming.notations import is_shape
-from workbench.language.naming.spelling import (
-    Named,
-    in_bracket,
-    linear,
-    linear_or_none,
-    spell_label,
-)
-from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed import construct
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import (
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import (
     Apply,
     Block,
     CountingName,
@@ -47,7 +26,22 @@ from workbench.language.typed.terms import (
     is_accented_symbol,
     is_rate,
 )
-from workbench.language.typed.types import VECTOR, type_of_kind
+from workbench.core.types import VECTOR, type_of_kind
+from workbench.language.grammar.syntax import (
+    Accented,
+    Bracket,
+    Group,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    core,
+)
+from workbench.language.naming.notations import is_shape
+from workbench.language.naming.spelling import Named, in_bracket, linear, linear_or_none, spell_label
+from workbench.language.naming.symbols import SymbolTable
 
 Result = TypeVar("Result")
 

@@ -7,9 +7,12 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
-from workbench.core.declaration_codes import DeclarationCode
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.language.grammar.latex import latex_of
+from workbench.core.codes.declaration_codes import DeclarationCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault, SpecError
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import ACCENTS, NABLA, PREFIXES, SCRIPTS, Name
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -26,9 +29,6 @@ from workbench.language.grammar.syntax import (
     unstyled,
 )
 from workbench.language.grammar.vocabulary import CLOSING, FONTS, written
-from workbench.language.typed.errors import Fault, SpecError
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import ACCENTS, NABLA, PREFIXES, SCRIPTS, Name
 
 #: Indices, orders and exponents beyond this are refused.
 LARGEST_INTEGER = 1000

@@ -10,10 +10,16 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
-from workbench.core.declaration_codes import DeclarationCode
+from workbench.core.codes.declaration_codes import DeclarationCode
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.construct import symbol
+from workbench.core.formula_errors import SpecError
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name, is_prefix
 from workbench.core.reasons import Reason
-from workbench.core.syntax_codes import SyntaxCode
-from workbench.core.type_codes import TypeCode
+from workbench.core.terms import IllFormed, Symbol, Term
+from workbench.core.types import CLOCK, Declaration, Type
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import (
     DUAL_UNIT,
@@ -28,12 +34,6 @@ from workbench.language.naming.declarations import (
 )
 from workbench.language.naming.notations import Notation, Notations
 from workbench.language.naming.spelling import INDEX_LETTERS, Named, Spelling, refuse_operation
-from workbench.language.typed.construct import symbol
-from workbench.language.typed.errors import SpecError
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import Name, is_prefix
-from workbench.language.typed.terms import IllFormed, Symbol, Term
-from workbench.language.typed.types import CLOCK, Declaration, Type
 
 #: Letters by which unit matrices go.
 UNIT_LETTERS = frozenset({"I", "E", "U"})

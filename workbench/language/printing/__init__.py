@@ -1,1 +1,1 @@
-"""Terms back to LaTeX: canonically, or in the author's own spelling."""
+"""Terms to LaTeX: canonically, or in the spelling of an author."""

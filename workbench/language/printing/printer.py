@@ -4,16 +4,11 @@ from __future__ import annotations
 
 import re
 
-from workbench.language.grammar import latex
-from workbench.language.grammar.vocabulary import written
-from workbench.language.naming.symbols import may_be_label
-from workbench.language.printing import authors
-from workbench.language.printing.texts import ATOM, FACTOR, INFIX, PRODUCT, SUM, Text, bracket, square
-from workbench.language.typed.construct import integer
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.operators import GRADIENTS, OPERATORS, PARTIALS, command_of
-from workbench.language.typed.shapes import multiple
-from workbench.language.typed.terms import (
+from workbench.core.construct import integer
+from workbench.core.integer_expressions import Linear
+from workbench.core.operations import GRADIENTS, OPERATORS, PARTIALS, command_of
+from workbench.core.shapes import multiple
+from workbench.core.terms import (
     Apply,
     BigSum,
     Block,
@@ -37,6 +32,20 @@ from workbench.language.typed.terms import (
     Zero,
     is_accented_symbol,
 )
+from workbench.language.grammar import latex_forms
+from workbench.language.grammar.vocabulary import written
+from workbench.language.naming.symbols import may_be_label
+from workbench.language.printing import author_spelling
+from workbench.language.printing.precedence_text import (
+    ATOM,
+    FACTOR,
+    INFIX,
+    PRODUCT,
+    SUM,
+    Text,
+    bracket,
+    square,
+)
 
 
 def to_latex(formula: Term | Statement) -> str:
@@ -50,9 +59,9 @@ def to_latex(formula: Term | Statement) -> str:
             return f"{to_latex(formula.left)} \\Leftrightarrow {to_latex(formula.right)}"
         case Implication():
             before = formula.left.parts if isinstance(formula.left, Conjunction) else (formula.left,)
-            premises = latex.AND.join(to_latex(part) for part in before)
+            premises = latex_forms.AND.join(to_latex(part) for part in before)
             if isinstance(formula.right, Equivalence | Implication):
-                return f"{to_latex(formula.right)}{latex.FOR}{premises}"
+                return f"{to_latex(formula.right)}{latex_forms.FOR}{premises}"
             return f"{premises} \\Rightarrow {to_latex(formula.right)}"
         case Conjunction(parts=parts):
             return _chain(parts)
@@ -68,12 +77,12 @@ def _chain(parts: tuple[Statement, ...]) -> str:
     texts = [to_latex(part) for part in parts]
     relations = [part for part in parts if isinstance(part, Relation)]
     if len(relations) < len(parts):
-        return latex.BESIDE.join(texts)
+        return latex_forms.BESIDE.join(texts)
     text = texts[0]
     for before, part, alone in zip(relations, relations[1:], texts[1:], strict=False):
         right = _beside((before.left, before.right))[1].text
         goes_on = alone.startswith(right + " ") and _beside((part.left, part.right))[0].text == right
-        joint = latex.BESIDE if before.operator == part.operator == "=" else latex.AND
+        joint = latex_forms.BESIDE if before.operator == part.operator == "=" else latex_forms.AND
         text += alone[len(right) :] if goes_on else joint + alone
     return text
 
@@ -81,7 +90,7 @@ def _chain(parts: tuple[Statement, ...]) -> str:
 def _extremum(said: Extremum) -> str:
     letters = ", ".join(f"{_symbol(x).text} \\in {_domain(x)}" for x in said.letters)
     body = _print(said.body).at_least(INFIX)
-    return f"{latex.extremal(said.least, letters)} {body} = {_print(said.value).text}"
+    return f"{latex_forms.extremal(said.least, letters)} {body} = {_print(said.value).text}"
 
 
 def _domain(letter: Symbol) -> str:
@@ -98,7 +107,7 @@ def _integer(value: Linear) -> str:
 
 
 def _print(term: Term) -> Text:
-    return authors.declared(term, _print, _under_accents) or _plain(term)
+    return author_spelling.declared(term, _print, _under_accents) or _plain(term)
 
 
 def _plain(term: Term) -> Text:
@@ -130,7 +139,7 @@ def _plain(term: Term) -> Text:
         case BigSum():
             return _big_sum(term)
         case Block():
-            return Text(latex.matrix(_entries(term)), ATOM)
+            return Text(latex_forms.matrix(_entries(term)), ATOM)
         case Apply():
             return _apply(term)
     raise TypeError(f"no LaTeX for {type(term).__name__}")
@@ -138,27 +147,27 @@ def _plain(term: Term) -> Text:
 
 def _unit(term: Identity) -> Text:
     """The unit tensor, with its size where that is printed, or the sign for it is a symbol of the paper."""
-    author = authors.author()
+    author = author_spelling.author()
     is_taken = author is not None and author.owns_unit
     size = f"{term.type.rows} \\times {term.type.columns}" if is_taken else (term.printed or None)
-    return Text(latex.scripted("\\mathbf{I}", size), ATOM)
+    return Text(latex_forms.scripted("\\mathbf{I}", size), ATOM)
 
 
 def _zero(term: Zero) -> str:
     """A bare 𝟎 is a vector; beside operators and quaternions it is written so, too."""
     type_ = term.type
     if term.printed:
-        return latex.scripted("\\mathbf{0}", term.printed)
+        return latex_forms.scripted("\\mathbf{0}", term.printed)
     if type_.kind == "scalar":
         return "0"
     has_size = type_.kind in ("covector", "tensor", "matrix")
-    return latex.scripted("\\mathbf{0}", f"{type_.rows} \\times {type_.columns}" if has_size else None)
+    return latex_forms.scripted("\\mathbf{0}", f"{type_.rows} \\times {type_.columns}" if has_size else None)
 
 
 def _number(numerator: int, denominator: int) -> Text:
     if denominator == 1:
         return Text(str(numerator), ATOM if numerator >= 0 else SUM)
-    text = latex.fraction(str(abs(numerator)), str(denominator))
+    text = latex_forms.fraction(str(abs(numerator)), str(denominator))
     return Text(text, FACTOR) if numerator >= 0 else Text(f"-{text}", SUM)
 
 
@@ -167,7 +176,7 @@ def _counting(term: Counting) -> Text:
     if term.name == "factorial":
         simple = re.fullmatch(r"[0-9]+|[A-Za-z](_[0-9]|_\{[0-9]+\})?", top)
         return Text(f"{top if simple else bracket(top)}!", FACTOR)
-    return Text(latex.binomial(top, ",".join(lower)), FACTOR)
+    return Text(latex_forms.binomial(top, ",".join(lower)), FACTOR)
 
 
 def _entries(term: Block) -> list[list[str]]:
@@ -230,7 +239,9 @@ def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> Text | None:
 def _accent_of(term: Apply) -> tuple[str, Term] | None:
     """What stands over a letter for the operation, the paper's own accent or the tilde; and what is below."""
     is_tilde = term.head == "skew" and not _is_tilded(term.arguments[0])
-    return authors.accent_of(term, _under_accents) or (("\\tilde", term.arguments[0]) if is_tilde else None)
+    return author_spelling.accent_of(term, _under_accents) or (
+        ("\\tilde", term.arguments[0]) if is_tilde else None
+    )
 
 
 def _is_tilded(term: Term) -> bool:
@@ -246,7 +257,7 @@ def _derivative(term: Derivative) -> Text:
 
 def _raised(base: Text, sup: str) -> Text:
     bare = base.level >= ATOM
-    return Text(latex.scripted(base.at_least(ATOM), sup=sup), FACTOR, base.end if bare else "")
+    return Text(latex_forms.scripted(base.at_least(ATOM), sup=sup), FACTOR, base.end if bare else "")
 
 
 # operations
@@ -254,9 +265,11 @@ def _raised(base: Text, sup: str) -> Text:
 
 def _big_sum(term: BigSum) -> Text:
     if term.lower is None:
-        sign = latex.scripted("\\sum", f"{'+'.join(term.variables)}={_integer(term.upper)}")
+        sign = latex_forms.scripted("\\sum", f"{'+'.join(term.variables)}={_integer(term.upper)}")
     else:
-        sign = latex.scripted("\\sum", f"{term.variables[0]}={_integer(term.lower)}", _integer(term.upper))
+        sign = latex_forms.scripted(
+            "\\sum", f"{term.variables[0]}={_integer(term.lower)}", _integer(term.upper)
+        )
     return Text(f"{sign} {_print(term.body).at_least(INFIX)}", PRODUCT, "sum")
 
 
@@ -284,11 +297,11 @@ def _apply(term: Apply) -> Text:
             return _mul(*arguments)
         case "div":
             top, bottom = (_print(a).text for a in arguments)
-            return Text(latex.fraction(top, bottom), FACTOR)
+            return Text(latex_forms.fraction(top, bottom), FACTOR)
         case "partial" | "total":
             d = "\\partial" if head == "partial" else "\\mathrm{d}"
             body, by = (_print(a).at_least(FACTOR) for a in arguments)
-            return Text(latex.fraction(f"{d} {body}", f"{d} {by}"), FACTOR)
+            return Text(latex_forms.fraction(f"{d} {body}", f"{d} {by}"), FACTOR)
         case "norm":
             return Text(f"\\left\\|{_print(arguments[0]).text}\\right\\|", ATOM)
         case "triple":
@@ -307,7 +320,7 @@ def _apply(term: Apply) -> Text:
 
 def _is_column(term: Term) -> bool:
     """Whether the term is ∂f/∂x of a scalar by a vector, for which the author writes a column."""
-    author = authors.author()
+    author = author_spelling.author()
     return (
         author is not None
         and author.has_columns

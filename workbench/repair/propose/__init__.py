@@ -1,0 +1,1 @@
+"""The search for the right form of a claim: from its printed form to proved proposals."""

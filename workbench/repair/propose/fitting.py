@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from workbench.core.verdict_codes import VerdictCode
-from workbench.judge.subject.inventory import Lookup
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.context.claims import Claim
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.terms import Derivative, IllFormed, Relation, Statement, Symbol, sides_of
+from workbench.core.verdict import Outcome, Verdict
+from workbench.engines.inventory.inventory import Lookup
 from workbench.language.elaboration.statements import reading_of
-from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Chain, Lines
-from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.terms import Derivative, IllFormed, Relation, Statement, Symbol, sides_of
-from workbench.papers.model import Claim
-from workbench.repair.propose.neighbours import Neighbours
+from workbench.repair.propose.chain_neighbours import Neighbours
 from workbench.repair.terms.changes import Candidate, Change
-from workbench.repair.trees.marks import Mark, marked_lines
+from workbench.repair.trees.lost_marks import Mark, marked_lines
 from workbench.repair.trees.typed_marks import stray_relations, type_marks
 
 #: A form that fits and says what a free symbol is: nothing here tells it from others that fit.

@@ -10,35 +10,35 @@ from functools import cached_property
 from itertools import islice
 from time import monotonic
 
-from workbench.budget import OutOfBudget
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.printing.authors import in_the_hand_of
+from workbench.context.claims import Claim
+from workbench.context.read_formulas import read_statement
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.terms import Apply, Statement, Symbol
+from workbench.core.verdict import Outcome, Verdict
+from workbench.engines.inventory.inventory import NotExact
+from workbench.language.printing.author_spelling import in_the_hand_of
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Apply, Statement, Symbol
-from workbench.papers.formulas import read_statement
-from workbench.papers.model import Claim
+from workbench.prover.decide.decide import Judge
+from workbench.prover.results.proposed_form import Proposed
+from workbench.repair.propose.candidate_judge import judging
+from workbench.repair.propose.chain_neighbours import ALONE, Neighbours
 from workbench.repair.propose.fitting import FITS, fitting, says_what
-from workbench.repair.propose.judging import judging
-from workbench.repair.propose.limits import STANDARD, Limits
-from workbench.repair.propose.neighbours import ALONE, Neighbours
-from workbench.repair.propose.proposed import Proposed
+from workbench.repair.propose.search_limits import STANDARD, Limits
 from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous, like_terms
 from workbench.repair.terms.changes import Candidate, Change
 from workbench.repair.terms.divisors import divisors
-from workbench.repair.terms.edits import Edit, edits
-from workbench.repair.terms.members import membership, other_members
-from workbench.repair.terms.places import places
-from workbench.repair.terms.search import Neighbourhood, candidate_of, cost
+from workbench.repair.terms.edit_search import Neighbourhood, candidate_of, cost
+from workbench.repair.terms.false_members import membership, other_members
+from workbench.repair.terms.subterm_positions import places
+from workbench.repair.terms.term_edits import Edit, edits
 from workbench.repair.trees.as_printed import as_printed
-from workbench.repair.trees.readings import Readings
-from workbench.typeset.differences import difference, in_one_line
-from workbench.typeset.latex_atoms import in_colour
+from workbench.repair.trees.tree_readings import Readings
+from workbench.runtime import OutOfBudget
+from workbench.source.typeset.differences import difference, in_one_line
+from workbench.source.typeset.latex_atoms import in_colour
 
 _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 

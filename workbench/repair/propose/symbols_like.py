@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import product
 
+from workbench.core.construct import symbol
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Statement, Symbol, Term
+from workbench.core.types import Declaration
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.construct import symbol
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Statement, Symbol, Term
-from workbench.language.typed.types import Declaration
-from workbench.repair.terms.places import places
+from workbench.repair.terms.subterm_positions import places
 
 
 def symbols_like(

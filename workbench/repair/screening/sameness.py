@@ -12,10 +12,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from workbench.judge.kernel.case import NoDefinitions
-from workbench.judge.second.rings import PRIME
-from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
-from workbench.language.typed.terms import (
+from workbench.context.claims import Claim
+from workbench.core.terms import (
     Apply,
     Conjunction,
     Equivalence,
@@ -26,11 +24,13 @@ from workbench.language.typed.terms import (
     Term,
     Zero,
 )
-from workbench.papers.model import Claim
+from workbench.engines.inventory.inventory import Lookup, NotExact, has_gradient
+from workbench.engines.jet.rings import PRIME
+from workbench.prover.decide.case import NoDefinitions
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.arithmetic import number_and_rest
 from workbench.repair.terms.coefficients import Vector, factor_between
-from workbench.repair.terms.places import places
+from workbench.repair.terms.subterm_positions import places
+from workbench.repair.terms.term_arithmetic import number_and_rest
 
 
 class Sameness:

@@ -17,17 +17,17 @@ from typing import Any
 
 from flint import nmod, nmod_mat
 
-from workbench.judge.second.components import OperatorValue, Value
-from workbench.judge.second.jets import JetEngine
-from workbench.judge.second.rings import PRIME, PointSource
-from workbench.judge.subject.angles import with_parts_of_angles
-from workbench.judge.subject.assumptions import Assumptions
-from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
-from workbench.judge.subject.parameters import SPHERES, Parameter
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import Instantiation, instantiate
+from workbench.core.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term, sides_of
+from workbench.engines.inventory.angle_combinations import with_parts_of_angles
+from workbench.engines.inventory.assumptions import Assumptions
+from workbench.engines.inventory.inventory import Lookup, NotExact, take_inventory
+from workbench.engines.inventory.parameters import SPHERES, Parameter
+from workbench.engines.jet.components import OperatorValue, Value
+from workbench.engines.jet.jets import JetEngine
+from workbench.engines.jet.rings import PRIME, PointSource
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.instances import Instantiation, instantiate
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term, sides_of
 
 #: So many points are tried for one where the roots of the printed statement exist.
 _TRIED_POINTS = 16

@@ -5,22 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from workbench.judge.second.rings import PRIME
-from workbench.language.printing.authors import is_spelt_as_one
-from workbench.language.typed.construct import derivative
-from workbench.language.typed.terms import (
-    Apply,
-    Conjunction,
-    Identity,
-    Relation,
-    Statement,
-    Term,
-    TimeOperator,
-    Zero,
-)
+from workbench.core.construct import derivative
+from workbench.core.terms import Apply, Conjunction, Identity, Relation, Statement, Term, TimeOperator, Zero
+from workbench.engines.jet.rings import PRIME
+from workbench.language.printing.author_spelling import is_spelt_as_one
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.arithmetic import number_and_rest
-from workbench.repair.terms.places import places, sides
+from workbench.repair.terms.subterm_positions import places, sides
+from workbench.repair.terms.term_arithmetic import number_and_rest
 
 
 def is_vacuous(statement: Statement) -> bool:

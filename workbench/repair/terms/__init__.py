@@ -1,0 +1,1 @@
+"""Edits of typed terms: coefficients, factors, addends, entries."""

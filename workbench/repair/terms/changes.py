@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from workbench.core.terms import Apply, Statement
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.terms import Apply, Statement
-from workbench.repair.terms.places import Place, subterm
+from workbench.repair.terms.subterm_positions import Place, subterm
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,13 @@ from itertools import combinations
 
 from flint import nmod_mat
 
-from workbench.judge.second.rings import PRIME
-from workbench.language.typed.terms import IllFormed, Relation, Term, Zero
+from workbench.core.terms import IllFormed, Relation, Term, Zero
+from workbench.engines.jet.rings import PRIME
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.arithmetic import times
-from workbench.repair.terms.edits import without
-from workbench.repair.terms.linear import addend_places, alone
-from workbench.repair.terms.places import Place, find, replaced, subterm
+from workbench.repair.terms.linear_places import addend_places, alone
+from workbench.repair.terms.subterm_positions import Place, find, replaced, subterm
+from workbench.repair.terms.term_arithmetic import times
+from workbench.repair.terms.term_edits import without
 
 #: Numerators and denominators beyond this are no misprint.
 LARGEST = 720

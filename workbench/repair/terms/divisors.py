@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from workbench.language.typed.terms import Apply, Statement, Term
-from workbench.repair.terms.arithmetic import factors_of
-from workbench.repair.terms.places import places
+from workbench.core.terms import Apply, Statement, Term
+from workbench.repair.terms.subterm_positions import places
+from workbench.repair.terms.term_arithmetic import factors_of
 
 
 def divisors(statement: Statement) -> set[Term]:

@@ -12,16 +12,16 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import chain
 
-from workbench.judge.second.rings import PRIME
+from workbench.core.construct import apply, number, power
+from workbench.core.operations import OPERATORS
+from workbench.core.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
+from workbench.engines.jet.rings import PRIME
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import apply, number, power
-from workbench.language.typed.operators import OPERATORS
-from workbench.language.typed.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.changes import Candidate, Change
 from workbench.repair.terms.coefficients import Vector, contributions
-from workbench.repair.terms.linear import addend_places
-from workbench.repair.terms.places import Place, places, replaced, subterm
+from workbench.repair.terms.linear_places import addend_places
+from workbench.repair.terms.subterm_positions import Place, places, replaced, subterm
 
 _MOST_TERMS = 60
 _LARGEST = 7

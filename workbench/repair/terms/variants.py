@@ -7,8 +7,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import combinations
 
-from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import (
+from workbench.core.construct import (
     apply,
     big_sum,
     block,
@@ -19,9 +18,9 @@ from workbench.language.typed.construct import (
     power,
     symbol,
 )
-from workbench.language.typed.integers import Linear
-from workbench.language.typed.operators import OPERATORS, PRODUCTS
-from workbench.language.typed.terms import (
+from workbench.core.integer_expressions import Linear
+from workbench.core.operations import OPERATORS, PRODUCTS
+from workbench.core.terms import (
     Apply,
     BigSum,
     Block,
@@ -36,9 +35,17 @@ from workbench.language.typed.terms import (
     Term,
     Zero,
 )
-from workbench.language.typed.types import Weight
-from workbench.repair.terms.arithmetic import coefficient, factors_of, product_of, sum_of, times, with_addend
-from workbench.repair.terms.places import places
+from workbench.core.types import Weight
+from workbench.language.printing.printer import to_latex
+from workbench.repair.terms.subterm_positions import places
+from workbench.repair.terms.term_arithmetic import (
+    coefficient,
+    factors_of,
+    product_of,
+    sum_of,
+    times,
+    with_addend,
+)
 
 #: A sentence with {} for terms, integers and words, and what goes there.
 Said = tuple

@@ -1,0 +1,1 @@
+"""Edits of syntax trees, for formulas that have no type as printed."""

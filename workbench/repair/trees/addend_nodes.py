@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from workbench.core.operations import LINEAR
 from workbench.language.grammar.syntax import Bracket, Fraction, Group, Leaf, Node, Product, Sum
-from workbench.language.typed.operators import LINEAR
-from workbench.repair.trees.nodes import below, exchanged
+from workbench.repair.trees.tree_nodes import below, exchanged
 
 
 def addends_of(node: Node) -> list[Node]:

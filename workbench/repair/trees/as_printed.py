@@ -5,15 +5,15 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from workbench.language.grammar.latex import latex_of
+from workbench.core.formula_errors import Fault
+from workbench.core.names import Name
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Node
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.errors import Fault
-from workbench.language.typed.names import Name
-from workbench.repair.trees.integers import bound_variables
-from workbench.repair.trees.letters import meaning_of, occurrences
-from workbench.repair.trees.marks import Mark, marked
+from workbench.repair.trees.letter_candidates import meaning_of, occurrences
+from workbench.repair.trees.lost_marks import Mark, marked
+from workbench.repair.trees.misprinted_integers import bound_variables
 
 
 def as_printed(latex: str, printed: str, table: SymbolTable, integers: Collection[str]) -> str:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import permutations
 
 from workbench.language.elaboration.superscripts import is_transpose
-from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -25,8 +25,8 @@ from workbench.language.grammar.syntax import (
     core,
     in_a_row,
 )
-from workbench.repair.trees.marks import Mark
-from workbench.repair.trees.nodes import below
+from workbench.repair.trees.lost_marks import Mark
+from workbench.repair.trees.tree_nodes import below
 
 #: What is printed was seldom put in; more often something is lost.
 _SURPLUS = 9

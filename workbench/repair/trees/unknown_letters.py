@@ -7,7 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, pairwise, product, zip_longest
 
-from workbench.language.grammar.latex import latex_of
+from workbench.core.names import Name
+from workbench.core.types import VECTOR
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import (
     Bracket,
@@ -21,13 +23,11 @@ from workbench.language.grammar.syntax import (
     in_a_row,
 )
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.typed.names import Name
-from workbench.language.typed.types import VECTOR
-from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
-from workbench.repair.trees.integers import bound_variables
-from workbench.repair.trees.letters import Occurrence, meaning_of, other_letters
-from workbench.repair.trees.marks import Mark, marked_lines
-from workbench.repair.trees.nodes import below
+from workbench.repair.trees.letter_candidates import Occurrence, meaning_of, other_letters
+from workbench.repair.trees.lost_marks import Mark, marked_lines
+from workbench.repair.trees.misprinted_integers import bound_variables
+from workbench.repair.trees.tree_nodes import below
+from workbench.repair.trees.unparsable import Found, changes_of, letters_of_clauses
 
 #: The most ways to put the letters of one formula right.
 MOST = 24

@@ -1,0 +1,54 @@
+"""Findings on a terminal: the author's line, and carets under his characters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from rich.text import Text
+
+from workbench.core.paper_errors import PaperError
+from workbench.core.spans import Span
+from workbench.report.findings import fault_finding
+
+_MOST_LINES = 4
+_WIDTH = 160
+
+
+def marked_lines(span: Span, lines: Sequence[str], style: str) -> Iterator[Text]:
+    for number in range(span.line, min(span.end_line, span.line + _MOST_LINES - 1) + 1):
+        if not 0 < number <= len(lines):
+            continue
+        line = printable(lines[number - 1])
+        start = span.column - 1 if number == span.line else len(line) - len(line.lstrip())
+        end = span.end_column - 1 if number == span.end_line else len(line.rstrip())
+        shift = max(0, start - _WIDTH // 2) if len(line) > _WIDTH else 0
+        line, start, end = line[shift : shift + _WIDTH], start - shift, min(end - shift, _WIDTH)
+        yield Text(f"{number:>6} | {line}")
+        yield Text.assemble(f"{'':>6} | {' ' * start}", ("^" * max(1, end - start), style))
+
+
+def faults_text(faults: Sequence[PaperError]) -> str:
+    """Each fault with its place, and a caret under it."""
+    shown = []
+    for fault in faults:
+        shown.append(f"Error: {printable(str(fault))}")
+        if fault.file is not None and fault.column is not None:
+            span = fault_finding(fault, Path(fault.file)).span
+            shown += [line.plain for line in marked_lines(span, lines_of(span.file), "")]
+    return "\n".join(shown)
+
+
+def printable(text: str) -> str:
+    """One character for each: what a terminal would obey is shown as a mark."""
+    return "".join(" " if c == "\t" else c if c.isprintable() else "\ufffd" for c in text)
+
+
+def lines_of(path: Path) -> list[str]:
+    """The lines of a text as they are counted in findings; none if it cannot be read."""
+    from workbench.source.documents import Source
+
+    try:
+        return Source.open(path).text.split("\n")
+    except PaperError:
+        return []

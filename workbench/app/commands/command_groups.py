@@ -1,0 +1,55 @@
+"""The click group of all commands: lists them by the table, imports a command when it is used."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import import_module
+from typing import NoReturn
+
+import click
+
+from workbench.app.commands.command_table import COMMANDS, Entry
+
+
+class CommandGroups(click.Group):
+    """A group whose commands are those of the table."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [entry.name for entry in COMMANDS if not entry.hidden]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        for entry in COMMANDS:
+            if entry.name == cmd_name:
+                return _loaded(entry)
+        return None
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
+            _refuse(ctx, args[0], self.list_commands(ctx))
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        shown = [entry for entry in COMMANDS if not entry.hidden]
+        for group in dict.fromkeys(entry.group for entry in shown):
+            with formatter.section(group):
+                formatter.write_dl([(each.name, each.summary) for each in shown if each.group == group])
+
+
+def _loaded(entry: Entry) -> click.Command:
+    """The command, with the examples of its entry at the end of its help text."""
+    module, _, name = entry.target.partition(":")
+    command: click.Command = getattr(import_module(module), name)
+    command.short_help = entry.summary
+    lines = "\n".join(f"  {example}" for example in entry.examples)
+    word = "Example" if len(entry.examples) == 1 else "Examples"
+    command.epilog = f"\b\n{word}:\n{lines}"
+    return command
+
+
+def _refuse(ctx: click.Context, name: str, known: Sequence[str]) -> NoReturn:
+    from workbench.core.close_names import did_you_mean
+
+    hint = did_you_mean(name, known) or "`workbench --help` lists the commands."
+    raise click.UsageError(f"no command {name!r}. {hint}", ctx)

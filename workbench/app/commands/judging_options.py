@@ -1,0 +1,148 @@
+"""What the commands that judge have in common: options, judging with a bar, printing, writing a file."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from workbench.app.commands.options import Unusable, cache_option, memory_of_verdicts, print_json
+
+if TYPE_CHECKING:
+    from workbench.papers import Paper, PaperError
+    from workbench.prover.results.claim_results import ClaimResult
+
+proposals_flag = click.option(
+    "--proposals/--no-proposals", default=True, help="Search for the right form of what is not right."
+)
+_engines = [
+    click.option(
+        "--second-engine/--no-second-engine",
+        default=True,
+        help="Recheck every proof by the second engine; without it, nothing counts as proved.",
+    ),
+    click.option("--motions/--no-motions", default=True, help="Evaluate claims on Drake's motions too."),
+    click.option(
+        "--seconds",
+        type=float,
+        show_default="what the paper says, or 20",
+        help="Processor time for each judgement, past which it is unchecked.",
+    ),
+    click.option(
+        "--megabytes",
+        type=float,
+        show_default="what the paper says, or 4000",
+        help="Memory for each judgement, past which it is unchecked.",
+    ),
+    cache_option,
+]
+
+
+def engine_options(command: Callable[..., None]) -> Callable[..., None]:
+    for option in reversed(_engines):
+        command = option(command)
+    return command
+
+
+def loading(motions: bool, **_: Any) -> Callable[[], None]:
+    """What has to be done before anything is judged, whatever it is."""
+
+    def load() -> None:
+        from workbench.app.pipeline.motion_witnesses import load_motions
+        from workbench.prover.preload import load_engines
+
+        load_engines()
+        if motions:
+            load_motions()
+
+    return load
+
+
+def judged(
+    paper: Paper,
+    select: Sequence[str],
+    seconds: float | None = None,
+    megabytes: float | None = None,
+    cache: bool = True,
+    **engines: bool,
+) -> list[ClaimResult]:
+    from workbench.app.commands.terminal import progress_bar
+    from workbench.app.pipeline.judge_claims import judge_paper
+    from workbench.papers.selection import select_claims
+    from workbench.runtime import Budget
+
+    try:
+        budget = Budget.of(seconds=seconds, megabytes=megabytes)
+    except ValueError as error:
+        raise Unusable(str(error)) from None
+    count = len(select_claims(paper.claims, select))
+    with memory_of_verdicts(cache) as memory, progress_bar(count, "judging") as advance:
+        return judge_paper(paper, select, progress=advance, budget=budget, memory=memory, **engines)
+
+
+def judged_papers(
+    papers: Sequence[tuple[str, Paper]],
+    jobs: int | None,
+    scheduler: str | None,
+    seconds: float | None = None,
+    megabytes: float | None = None,
+    cache: bool = True,
+    **engines: bool,
+) -> list[list[ClaimResult]]:
+    """The results of each paper, judged by so many processes or on a cluster."""
+    from workbench.app.commands.terminal import progress_bar
+    from workbench.app.pipeline.many_papers import judge_papers
+    from workbench.papers import PaperError
+    from workbench.runtime import Budget
+
+    count = sum(len(paper.claims) for _, paper in papers)
+    try:
+        budget = Budget.of(seconds=seconds, megabytes=megabytes)
+        with memory_of_verdicts(cache) as memory, progress_bar(count, "judging") as advance:
+            return list(judge_papers(papers, jobs, scheduler, advance, budget, memory, **engines))
+    except PaperError:
+        raise
+    except ValueError as error:
+        raise Unusable(str(error)) from None
+
+
+def as_expected(paper: Paper, results: Sequence[ClaimResult]) -> bool:
+    """Whether each verdict is the expected one; tells what of a model does not fit its text."""
+    print_faults(paper.faults)
+    return not paper.faults and all(result.passed for result in results)
+
+
+def print_faults(faults: Sequence[PaperError]) -> None:
+    from workbench.app.commands.carets import faults_text
+
+    if faults:
+        click.echo(faults_text(faults), err=True)
+
+
+def print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:
+    from workbench.app.commands.terminal import console, motions_line, results_table, summary_line
+    from workbench.report.to_json import report_json
+
+    if as_json:
+        print_json(report_json(paper, results))
+        return
+    terminal = console(sys.stdout)
+    terminal.print(results_table(results))
+    if (line := motions_line(results)) is not None:
+        terminal.print(line)
+    terminal.print(summary_line(results))
+
+
+def write_atomically(path: Path, text: str) -> None:
+    draft = path.with_name(f".unfinished-{os.getpid()}-{path.name}")
+    try:
+        draft.write_text(text, encoding="utf-8")
+        os.replace(draft, path)
+    except OSError as error:
+        raise Unusable(f"{path}: cannot be written: {error.strerror or error}") from None
+    finally:
+        draft.unlink(missing_ok=True)

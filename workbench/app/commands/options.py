@@ -1,0 +1,116 @@
+"""What the commands have in common: their options, how they print JSON, and how faults become messages."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from functools import wraps
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from workbench.app.pipeline.verdict_keys import Memory
+    from workbench.papers import Paper
+
+INTERRUPTED = 130
+
+
+class Unusable(click.ClickException):
+    """Input that cannot be used: one message on standard error, exit status 2."""
+
+    exit_code = 2
+
+
+class Defect(click.ClickException):
+    """The workbench contradicts itself."""
+
+    exit_code = 3
+
+
+def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
+    """Turns the errors that bad input gets into messages and exit status 2."""
+
+    @wraps(command)
+    def guarded(*arguments: Any, **options: Any) -> None:
+        from workbench.core.verdict import EngineDisagreement
+        from workbench.papers import PaperError
+        from workbench.papers.selection import SelectError
+        from workbench.report import ReportError
+
+        try:
+            command(*arguments, **options)
+        except PaperError as error:
+            from workbench.app.commands.carets import faults_text
+
+            raise Unusable(faults_text(error.faults).removeprefix("Error: ")) from None
+        except (SelectError, ReportError) as error:
+            raise Unusable(str(error)) from None
+        except (KeyboardInterrupt, ImportError) as error:
+            if not _is_interruption(error):
+                raise
+            click.echo("interrupted", err=True)
+            sys.exit(INTERRUPTED)
+        except EngineDisagreement as error:
+            raise Defect(f"the engines disagree, so no verdict is given: {error}") from error
+
+    return guarded
+
+
+def _is_interruption(error: BaseException | None) -> bool:
+    """Whether somebody pressed Ctrl-C, of which a library that is being loaded makes an error of its own."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__
+    return error is not None
+
+
+def _installed(_ctx: click.Context, _parameter: click.Parameter, begun: str) -> list[str]:
+    """The installed papers whose names begin so, for the shell's completion."""
+    from workbench.papers.installed_papers import installed_names
+
+    return [name for name in installed_names() if name.startswith(begun)]
+
+
+paper_option = click.option(
+    "--paper",
+    "paper_name",
+    shell_complete=_installed,
+    show_default="the installed paper chapter",
+    metavar="FILE",
+    help="A paper file, or the name of an installed paper.",
+)
+cache_option = click.option(
+    "--cache/--no-cache",
+    default=True,
+    help="Take the verdicts of earlier runs on what has not changed since; kept under WORKBENCH_CACHE, or"
+    " where the system keeps such files.",
+)
+json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+
+
+def memory_of_verdicts(wanted: bool) -> AbstractContextManager[Memory | None]:
+    """The verdicts of earlier runs; none if they are not wanted."""
+    if not wanted:
+        return nullcontext()
+    from workbench.app.pipeline.verdict_keys import Memory
+    from workbench.runtime.store import standard
+
+    return standard(Memory)
+
+
+def named_paper(name: str | None, cache: bool = True, meanwhile: Callable[[], None] = lambda: None) -> Paper:
+    """The paper of `paper_option`. meanwhile: called while other processes read it."""
+    from workbench.papers import find_paper
+
+    with memory_of_verdicts(cache) as memory:
+        return find_paper(name, memory, meanwhile)
+
+
+def json_text(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, indent=2) + "\n"
+
+
+def print_json(data: Any) -> None:
+    click.echo(json_text(data), nl=False)

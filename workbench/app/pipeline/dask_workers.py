@@ -1,0 +1,200 @@
+"""Judgements past one machine: on Dask's workers, through the interface that the local pool has.
+
+A worker gets the files of a paper and not our terms; its verdict counts only if it arrives at the very key
+under which we would remember it: the same claim, definitions, options, versions and code. Dask's processes
+may have no children, and a judgement must be one that can be ended; so each of them talks to a process of its
+own.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from workbench.app.pipeline.judge_claims import PaperJudge
+from workbench.core.paper_errors import PaperError
+from workbench.core.verdict import Verdict
+from workbench.papers import Paper, find_paper
+from workbench.runtime import Budget, OutOfBudget
+
+#: How often a judgement is tried again when the worker that had it dies.
+_RETRIES = 5
+
+
+@dataclass(frozen=True)
+class Bundle:
+    """A paper as its files, by their places below a folder that they share; of an installed one, its name."""
+
+    main: str
+    files: Mapping[str, bytes]
+
+    @staticmethod
+    def of(paper: Paper, name: str) -> Bundle:
+        sources = getattr(paper.text, "sources", ()) if hasattr(paper, "text") else ()
+        paths = {path.resolve() for path in (*paper.paths, *(source.path for source in sources))}
+        if paper.theorems or not paths:
+            return Bundle(name, {})
+        beside = {other for path in paths for other in path.parent.iterdir() if _may_be_read(other)}
+        root = Path(os.path.commonpath([path.parent for path in paths]))
+        files = {str(path.relative_to(root)): path.read_bytes() for path in sorted(paths | beside)}
+        return Bundle(str(paper.paths[0].resolve().relative_to(root)), files)
+
+    @property
+    def digest(self) -> str:
+        told = repr((self.main, sorted(self.files.items())))
+        return sha256(told.encode()).hexdigest()
+
+    def load(self) -> Paper:
+        if not self.files:
+            return find_paper(self.main)
+        folder = Path(tempfile.mkdtemp(prefix="workbench-"))
+        for name, content in self.files.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        return find_paper(folder / self.main)
+
+
+def _may_be_read(path: Path) -> bool:
+    suffixes = (".tex", ".sty", ".cls", ".toml", ".urdf")
+    return path.is_file() and path.suffix in suffixes and path.stat().st_size < 2_000_000
+
+
+#: A scheduler must answer within so many seconds.
+CONNECT = 10
+
+
+class Cluster:
+    """Judgements on the cluster at `address`. Raises ValueError if there is none."""
+
+    def __init__(self, address: str, options: Mapping[str, Any]) -> None:
+        try:
+            from distributed import Client
+        except ImportError:
+            message = "a scheduler needs the extra dask: pip install 'kinematics-workbench[dask]'"
+            raise ValueError(message) from None
+        try:
+            self._client = Client(address, timeout=CONNECT)
+        except (OSError, ValueError) as error:
+            raise ValueError(f"{address}: no scheduler of Dask answers there: {error}") from None
+        self._options = dict(options)
+
+    def map(
+        self, items: Iterable[tuple[Bundle, str, str, str]], budget: Budget
+    ) -> Iterator[Verdict | OutOfBudget]:
+        """The verdict on each form: (paper, claim, form, key), in their order. All is under way at once."""
+        bundles: dict[str, Any] = {}
+        tasks = []
+        for bundle, *rest in items:
+            if bundle.digest not in bundles:
+                bundles[bundle.digest] = self._client.submit(Bundle, bundle.main, bundle.files)
+            sent = bundles[bundle.digest]
+            task = self._client.submit(
+                judged_by_worker, sent, *rest, self._options, budget, retries=_RETRIES, pure=False
+            )
+            tasks.append(task)
+        return (_answer(task.result()) for task in tasks)
+
+    def close(self) -> None:
+        self._client.close()
+
+
+def _answer(told: dict[str, Any] | str) -> Verdict | OutOfBudget:
+    return OutOfBudget(told) if isinstance(told, str) else Verdict.from_dict(told)
+
+
+class PaperOnCluster:
+    """The pool for one paper: what is only read or left out is told here."""
+
+    def __init__(self, cluster: Cluster, judge: PaperJudge, name: str) -> None:
+        self._cluster, self._judge, self._bundle = cluster, judge, Bundle.of(judge.paper, name)
+        self._claims = {claim.id: claim for claim in judge.paper.claims}
+
+    def map(self, items: Sequence[tuple[str, str]]) -> Iterator[Verdict | OutOfBudget]:
+        far = [item for item in items if self._is_judged(*item)]
+        answers = self._cluster.map(
+            ((self._bundle, name, form, self._judge.key(self._claims[name], form)) for name, form in far),
+            self._judge.budget,
+        )
+        sent = set(far)
+        return (next(answers) if item in sent else self._told(*item) for item in items)
+
+    def close(self) -> None:
+        """The cluster is for others too."""
+
+    def _is_judged(self, name: str, form: str) -> bool:
+        claim = self._claims[name]
+        special = claim.goal is not None or claim.theorem is not None
+        return claim.skip is None and (special or getattr(claim, form).statement is not None)
+
+    def _told(self, name: str, form: str) -> Verdict | OutOfBudget:
+        return self._judge.judged_now(self._claims[name], form)
+
+
+_SERVER: list[subprocess.Popen] = []
+_TURN = threading.Lock()
+
+
+def judged_by_worker(
+    bundle: Bundle, name: str, form: str, key: str, options: Mapping[str, Any], budget: Budget
+) -> dict[str, Any] | str:
+    """On a worker: what its own process says; a text where nothing was decided."""
+    with _TURN:
+        if not _SERVER or _SERVER[-1].poll() is not None:
+            call = [sys.executable, "-m", "workbench.app.pipeline.dask_workers"]
+            _SERVER[:] = [subprocess.Popen(call, stdin=subprocess.PIPE, stdout=subprocess.PIPE)]
+        server = _SERVER[-1]
+        pickle.dump((bundle, name, form, key, dict(options), budget), server.stdin)
+        server.stdin.flush()
+        return pickle.load(server.stdout)
+
+
+def serve(asked: BinaryIO, told: BinaryIO) -> None:
+    """Answers until its worker ends."""
+    judges: dict[tuple, Any] = {}
+    while True:
+        try:
+            request = pickle.load(asked)
+        except EOFError:
+            return
+        try:
+            answer = _judged(judges, *request)
+        except (PaperError, ValueError, OSError) as error:
+            answer = f"the worker cannot judge it: {error}"
+        pickle.dump(answer, told)
+        told.flush()
+
+
+def _judged(
+    judges: dict[tuple, Any],
+    bundle: Bundle,
+    name: str,
+    form: str,
+    key: str,
+    options: Mapping[str, Any],
+    budget: Budget,
+) -> dict[str, Any] | str:
+    place = (bundle.digest, repr(sorted(options.items())), budget)
+    if place not in judges:
+        judges[place] = PaperJudge(bundle.load(), budget=budget, **options)
+    judge = judges[place]
+    claim = next((claim for claim in judge.paper.claims if claim.id == name), None)
+    if claim is None or judge.key(claim, form) != key:
+        return "the worker's workbench is another one, or its files; its verdict does not count"
+    verdict = judge.judged_now(claim, form)
+    return str(verdict) if isinstance(verdict, OutOfBudget) else verdict.to_dict()
+
+
+if __name__ == "__main__":
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # what anything prints is no answer
+    serve(sys.stdin.buffer, answers)

@@ -1,0 +1,330 @@
+"""Runs the claims of a paper: each printed form, its reading and its correction get a verdict of their own,
+and the claim passes if the verdicts are those that its keys announce."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Protocol
+
+from workbench.app.pipeline.motion_witnesses import Witnesses
+from workbench.app.pipeline.verdict_keys import Keys, Memory
+from workbench.context.claims import Claim, Formula, Notation, Paper
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.paper_errors import PaperError
+from workbench.core.reasons import reason_of
+from workbench.core.terms import Relation
+from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.engines.inventory.assumptions import Unsatisfiable
+from workbench.language.goals.proofs import Proven
+from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.papers.selection import select_claims
+from workbench.prover.explain.ambiguous_displays import in_both_readings, served_by, with_what_stands_beside
+from workbench.prover.explain.decide_under_facts import judged_alone, undisturbed
+from workbench.prover.explain.explain import Explainer
+from workbench.prover.preload import load_engines
+from workbench.prover.results.claim_results import FORMS, ClaimResult
+from workbench.runtime import STANDARD, Budget, OutOfBudget, Workers
+
+if TYPE_CHECKING:
+    from workbench.prover.decide.decide import Judge
+    from workbench.prover.explain.goal_claims import TheoremJudge
+
+#: From this many claims on it pays to start a process for each core.
+MANY = 40
+
+#: What no formula of a text should bring about, and what must not cost its other formulas their verdicts.
+_DEFECTS = (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError)
+
+
+class Pool(Protocol):
+    """Where forms are judged: processes here, or elsewhere."""
+
+    def map(self, items: Sequence[tuple[str, str]]) -> Iterator[Verdict | OutOfBudget]:
+        """The verdict on each form of a claim, in their order."""
+
+    def close(self) -> None:
+        """Ends it."""
+
+
+class ClaimJudge:
+    """The judges of claims: one for each notation, made on first use. theorems: what claims may name.
+    budget: of each judgement.   memory: where verdicts of earlier runs are kept."""
+
+    def __init__(
+        self,
+        claims: Sequence[Claim],
+        theorems: Mapping[str, Proven] = MappingProxyType({}),
+        second_engine: bool = True,
+        motions: bool = True,
+        budget: Budget | None = None,
+        memory: Memory | None = None,
+    ) -> None:
+        self._theorems = theorems
+        self.options = {"second_engine": second_engine}
+        self.budget = budget or STANDARD
+        self._waiting: Sequence[Claim] = ()
+        self._judges: dict[tuple[int, int], Judge] = {}
+        self._explainer = Explainer(self._judge, self.options)
+        self._claims = {claim.id: claim for claim in claims}
+        self._workers = self._new_workers(1)
+        self._memory = memory
+        self._keys = Keys(theorems, {**self.options, "motions": motions, "budget": self.budget})
+        self._witnesses = Witnesses(memory, self._keys) if motions else None
+
+    def result(self, claim: Claim) -> ClaimResult:
+        """The result for one of the claims."""
+        (result,) = self.results([claim])
+        return result
+
+    def results(
+        self, claims: Sequence[Claim], jobs: int | None = None, pool: Pool | None = None
+    ) -> Iterator[ClaimResult]:
+        """The results for some of the claims, each as soon as it is there: first those that are remembered,
+        then the others, by notation.
+
+        Many claims are judged on all cores, or by so many jobs, or by the pool: a claim does not depend on
+        another. A pool has its work before the first result is asked for."""
+        known = {claim.id: {form: self._recall(claim, form) for form in forms(claim)} for claim in claims}
+        new = _dear_first([claim for claim in claims if None in known[claim.id].values()])
+        self._waiting = new
+        asked = [(c.id, form) for c in new for form, verdict in known[c.id].items() if verdict is None]
+        count = jobs or (os.cpu_count() or 1 if len(asked) >= MANY else 1)
+        workers = pool or (self._workers if count == 1 else self._new_workers(count))
+        there = [claim for claim in claims if None not in known[claim.id].values()]
+        return self._collected([*there, *new], known, workers, workers.map(asked))
+
+    def _collected(
+        self,
+        claims: Sequence[Claim],
+        known: Mapping[str, dict[str, Verdict | None]],
+        workers: Pool,
+        verdicts: Iterator[Verdict | OutOfBudget],
+    ) -> Iterator[ClaimResult]:
+        try:
+            for claim in claims:
+                found = known[claim.id]
+                for form in found:
+                    if found[form] is None:
+                        found[form] = self._remember(claim, form, next(verdicts))
+                yield ClaimResult(claim, *map(found.get, FORMS))
+        finally:
+            verdicts.close()
+            if workers is not self._workers:
+                workers.close()
+
+    def key(self, claim: Claim, form: str) -> str:
+        """Under which the verdict on a form is remembered: all that it depends on."""
+        return self._keys.of(claim, form)
+
+    def judged_now(self, claim: Claim, form: str) -> Verdict | OutOfBudget:
+        """The verdict on one form, whatever is remembered."""
+        self._waiting = [claim]
+        (answer,) = self._workers.map([(claim.id, form)])
+        return answer
+
+    def _recall(self, claim: Claim, form: str) -> Verdict | None:
+        return self._memory.recall(self._keys.of(claim, form)) if self._memory else None
+
+    def _remember(self, claim: Claim, form: str, answer: Verdict | OutOfBudget) -> Verdict:
+        """The answer as a verdict; kept if it does not hang on how fast this machine is."""
+        if isinstance(answer, OutOfBudget):
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.OUT_OF_BUDGET(limit=answer))
+        if self._memory:
+            self._memory.remember(self._keys.of(claim, form), answer)
+        return answer
+
+    def close(self) -> None:
+        """Ends the processes in which claims are judged."""
+        self._workers.close()
+
+    def _new_workers(self, count: int) -> Workers:
+        return Workers(self._verdict_on, self.budget, count, self._prepare, self._notation_of)
+
+    def _notation_of(self, name_and_form: tuple[str, str]) -> int:
+        return id(self._claims[name_and_form[0]].notation)
+
+    def _prepare(self) -> None:
+        load_engines()
+        if any(claim.goal is not None for claim in self._waiting):
+            _ = self._of_theorems
+        if self._witnesses:
+            for claim in self._waiting:
+                self._witnesses.prepare(claim)
+
+    def _verdict_on(self, name_and_form: tuple[str, str]) -> Verdict:
+        name, form = name_and_form
+        claim = self._keys.parts.of(self._claims[name])
+        with in_the_hand_of(claim.notation.hand):
+            try:
+                if form == "printed":
+                    return self._printed(claim)
+                under = claim.hypothesis if form == "reading" else None
+                return self._verdict(claim, getattr(claim, form), under)
+            except PaperError as error:
+                raise _placed(error, self._claims[name]) from None
+            except _DEFECTS as error:
+                if claim.span is None:
+                    raise
+                return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DEFECT(error=repr(error)))
+
+    def _printed(self, claim: Claim) -> Verdict:
+        if claim.goal is not None:
+            verdict = undisturbed(lambda: self._of_theorems.verdict(claim))
+            return self._seen(verdict, claim, claim.printed, claim.hypothesis)
+        if claim.skip is not None:
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.LEFT_OUT(why=claim.skip))
+        return in_both_readings(claim, self._in_one_reading(claim), self._in_one_reading)
+
+    def _in_one_reading(self, claim: Claim) -> Verdict:
+        if claim.given:  # which may be hard to suppose, and not needed
+            free = replace(claim, given=())
+            alone = self._verdict(free, claim.printed, claim.hypothesis)
+            if alone.outcome is Outcome.PROVED:
+                alone = self._explainer.verdict(free, alone)
+            if alone.outcome is Outcome.PROVED:
+                return alone
+        bare = self._verdict(claim, claim.printed, claim.hypothesis)
+        if (served := served_by(claim, bare, self._alone)) is not None:
+            reason = VerdictCode.MAY_BE_CONDITION(formula=served)
+            return Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
+        verdict = self._explainer.verdict(*with_what_stands_beside(claim, bare, self._alone))
+        return _as_given(verdict, claim) if claim.given else verdict
+
+    @cached_property
+    def _of_theorems(self) -> TheoremJudge:
+        from workbench.prover.explain.goal_claims import TheoremJudge
+
+        return TheoremJudge(self._theorems, self._judge)
+
+    def _verdict(self, claim: Claim, formula: Formula, hypothesis: Formula | None) -> Verdict:
+        if formula.ill_formed is not None:
+            return Verdict(Outcome.ILL_FORMED, reason=formula.ill_formed)
+        if formula.unread is not None:
+            return Verdict(Outcome.UNCHECKED, reason=formula.unread)
+        judge = self._judge(claim.notation)
+        if claim.alone:
+            judge = replace(judge, laws=False)
+        try:
+            verdict = undisturbed(
+                lambda: judge.judge(
+                    formula.statement,
+                    assume=claim.supposed,
+                    hypothesis=hypothesis and hypothesis.statement,
+                    orders=claim.orders,
+                )
+            )
+        except Unsatisfiable as error:
+            if claim.span is not None:
+                return Verdict(Outcome.UNCHECKED, reason=reason_of(error))
+            raise PaperError(None, None, None, str(error)) from None
+        if verdict.outcome is Outcome.PROVED and not verdict.is_for_all:
+            verdict = undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
+        return self._seen(verdict, claim, formula, hypothesis)
+
+    def _alone(self, claim: Claim) -> Verdict:
+        return judged_alone(claim, self._judge)
+
+    def _seen(self, verdict: Verdict, claim: Claim, form: Formula, hypothesis: Formula | None) -> Verdict:
+        return self._witnesses.seen(verdict, claim, form, hypothesis) if self._witnesses else verdict
+
+    def _judge(self, notation: Notation) -> Judge:
+        key = id(notation.definitions), id(notation.motion)  # `JudgedParts` keeps both
+        if key not in self._judges:
+            from workbench.prover.decide.decide import Judge
+
+            self._judges[key] = Judge(
+                notation.definitions,
+                bound=frozenset(s.declaration.name for s in notation.motion),
+                **self.options,
+            )
+        return self._judges[key]
+
+
+def _placed(error: PaperError, claim: Claim) -> PaperError:
+    """The error at the place of the claim, which the judges do not see."""
+    if error.file is not None:
+        return error
+    if error.path:  # another table of the file
+        return PaperError(claim.file, None, None, f"{'.'.join(error.path)}: {claim.id}: {error.message}")
+    return PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
+
+
+def _as_given(verdict: Verdict, claim: Claim) -> Verdict:
+    given = ", ".join(map(str, claim.given))
+    evidence = (*verdict.evidence, Evidence("given", "holds always", {"formula": given}))
+    reason = verdict.reason
+    if verdict.outcome is Outcome.UNCHECKED and reason is not None:
+        reason = VerdictCode.GIVEN_IS(reason=reason, given=given)
+    return replace(verdict, reason=reason, evidence=evidence)
+
+
+class PaperJudge(ClaimJudge):
+    """The judges of a paper. The budget is that given here, or the paper's, or the standard one."""
+
+    def __init__(self, paper: Paper, budget: Budget | None = None, **options: bool | Memory | None) -> None:
+        super().__init__(paper.claims, paper.theorems, budget=budget or paper.budget, **options)
+        self.paper = paper
+
+
+def judge_paper(
+    paper: Paper,
+    select: Sequence[str] = (),
+    progress: Callable[[ClaimResult], None] = lambda result: None,
+    jobs: int | None = None,
+    **options: bool | Budget | Memory | None,
+) -> list[ClaimResult]:
+    """The results of the selected claims, in reading order; `progress` sees each as soon as it is there.
+    options: those of PaperJudge."""
+    return _judged(PaperJudge(paper, **options), select_claims(paper.claims, select), progress, jobs)
+
+
+def judge_claims(claims: Sequence[Claim], **options: bool | Budget | Memory | None) -> list[ClaimResult]:
+    """The results of claims that stand in no paper. options: those of ClaimJudge."""
+    return _judged(ClaimJudge(claims, **options), claims)
+
+
+def _judged(
+    judge: ClaimJudge,
+    claims: Sequence[Claim],
+    progress: Callable[[ClaimResult], None] = lambda result: None,
+    jobs: int | None = None,
+) -> list[ClaimResult]:
+    try:
+        return in_order(judge.results(claims, jobs), claims, progress)
+    finally:
+        judge.close()
+
+
+def in_order(
+    results: Iterable[ClaimResult], claims: Sequence[Claim], progress: Callable[[ClaimResult], None]
+) -> list[ClaimResult]:
+    """The results for the claims, one for each, in the order of the claims."""
+    found = {}
+    for result in results:
+        found[result.claim.id] = result
+        progress(result)
+    return [found[claim.id] for claim in claims]
+
+
+def _dear_first(claims: Sequence[Claim]) -> list[Claim]:
+    """By notation, those with many that are likely to be dear first: no core waits for one in the end."""
+    groups: dict[int, list[Claim]] = {}
+    for claim in claims:
+        groups.setdefault(id(claim.notation), []).append(claim)
+    ordered = sorted(groups.values(), key=lambda group: sum(map(_is_likely_cheap, group)) - len(group))
+    return [claim for group in ordered for claim in sorted(group, key=_is_likely_cheap)]
+
+
+def _is_likely_cheap(claim: Claim) -> bool:
+    """Whether it is one relation, and no theorem, family or extremum."""
+    said = [getattr(claim, form).statement for form in forms(claim)]
+    is_relation = all(statement is None or isinstance(statement, Relation) for statement in said)
+    return claim.goal is None and claim.orders is None and is_relation
+
+
+def forms(claim: Claim) -> list[str]:
+    return [form for form in FORMS if form == "printed" or getattr(claim, form) is not None]

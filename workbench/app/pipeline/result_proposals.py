@@ -1,0 +1,53 @@
+"""What the machine proposes beside results, and what of that is remembered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from workbench.app.pipeline.verdict_keys import Keys, Memory
+from workbench.core.verdict import Outcome
+from workbench.prover.results.claim_results import HOLDS, ClaimResult
+from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of
+from workbench.repair.propose.parallel_repairs import repair_claims
+from workbench.repair.propose.repair import Repair
+from workbench.repair.propose.search_limits import STANDARD, Limits
+
+#: Verdicts on a printed form that ask for another form.
+_TO_REPAIR = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
+
+
+def with_proposals(
+    results: Sequence[ClaimResult],
+    limits: Limits | None = STANDARD,
+    progress: Callable[[Repair], None] = lambda found: None,
+    memory: Memory | None = None,
+    beside_right: bool = True,
+) -> list[ClaimResult]:
+    """The results, each with what the machine proposes if its printed form is refuted or ill-formed, few
+    changes first; with nothing if there are no limits.   memory: what earlier searches proposed, also those
+    that time cut short.   beside_right: also where a right form is given and proved."""
+    claims = [r.claim for r in results if limits and _asks(r, beside_right)]
+    keys = Keys({}, {"proposals": limits})
+    beside = neighbours_of([result.claim for result in results])
+    kept = {c.id: keys.of_proposals(c, beside.get(c.id, ALONE).key) for c in claims} if memory else {}
+    proposed = {name: found for name, key in kept.items() if (found := memory.proposals(key)) is not None}
+
+    new = {claim.id: claim for claim in claims if claim.id not in proposed}
+
+    def keep(found: Repair) -> None:
+        name = found.claim.id
+        proposed[name] = found.proposed()
+        if memory and not found.interrupted:
+            memory.keep_proposals(kept[name], proposed[name])
+        progress(replace(found, claim=new[name]))
+
+    asked = [replace(keys.parts.for_proposals(claim), id=name) for name, claim in new.items()]
+    repair_claims(asked, limits, keep, beside=beside)
+    return [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
+
+
+def _asks(result: ClaimResult, beside_right: bool) -> bool:
+    is_right = any(form and form.outcome in HOLDS for form in (result.corrected, result.reading))
+    is_false = result.verdict.outcome in _TO_REPAIR and result.claim.theorem is None
+    return is_false and (beside_right or not is_right)

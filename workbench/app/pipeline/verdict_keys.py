@@ -1,0 +1,105 @@
+"""Verdicts of earlier runs, so that what did not change is not judged again.
+
+The key of a verdict is a digest of all that its judges see (`judged_parts`), the options, the versions of the
+engines, and the code of the workbench and of the paper's theorems.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import asdict, fields
+from typing import Any
+
+from workbench.context.claims import Claim, Notation
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.goals.proofs import Proven
+from workbench.prover.explain.canonical_text import told
+from workbench.prover.explain.judged_parts import JudgedParts, seen_of
+from workbench.prover.results.proposed_form import Proposed
+from workbench.runtime.fingerprint import digest, ground
+from workbench.runtime.store import Store
+
+_ENGINES = ("drake", "python-flint", "sympy", "numpy")
+
+#: Of a notation.
+_OF_ALL_CLAIMS = tuple(each.name for each in fields(Notation) if each.name != "on_motions")
+
+
+class Memory(Store):
+    """The verdicts in a file."""
+
+    def recall(self, key: str) -> Verdict | None:
+        """The verdict that is remembered under the key, if it is there and undamaged."""
+        with suppress(ValueError, KeyError, TypeError):
+            if (text := self.get(key)) is not None:
+                return Verdict.from_dict(json.loads(text))
+        return None
+
+    def remember(self, key: str, verdict: Verdict) -> None:
+        """Keeps a verdict; one that would not come back as it is is not kept."""
+        text = json.dumps(verdict.to_dict(), ensure_ascii=False)
+        if Verdict.from_dict(json.loads(text)) == verdict:
+            self.put(key, text.encode())
+
+    def proposals(self, key: str) -> tuple[Proposed, ...] | None:
+        """What an earlier search proposed, if that is there and undamaged."""
+        with suppress(ValueError, KeyError, TypeError):
+            if (text := self.get(key)) is not None:
+                return tuple(
+                    Proposed(**{**each, "verdict": Outcome(each["verdict"])}) for each in json.loads(text)
+                )
+        return None
+
+    def keep_proposals(self, key: str, proposed: Sequence[Proposed]) -> None:
+        self.put(key, json.dumps([asdict(each) for each in proposed], ensure_ascii=False).encode())
+
+    def knows(self, key: str) -> bool:
+        """Whether what the key stands for was found to be so."""
+        return self.recall(key) is not None
+
+    def know(self, key: str) -> None:
+        self.remember(key, Verdict(Outcome.PROVED))
+
+
+class Keys:
+    """The keys of one paper's verdicts. options: what else they depend on."""
+
+    def __init__(self, theorems: Mapping[str, Proven], options: Mapping[str, Any]) -> None:
+        self._proofs = {name: digest(repr(proof)) for name, proof in theorems.items()}
+        self._ground = digest(repr((ground(["workbench"], _ENGINES), sorted(options.items()))))
+        self.parts = JudgedParts()
+        self._notations: dict[int, tuple[Notation, str]] = {}
+        self._last: tuple[Claim, str] | None = None  # its forms are asked for one after the other
+
+    def of(self, claim: Claim, form: str) -> str:
+        """The key of the verdict on one form of a claim."""
+        if self._last is None or self._last[0] is not claim:
+            self._last = claim, self._of_part(self.parts.of(claim))
+        return digest(f"{form}\n{self._last[1]}")
+
+    def of_proposals(self, claim: Claim, beside: str = "") -> str:
+        """The key of what is proposed for a claim. beside: the formulas that proposals must agree with."""
+        return digest(f"proposals\n{beside}\n{self._of_part(self.parts.for_proposals(claim))}")
+
+    def of_bindings(self, notation: Notation) -> str:
+        """The key of the agreement of a notation's bindings with its definitions, on motions that agree
+        with their plants."""
+        return digest(repr(("bindings", self._of_notation(self.parts.bound(notation)), self._ground)))
+
+    def _of_part(self, claim: Claim) -> str:
+        text = told([*seen_of(claim).values(), claim.notation.on_motions]).text
+        proofs = [self._proofs.get(name or "", "") for name in (claim.theorem, claim.every_n)]
+        return digest(repr((text, self._of_notation(claim.notation), proofs, self._ground)))
+
+    def _of_notation(self, notation: Notation) -> str:
+        """The digest of a notation without what it says on motions of single claims."""
+        parts = {name: getattr(notation, name) for name in _OF_ALL_CLAIMS}
+        key = tuple(map(id, parts.values()))
+        if key not in self._notations:
+            parts |= {"definitions": list(notation.definitions), "motion": None}
+            motion = sorted((told(symbol).text, bound) for symbol, bound in notation.motion.items())
+            urdf = notation.robot and notation.robot.urdf.read_bytes()
+            self._notations[key] = notation, digest(repr((told(parts).text, motion, urdf)))
+        return self._notations[key][1]

@@ -1,0 +1,290 @@
+"""workbench lsp: the verdicts in an editor, over standard input and output."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from workbench.app.commands.options import Unusable
+from workbench.app.servers.warm import Judged, judged_file, with_corrections
+from workbench.core.code_labels import suffix
+from workbench.core.codes.syntax_codes import UNKNOWN_SYMBOLS
+from workbench.core.codes.verdict_codes import WAITS_FOR_ITS_AUTHOR
+from workbench.core.reasons import Code
+
+if TYPE_CHECKING:
+    from lsprotocol.types import CodeAction, Diagnostic, Range
+    from pygls.lsp.server import LanguageServer
+
+    from workbench.core.spans import Span
+    from workbench.prover.results.claim_results import ClaimResult
+    from workbench.report.findings import Finding
+
+
+@click.command()
+@click.option("--motions/--no-motions", default=True, help="Evaluate claims on Drake's motions too.")
+def lsp(motions: bool) -> None:
+    """Serve an editor: faults under the author's characters as you type, verdicts on hover, proved
+    corrections as quick fixes. Needs the extra lsp."""
+    try:
+        server = server_for(motions)
+    except ImportError:
+        raise Unusable(
+            "the editor server needs the extra lsp: pip install 'kinematics-workbench[lsp]'"
+        ) from None
+    server.start_io()
+
+
+#: Seconds without a keystroke after which a text is judged.
+_PAUSE = 0.3
+
+
+@dataclass
+class Known:
+    """What is known of one file, and of which files diagnostics were published with it."""
+
+    judged: Judged
+    told: set[Path] = field(default_factory=set)
+
+
+def server_for(motions: bool) -> LanguageServer:
+    """Raises ImportError without pygls."""
+    from lsprotocol import types as lsp_types
+    from pygls.lsp.server import LanguageServer
+
+    server = LanguageServer("workbench", version("kinematics-workbench"))
+    known: dict[Path, Known] = {}
+    newest: dict[str, int] = {}
+
+    def judge(uri: str, is_saved: bool = False) -> None:
+        path = Path(server.workspace.get_text_document(uri).path)
+        if path.suffix.lower() != ".toml" or _is_paper(path):
+            buffers = _buffers(server)
+            if is_saved:
+                buffers.pop(path, None)
+            _judge(server, known, path, buffers, motions)
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_DID_CHANGE)
+    async def changed(params: lsp_types.DidChangeTextDocumentParams) -> None:
+        uri, number = params.text_document.uri, params.text_document.version
+        newest[uri] = number
+        await asyncio.sleep(_PAUSE)
+        if newest[uri] == number:
+            judge(uri)
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_DID_OPEN)
+    def opened(params: lsp_types.DidOpenTextDocumentParams) -> None:
+        judge(params.text_document.uri)
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_DID_SAVE)
+    def saved(params: lsp_types.DidSaveTextDocumentParams) -> None:
+        judge(params.text_document.uri, is_saved=True)
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_HOVER)
+    def hover(params: lsp_types.HoverParams) -> lsp_types.Hover | None:
+        path = Path(server.workspace.get_text_document(params.text_document.uri).path)
+        for result in (result for each in known.values() for result in each.judged.results):
+            where = _range(server, _whole(result))
+            if _whole(result).file.resolve() == path.resolve() and _holds(where, params.position):
+                content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, _told(result))
+                return lsp_types.Hover(content, where)
+        return None
+
+    options = lsp_types.CodeActionOptions([lsp_types.CodeActionKind.QuickFix])
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_CODE_ACTION, options)
+    def actions(params: lsp_types.CodeActionParams) -> list[CodeAction]:
+        found = []
+        for diagnostic in params.context.diagnostics:
+            data = diagnostic.data if isinstance(diagnostic.data, dict) else {}
+            if "edits" not in data:
+                continue
+            changes: dict[str, list[Any]] = {}
+            for uri, *places, new in data["edits"]:
+                where = lsp_types.Range(lsp_types.Position(*places[:2]), lsp_types.Position(*places[2:]))
+                changes.setdefault(uri, []).append(lsp_types.TextEdit(where, new))
+            kind, edit = lsp_types.CodeActionKind.QuickFix, lsp_types.WorkspaceEdit(changes)
+            found.append(lsp_types.CodeAction(data["title"], kind, [diagnostic], edit=edit))
+        return found
+
+    return server
+
+
+def _is_paper(path: Path) -> bool:
+    """Not every TOML file is one."""
+    try:
+        text = path.read_text("utf-8", errors="replace")
+    except OSError:
+        return False
+    return "[[claim]]" in text or "source" in text
+
+
+def _judge(
+    server: LanguageServer,
+    known: dict[Path, Known],
+    path: Path,
+    buffers: Mapping[Path, str],
+    motions: bool,
+) -> None:
+    """Publishes the verdicts, and again with the corrections, if a search finds any."""
+    from workbench.core.verdict import Grade
+    from workbench.papers import PaperError
+    from workbench.report.findings import fault_finding
+
+    try:
+        judged = judged_file(path, buffers, motions)
+    except PaperError as error:
+        _tell(server, known, path, [fault_finding(fault, path) for fault in error.faults], None)
+        return
+    _tell_judged(server, known, path, judged)
+    if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
+        corrected = with_corrections(judged)
+        if any(result.edits for result in corrected.results):
+            _tell_judged(server, known, path, corrected)
+
+
+def _tell_judged(server: LanguageServer, known: dict[Path, Known], path: Path, judged: Judged) -> None:
+    from workbench.report.findings import findings
+
+    _tell(server, known, path, findings(judged.paper, judged.results), judged)
+
+
+def _buffers(server: LanguageServer) -> dict[Path, str]:
+    """What stands in the editor and perhaps not on disk."""
+    return {Path(each.path): each.source for each in server.workspace.text_documents.values() if each.path}
+
+
+def _tell(
+    server: LanguageServer, known: dict[Path, Known], path: Path, found: list[Finding], judged: Judged | None
+) -> None:
+    told = known[path].told if path in known else ()
+    by_file: dict[Path, list[Finding]] = {each: [] for each in (path, *told)}
+    for each in found:
+        by_file.setdefault(each.span.file, []).append(each)
+    by_id = {result.claim.id: result for result in judged.results} if judged else {}
+    for file, own in by_file.items():
+        _publish(server, file, [_diagnostic(server, each, by_id.get(each.claim)) for each in own])
+    if judged is not None:
+        known[path] = Known(judged, set(by_file))
+
+
+def _publish(server: LanguageServer, file: Path, diagnostics: list[Diagnostic]) -> None:
+    from lsprotocol.types import PublishDiagnosticsParams
+
+    server.text_document_publish_diagnostics(PublishDiagnosticsParams(file.resolve().as_uri(), diagnostics))
+
+
+#: What is no fault and waits for its author.
+_HINTS: frozenset[Code] = WAITS_FOR_ITS_AUTHOR | UNKNOWN_SYMBOLS
+
+
+def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | None) -> Diagnostic:
+    from lsprotocol.types import Diagnostic, DiagnosticSeverity
+
+    levels = {"error": DiagnosticSeverity.Error, "warning": DiagnosticSeverity.Warning}
+    severity = levels.get(finding.level, DiagnosticSeverity.Information)
+    reason = result.verdict.reason if result is not None else None
+    waits = finding.code == "definition" or (reason is not None and not reason.codes.isdisjoint(_HINTS))
+    if finding.level == "note" and waits:
+        severity = DiagnosticSeverity.Hint
+    data: dict[str, Any] = {"claim": finding.claim}
+    if result is not None:
+        data |= _quick_fix(server, result)
+    return Diagnostic(
+        _range(server, finding.span),
+        finding.message,
+        severity,
+        code=finding.code,
+        source="workbench",
+        data=data,
+    )
+
+
+def _quick_fix(server: LanguageServer, result: ClaimResult) -> dict[str, Any]:
+    """The title and the edits of a proved correction, each as its file, start, end and new text; nothing if
+    none is known."""
+    from workbench.source.typeset.plain_text import in_plain_text
+
+    edits = [(each.span, each.new) for each in result.edits]
+    title = in_plain_text(result.proposed[0].edit) if result.proposed else ""
+    if not edits and (fix := _fix(result)) is not None:
+        edits, title = [(_whole(result), fix)], f"replace by what is proved: {fix}"
+    if not edits:
+        return {}
+    told = []
+    for span, new in edits:
+        where = _range(server, span)
+        told.append(
+            (
+                span.file.resolve().as_uri(),
+                where.start.line,
+                where.start.character,
+                where.end.line,
+                where.end.character,
+                new,
+            )
+        )
+    return {"title": title[:1].upper() + title[1:], "edits": told}
+
+
+def _fix(result: ClaimResult) -> str | None:
+    """What to write for the claim's own characters: the correction or reading that was proved."""
+    from workbench.core.verdict import Outcome
+    from workbench.papers.corrections import same_formula
+
+    claim = result.claim
+    pairs = ((claim.corrected, result.corrected), (claim.reading, result.reading))
+    proved = [form.latex for form, verdict in pairs if form and verdict and verdict.outcome is Outcome.PROVED]
+    if not proved or claim.span is None:
+        return None
+    if not claim.chain:
+        return proved[0]
+    left, sign, right = proved[0].partition("=")
+    return f"{sign}{right}" if same_formula(left, claim.printed.latex.partition("=")[0]) else None
+
+
+def _told(result: ClaimResult) -> str:
+    """Verdict, reading and evidence."""
+    from workbench.report.counterexamples import told
+
+    verdict = result.verdict
+    lines = [f"**{verdict.outcome}**" + (f" ({verdict.scope})" if verdict.scope else "")]
+    lines += [f"{verdict.reason}{suffix(verdict.reason)}"] if verdict.reason else []
+    lines += [f"unless {'; '.join(verdict.unless)}"] if verdict.unless else []
+    lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
+    if example := verdict.counterexample:
+        lines += [f"counterexample: {told(example, result.claim.printed.latex)}"]
+    for name in ("reading", "corrected"):
+        form, its = getattr(result.claim, name), getattr(result, name)
+        lines += [f"{name}: `{form.latex}`: {its.outcome}"] if form is not None and its is not None else []
+    lines += [f"- {evidence}" for evidence in verdict.evidence]
+    return "\n\n".join(lines)
+
+
+def _whole(result: ClaimResult) -> Span:
+    """All that the claim says, where it stands."""
+    from workbench.report.findings import place_of
+
+    return result.claim.span or place_of(result)
+
+
+def _range(server: LanguageServer, span: Span) -> Range:
+    """In the units that the client counts."""
+    from lsprotocol.types import Position, Range
+
+    document = server.workspace.get_text_document(span.file.resolve().as_uri())
+    lines = [f"{line}\n" for line in document.source.split("\n")]
+    whole = Range(
+        Position(span.line - 1, span.column - 1), Position(span.end_line - 1, max(0, span.end_column - 1))
+    )
+    return document.position_codec.range_to_client_units(lines, whole)
+
+
+def _holds(where: Range, position: Any) -> bool:
+    return where.start <= position <= where.end

@@ -1,0 +1,110 @@
+"""workbench check --watch: what changes in a paper is judged again, in a process that has all else ready."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from workbench.app.commands.options import memory_of_verdicts
+
+if TYPE_CHECKING:
+    from workbench.papers import Paper
+    from workbench.prover.results.claim_results import ClaimResult
+
+#: Milliseconds for which an editor may go on writing before its file is read.
+_PAUSE = 100
+#: Milliseconds after which it looks by itself: what changes while a paper is judged, nobody gives notice of.
+_LOOK = 1000
+
+
+def watch_files(
+    files: Sequence[Path],
+    form: str,
+    jobs: int | None = None,
+    seconds: float | None = None,
+    megabytes: float | None = None,
+    cache: bool = True,
+    **engines: bool,
+) -> None:
+    """Judges the files, and again what changes in them or in what they include, until it is interrupted."""
+    from watchfiles import watch
+
+    from workbench.runtime import Budget
+
+    budget = Budget.of(seconds=seconds, megabytes=megabytes)
+    with memory_of_verdicts(cache) as memory:
+        known: dict[Path, list[Path]] = {}
+        stamps: dict[Path, tuple[int, int] | None] = {}
+        waiting = list(dict.fromkeys(files))
+        while True:
+            for file in waiting:
+                known[file] = _judged(file, form, known.get(file), jobs, budget, memory, engines)
+            parts = {path.resolve(): file for file, paths in known.items() for path in paths}
+            folders = {path.parent for path in parts}
+            stamps |= {path: _stamp(path) for path in parts if path not in stamps}
+            while not (touched := {path for path in parts if _stamp(path) != stamps[path]}):
+                notice = watch(
+                    *folders,
+                    step=_PAUSE,
+                    recursive=False,
+                    raise_interrupt=True,
+                    rust_timeout=_LOOK,
+                    yield_on_timeout=True,
+                )
+                next(notice, None)
+            stamps |= {path: _stamp(path) for path in touched}
+            waiting = list(dict.fromkeys(parts[path] for path in touched if path in parts))
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """What tells a changed file; None if there is none."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size
+
+
+def _judged(
+    file: Path,
+    form: str,
+    before: list[Path] | None,
+    jobs: int | None,
+    budget: Any,
+    memory: Any,
+    engines: dict[str, bool],
+) -> list[Path]:
+    """Judges a file; the paths that it stands on."""
+    from workbench.app.commands.judging_options import print_faults
+    from workbench.app.commands.printed import print_judged
+    from workbench.app.pipeline.judge_claims import judge_paper
+    from workbench.papers import PaperError, load_paper
+
+    start = monotonic()
+    try:
+        paper = load_paper(file, faults=[])
+        results = judge_paper(paper, (), _unseen, jobs, budget=budget, memory=memory, **engines)
+    except PaperError as error:
+        print_faults(error.faults)
+        return before or [file, file.with_suffix(".toml")]
+    print_judged([(paper, results)], None, form)
+    if form == "text":
+        click.echo(f"{file}: judged in {monotonic() - start:.1f} s; waiting for changes")
+    return [file, *paths_of(paper)]
+
+
+def _unseen(result: ClaimResult) -> None:
+    """A result that is shown with the others."""
+
+
+def paths_of(paper: Paper) -> list[Path]:
+    """The files that a paper is read from, and the model that may come to lie beside it."""
+    from workbench.papers.texts.text_paper import TextPaper
+
+    text = paper.text if isinstance(paper, TextPaper) else None
+    sources = [] if text is None else [source.path for source in text.sources]
+    return [*paper.paths, *sources, *(path.with_suffix(".toml") for path in paper.paths)]

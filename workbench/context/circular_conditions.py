@@ -1,0 +1,102 @@
+"""Conditions that are the conclusion itself, under which a formula holds whatever it says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from random import Random
+
+from workbench.core.terms import Conjunction, IllFormed, Implication, Relation, Statement
+from workbench.language.definitions import Definitions, expand
+
+IS_THE_CONCLUSION = (
+    "expected a condition under which the formula holds, got the formula itself (up to definitions, a factor "
+    "and the order of its sides); strike it out, or say under `given` what the formula follows from"
+)
+_SYMMETRIC = frozenset({"=", "≠"})
+_ENTRIES = (-5, -3, -2, -1, 1, 2, 3, 7)
+_POINTS, _TRIES, _SEED = 4, 20, 0
+_TOLERANCE = 1e-9
+
+
+def is_conclusion(condition: Statement, claim: Statement, definitions: Definitions) -> bool:
+    """Returns whether the condition, or a part of it, is what the claim concludes, or a part of that."""
+    concluded = list(_relations(claim))
+    return any(_are_same(one, other, definitions) for one in _relations(condition) for other in concluded)
+
+
+def _relations(statement: Statement) -> Iterator[Relation]:
+    match statement:
+        case Relation():
+            yield statement
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from _relations(part)
+        case Implication(right=right):
+            yield from _relations(right)
+
+
+def _are_same(one: Relation, other: Relation, definitions: Definitions) -> bool:
+    if one.operator != other.operator or one.left.type.kind == "operator":
+        return False
+    with suppress(IllFormed):
+        mine, yours = (
+            [expand(side, definitions) for side in (each.left, each.right)] for each in (one, other)
+        )
+        if mine == yours or (one.operator in _SYMMETRIC and mine == yours[::-1]):
+            return True
+    is_alike = one.operator in _SYMMETRIC and "operator" not in (one.left.type.kind, other.left.type.kind)
+    return is_alike and any(_are_proportional(one, other, definitions, hold) for hold in (False, True))
+
+
+def _are_proportional(one: Relation, other: Relation, definitions: Definitions, hold: bool) -> bool:
+    """Whether the differences of the sides have one ratio at some points, neither being 0 at all of them.
+
+    hold: the constants, which may be the ratio; then something else must vary."""
+    from workbench.engines.inventory.inventory import NotExact
+
+    with suppress(NotExact, IllFormed, ZeroDivisionError):
+        points = _differences(one, other, definitions, hold)
+        if any(len(mine) != len(yours) for mine, yours in points):
+            return False
+        if hold and all(_is_close(mine, points[0][0]) for mine, _ in points):
+            return False
+        pairs = [pair for mine, yours in points for pair in zip(mine, yours, strict=True)]
+        mine, yours = max(pairs, key=lambda pair: abs(pair[1]))
+        is_some = min(max(map(abs, values)) for values in zip(*pairs, strict=True)) > _TOLERANCE
+        return is_some and _is_close([a * yours for a, _ in pairs], [b * mine for _, b in pairs])
+    return False
+
+
+def _is_close(one: Sequence[float], other: Sequence[float]) -> bool:
+    size = 1 + max(map(abs, (*one, *other)))
+    return all(abs(a - b) < _TOLERANCE * size for a, b in zip(one, other, strict=True))
+
+
+def _differences(
+    one: Relation, other: Relation, definitions: Definitions, hold: bool
+) -> list[list[list[float]]]:
+    """At each of some points: the differences of the sides of the one and of the other. Raises NotExact for
+    what has no values."""
+    from workbench.engines.inventory.inventory import NotExact, take_inventory
+    from workbench.engines.jet.jets import JetEngine
+    from workbench.engines.jet.rings import FloatRing, PointSource, RationalRing, sample
+
+    inventory = take_inventory((one.left, one.right, other.left, other.right), definitions)
+    random, fixed, found = Random(_SEED), {}, []
+    for _ in range(_TRIES):
+        drawn = sample(inventory, RationalRing(_ENTRIES), random)
+        point = {each: float(value) for each, value in drawn.items()} | fixed
+        if hold and not fixed:
+            fixed = {each: value for each, value in point.items() if _is_constant(each.symbol)}
+        with suppress(ZeroDivisionError):
+            engine = JetEngine(PointSource(FloatRing(), point), definitions)
+            found.append([list(engine.differences(each.left, each.right)) for each in (one, other)])
+        if len(found) == _POINTS:
+            return found
+    raise NotExact("no point at which all of it is defined")
+
+
+def _is_constant(symbol: object) -> bool:
+    declaration = getattr(symbol, "declaration", None)
+    return declaration is not None and declaration.constant

@@ -1,0 +1,210 @@
+"""Facts from the formulas in sentences: “suppose that $f \\neq 0$”, “for $m > 0$”."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+
+from workbench.context.claims import Notation
+from workbench.context.facts import Bound, Duration, Fact, Origin, Provider
+from workbench.context.formula_acts import is_before_scope, is_by_definition
+from workbench.context.formula_subject import names_of
+from workbench.context.free_symbols import names_in, terms_of
+from workbench.context.property_statements import having
+from workbench.context.read_formulas import read_statement
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.names import Name
+from workbench.core.terms import Apply, Relation, Statement, Symbol, Term, Zero, sides_of
+from workbench.core.types import Declaration
+from workbench.core.verdict import Strength
+from workbench.language.printing.printer import to_latex
+from workbench.source.documents import Display, Token, spelled
+from workbench.source.documents.surrounding_words import sections_of, sentence_around, supposed_before
+from workbench.source.rows.chains import Step, steps_of
+
+_UNEQUAL = frozenset({"\\neq", "\\ne"})
+#: What an equation that is a law for the rest of the text is told by.
+_RATES = frozenset({"\\dot", "\\ddot", "\\dddot"})
+_ORDERS = {
+    **dict.fromkeys((">", "\\gt"), ">"),
+    **dict.fromkeys(("<", "\\lt"), "<"),
+    **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
+    **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
+}
+_FORMULA = r"(?:\$[^$]+\$|\\\([^$]*?\\\)|`[^`]+`)"
+#: A relation between two symbols that words state as a condition, or as the reason of a formula.
+_BETWEEN = re.compile(
+    r"\b(?:since|because|as|if|when|where|for|that|suppose|assume|assuming|let|given)\b[^.,;:$`\\]{0,30}?"
+    rf"(?P<one>{_FORMULA}) and (?P<other>{_FORMULA}) "
+    r"(?:(?:are|is|be) (?:both |mutually )?"
+    r"(?P<adjective>orthogonal|perpendicular|parallel|equal)|(?P<verb>commute))\b",
+    re.IGNORECASE,
+)
+_RELATIONS = {
+    "orthogonal": r"{0} \perp {1}",
+    "perpendicular": r"{0} \perp {1}",
+    "parallel": r"{0} \parallel {1}",
+    "equal": "{0} = {1}",
+    "commute": "{0} {1} = {1} {0}",
+}
+#: What is in force behind its sentence, too.
+_FAR_REACHING = _UNEQUAL | _RATES | _ORDERS.keys()
+_TURNED = str.maketrans("<>≤≥", "><≥≤")
+
+
+class InlineFormulas:
+    """The formulas in the sentences of a text. Each is cut and read once, whatever asks for it."""
+
+    def __init__(self, inline: Iterable[Display]) -> None:
+        self._formulas: dict[Path, list[Display]] = {}
+        for each in inline:
+            self._formulas.setdefault(each.source.path, []).append(each)
+        for formulas in self._formulas.values():
+            formulas.sort(key=lambda each: each.start)
+        self._steps: dict[tuple[int, frozenset[str]], list[Step]] = {}
+        self._conditions: dict[tuple[Path, frozenset[str]], list[tuple[Display, Step]]] = {}
+        self._read: dict[tuple[int, int, bool], tuple[Notation, list[Fact]]] = {}
+
+    def before(self, path: Path, end: int, start: int = 0) -> list[Display]:
+        """The formulas of a file that begin between `start` and `end`."""
+        found = self._formulas.get(path, [])
+        first, last = (bisect_left(found, at, key=lambda each: each.start) for at in (start, end))
+        return found[first:last]
+
+    def steps(self, formula: Display, notation: Notation) -> list[Step]:
+        key = (id(formula), frozenset(notation.words))
+        if key not in self._steps:
+            self._steps[key] = [step for steps in steps_of(formula, notation.words) for step in steps]
+        return self._steps[key]
+
+    def conditions(self, path: Path, end: int, notation: Notation) -> Iterator[tuple[Display, Step]]:
+        """The steps before `end` that are conditions outside of their sentences, too."""
+        key = (path, frozenset(notation.words))
+        if key not in self._conditions:
+            self._conditions[key] = [
+                (each, step)
+                for each in self._formulas.get(path, [])
+                if each.rows
+                for step in self.steps(each, notation)
+                if any(token.text in _FAR_REACHING for token in step.tokens)
+            ]
+        found = self._conditions[key]
+        yield from found[: bisect_left(found, end, key=lambda each: each[0].start)]
+
+    def said(self, formula: Display, step: Step, notation: Notation, with_equations: bool) -> list[Fact]:
+        """What a step of a formula says, read in a notation."""
+        key = (id(step), id(notation), with_equations)
+        if key not in self._read:  # with the notation, whose id is thus in use
+            line = formula.source.place(formula.start)[0]
+            made = list(_condition(step.tokens, line, notation, with_equations))
+            self._read[key] = (notation, made)
+        return self._read[key][1]
+
+
+def conditions_of(
+    display: Display, statement: Statement, notation: Notation, spoken: InlineFormulas
+) -> Iterator[Fact]:
+    """Yields what the formulas in sentences say of the symbols in the statement and behind its definitions:
+    any formula of the sentence of the display, inequalities before it in its section, or around that, and
+    equations for rates anywhere before it."""
+    reached = map(notation.definitions.reached, sides_of(statement))
+    own = names_of(_symbols(part for parts in reached for part in parts))
+    text, path = display.source.prose, display.source.path
+    first, last = sentence_around(text, display.start, display.end)
+    begins = first - len(supposed_before(text, first))
+    line = display.source.place(display.start)[0]
+    found = list(_between(f"{text[begins : display.start]} . {text[display.end : last]}", line, notation))
+    sections = sections_of(text)
+    for formula, step in spoken.conditions(path, first, notation):
+        if _holds_rate(step.tokens) or sections.holds(formula.start, display.start):
+            found += spoken.said(formula, step, notation, with_equations=False)
+    for formula in spoken.before(path, last, first):
+        for step in spoken.steps(formula, notation) if formula.rows else ():
+            found += spoken.said(formula, step, notation, with_equations=True)
+    yield from (fact for fact in found if fact.about & own)
+
+
+def _between(words: str, line: int, notation: Notation) -> Iterator[Fact]:
+    """Yields the relations of two symbols that words state."""
+    for match in _BETWEEN.finditer(" ".join(words.replace(":math:", "").split())):
+        sides = (match[name].strip("$`").removeprefix("\\(").removesuffix("\\)") for name in ("one", "other"))
+        latex = _RELATIONS[(match["adjective"] or match["verb"]).lower()].format(*map(str.strip, sides))
+        with suppress(ReadError, IllFormedAt, ValueError):
+            statement, ranges = read_statement(latex, notation, None)
+            if isinstance(statement, Relation) and not ranges:
+                yield from _facts(latex, line, statement, None)
+
+
+def _symbols(parts: Iterable[Term]) -> set[Declaration]:
+    return {part.declaration for part in parts if isinstance(part, Symbol)}
+
+
+def _holds_rate(tokens: Sequence[Token]) -> bool:
+    return any(token.text in _RATES for token in tokens)
+
+
+def _condition(
+    tokens: Sequence[Token], line: int, notation: Notation, with_equations: bool
+) -> Iterator[Fact]:
+    latex, _ = spelled(tokens)
+    signs = [at for at, token in enumerate(tokens) if token.text in _ORDERS]
+    order = _ORDERS[tokens[signs[0]].text] if len(signs) == 1 else None
+    if order:
+        at = signs[0]
+        latex = spelled([*tokens[:at], tokens[at].standing_for("="), *tokens[at + 1 :]])[0]
+    elif not (with_equations or any(token.text in _UNEQUAL | _RATES for token in tokens)):
+        return
+    with suppress(ReadError, IllFormedAt, ValueError):
+        statement, ranges = read_statement(latex, notation, None)
+        symbols = _symbols(terms_of(statement))
+        of_pi = any(map(notation.definitions.is_pi, symbols))  # `unread` knows such angles
+        is_equation = isinstance(statement, Relation) and statement.operator != "≈" and not of_pi
+        is_new = is_equation and not (order is None and is_by_definition(statement, notation.definitions))
+        is_new = is_new and not is_before_scope(names_in(statement), tokens[0].source.path, line, notation)
+        if is_new and not ranges:
+            yield from _facts(spelled(tokens)[0], line, statement, order)
+
+
+def range_facts(step: Step, notation: Notation, about: frozenset[Name]) -> Iterator[Fact]:
+    """Yields where the symbols of a step are, as beside a formula that cannot be read with it: x > 0."""
+    for piece in step.ranges:
+        line = piece[0].source.place(piece[0].start)[0]
+        found = list(_condition(piece, line, notation, with_equations=False))
+        words = spelled(piece)[0]
+        named = frozenset(name for name in about if name.letter in words)
+        yield from found or ([opaque(words, line, named)] if named else [])
+
+
+def opaque(words: str, line: int, about: frozenset[Name]) -> Fact:
+    """Returns the fact that the text says something of symbols that is not formalised."""
+    return Fact(None, about, Origin(Provider.CONDITION, words, f"line {line}"), Strength.STATED)
+
+
+def _facts(latex: str, line: int, said: Relation, order: str | None) -> Iterator[Fact]:
+    """Yields what x > 0 says: x ≠ 0, x positive, and that the x of a counterexample is more than 0."""
+    about = names_of(_symbols(terms_of(said)))
+    origin = Origin(Provider.CONDITION, latex, f"line {line}")
+    fact = partial(Fact, about=about, origin=origin, strength=Strength.STATED, duration=Duration.INSTANT)
+    if order is None:
+        yield fact(said)
+        return
+    if order in "<>":
+        yield fact(Relation("≠", said.left, said.right))
+    left, right = said.left, said.right
+    if isinstance(left, Apply) and left.head == "norm" and isinstance(right, Zero) and order in ">≥":
+        return
+    if isinstance(right, Symbol):
+        left, right, order = right, left, order.translate(_TURNED)
+    value = Fraction(0) if isinstance(right, Zero) else getattr(right, "value", None)
+    if not (isinstance(left, Symbol) and isinstance(value, Fraction)):
+        yield opaque(latex, line, about)
+        return
+    yield fact(None, bound=Bound(to_latex(left), order, value))
+    is_positive = (order == ">" and value >= 0) or (order == "≥" and value > 0)
+    if is_positive and not left.declaration.positive:
+        yield fact(having("positive", [left]))

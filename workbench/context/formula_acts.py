@@ -1,0 +1,179 @@
+"""What a formula of a text does: it asserts, defines, postulates, constrains or assigns."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from workbench.context.claims import Claim, Formula, Notation
+from workbench.context.facts import Act
+from workbench.context.formula_subject import Subject
+from workbench.context.free_symbols import body_of, equations_of, free_in, terms_of
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.operations import PARTIALS
+from workbench.core.terms import (
+    Apply,
+    Definition,
+    Derivative,
+    IllFormed,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    sides_of,
+)
+from workbench.core.types import Declaration
+from workbench.language.definitions import Definitions, expand
+from workbench.language.grammar.vocabulary import COMMANDS
+from workbench.language.naming.symbols import SymbolTable
+
+_EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="))
+_DEFINES = re.compile(rf":=|\\(?:{'|'.join(_EQUALS)}|stackrel|overset)(?![A-Za-z])")
+_ASSIGNS = re.compile(r":=|\\coloneqq?(?![A-Za-z])")
+
+
+def subject_of(claim: Claim, definitions: Iterable[Definition] = ()) -> Subject:
+    """Returns what a claim is about. definitions: those that the text gives beside those of the model."""
+    assert claim.printed.statement is not None
+    more = tuple(definitions)
+    known = claim.notation.definitions
+    known = Definitions([*known, *more]) if more else known
+    return _subject(claim.printed.statement, claim.notation, known, claim.moving)
+
+
+def _subject(
+    statement: Statement,
+    notation: Notation,
+    definitions: Definitions,
+    moving: frozenset[Name] = frozenset(),
+) -> Subject:
+    return Subject(
+        statement,
+        definitions,
+        notation.symbols,
+        frozenset(symbol.declaration.name for symbol in notation.motion),
+        notation.framed,
+        moving,
+        letters="none" not in notation.symbols.loose,
+    )
+
+
+def act_of(formula: Formula, notation: Notation) -> tuple[Act, Symbol | None]:
+    """Returns what the author does by a formula, and to which symbol."""
+    if formula.statement is None:
+        return Act.ASSERT, None
+    if assigns(formula):
+        return Act.ASSIGN, None
+    if introduces(formula, notation):
+        (left, *_) = (equation.left for equation in equations_of(formula.statement))
+        return Act.DEFINE, left if isinstance(left, Symbol) else None
+    return _subject(formula.statement, notation, notation.definitions).act
+
+
+def stated(statement: Statement) -> str | None:
+    """Returns the symbol that an equation may define, if nothing else is known of its symbols."""
+    known = Subject(statement, Definitions(), SymbolTable())
+    act, symbol = known.act
+    is_said = act in (Act.DEFINE, Act.POSTULATE) and symbol is not None
+    return str(symbol.declaration.name) if is_said and symbol is not None else None
+
+
+def definition_by(statement: Statement, own: Symbol | None) -> Definition | None:
+    """Returns the definition that an equation is of a symbol on one of its sides; None if more is declared of
+    the symbol than its kind."""
+    match statement:
+        case Relation(operator="=", left=left, right=right) if own is not None:
+            for one, other in ((left, right), (right, left)):
+                if one == own:
+                    return _definition(own, other)
+    return None
+
+
+def _definition(symbol: Symbol, body: Term) -> Definition | None:
+    declaration = symbol.declaration
+    plain = Declaration(declaration.name, declaration.type, declaration.weight, indices=declaration.indices)
+    uses_itself = any(isinstance(part, Symbol) and part.declaration == declaration for part in body.walk())
+    is_member = all(each.is_number or each in map(Linear.variable, each.variables) for each in symbol.index)
+    if declaration != plain or symbol.arguments or uses_itself or body.type != declaration.type:
+        return None
+    return Definition(declaration, symbol.index, (), body) if is_member else None
+
+
+def introduced(formula: Formula, notation: Notation) -> Definition | None:
+    """Returns the definition that x := … is of a free x of which nothing but its kind is declared."""
+    match formula.statement:
+        case Relation(operator="=", left=Symbol() as symbol, right=body) if introduces(formula, notation):
+            with_others = expand(body, notation.definitions)
+            return None if symbol in with_others.walk() else _definition(symbol, body)
+    return None
+
+
+def introduces(formula: Formula, notation: Notation) -> set[Name]:
+    """Returns the symbols to the left of a sign of definition, such as :=, that nothing else defines."""
+    if formula.statement is None or not _DEFINES.search(formula.latex):
+        return set()
+    bound = {symbol.declaration.name for symbol in notation.motion}
+    lefts = (equation.left for equation in equations_of(formula.statement))
+    parts = (part for left in lefts for part in left.walk() if isinstance(part, Symbol))
+    free = (part for part in parts if body_of(part, notation.definitions) is None)
+    return {part.declaration.name for part in free} - bound
+
+
+def assigns(formula: Formula) -> bool:
+    """Returns whether the formula gives a symbol its next value, as x := x + 1 does."""
+    if formula.statement is None or not _ASSIGNS.search(formula.latex):
+        return False
+    said = equations_of(formula.statement)
+    return any(isinstance(each.left, Symbol) and each.left in each.right.walk() for each in said)
+
+
+def is_by_definition(said: Statement, definitions: Definitions) -> bool:
+    """Returns whether it is an equation that says no more than the definitions."""
+    try:
+        sides = [expand(side, definitions) for side in sides_of(said)]
+    except IllFormed:
+        return False
+    return isinstance(said, Relation) and said.operator == "=" and sides[0] == sides[1]
+
+
+def says_of_defined(statement: Statement, definitions: Definitions) -> bool:
+    """Returns whether a side is a defined symbol, or a slope or rate of one, and the other holds symbols."""
+    for each in equations_of(statement):
+        for one, other in ((each.left, each.right), (each.right, each.left)):
+            while isinstance(one, Derivative) or (isinstance(one, Apply) and one.head in PARTIALS):
+                one = one.children[0]
+            is_defined = isinstance(one, Symbol) and body_of(one, definitions) is not None
+            if is_defined and any(isinstance(part, Symbol) for part in other.walk()):
+                return True
+    return False
+
+
+def constrains(statement: Statement, definitions: Definitions) -> bool:
+    """Returns whether an equation says something of its symbols, as x · x = 1 or m x = m y does, where
+    x y = y x holds of all: its sides have no free symbol in common, or one occurs once."""
+    return any(
+        free_in([each.left], definitions).isdisjoint(free_in([each.right], definitions))
+        or _has_single(each, definitions)
+        for each in equations_of(statement)
+    )
+
+
+def _has_single(equation: Relation, definitions: Definitions) -> bool:
+    """Returns whether a free symbol is written once in it and stands behind no other symbol there."""
+    written = [part for part in terms_of(equation) if isinstance(part, Symbol)]
+    bodies = (definition.body for each in written for definition in definitions.about(each))
+    free = free_in(written, definitions) - free_in(bodies, definitions)
+    return any([part.declaration for part in written].count(each) == 1 for each in free)
+
+
+def declared_anew(names: Iterable[Name], there: Notation, here: Notation) -> Name | None:
+    """Returns one of the names that a scope declares between the places of the two notations."""
+    return next((name for name in names if there.since.get(name) != here.since.get(name)), None)
+
+
+def is_before_scope(names: Iterable[Name], file: Path | None, line: int, notation: Notation) -> bool:
+    """Returns whether a scope declares one of the names anew behind the line."""
+    places = map(notation.since.get, names)
+    return any(place is not None and place[0] == file and line < place[1] for place in places)

@@ -1,0 +1,178 @@
+"""Facts from formulas: what other formulas of a text define, postulate or constrain of a claim's symbols.
+
+A formula that asserts something is no fact, nor is a formula of a scope in which its symbols mean something
+else. An earlier step of the claim's own chain counts as a definition only: b = c is not shown by a = b.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from workbench.context.claims import Claim, Notation
+from workbench.context.facts import Act, Fact, Origin, Provider, Strength
+from workbench.context.formula_acts import constrains, declared_anew, definition_by
+from workbench.context.formula_subject import conditioned, names_of
+from workbench.context.free_symbols import free_in, names_in, terms_of
+from workbench.core.names import Name
+from workbench.core.terms import Derivative, Relation, Statement, Symbol, sides_of
+from workbench.core.types import Declaration
+from workbench.language.printing.printer import to_latex
+
+
+def with_acts(claims: Sequence[Claim]) -> list[Claim]:
+    """Returns the claims; a formula that others are given, and that constrains its symbols, postulates."""
+    given = {formula.statement for claim in claims for formula in claim.given}
+    moving = _moving_names(claims)
+    made = []
+    for claim in claims:
+        statement = claim.printed.statement
+        if statement is not None:
+            is_given = statement in given and constrains(statement, claim.notation.definitions)
+            act = (Act.POSTULATE, claim.act[1]) if is_given else claim.act
+            claim = replace(claim, moving=moving, act=act)
+        made.append(claim)
+    return made
+
+
+def _moving_names(claims: Sequence[Claim]) -> frozenset[Name]:
+    """Returns the symbols of which the formulas write rates."""
+    statements = (claim.printed.statement for claim in claims if claim.printed.statement is not None)
+    terms = (term for statement in statements for term in terms_of(statement))
+    rates = (part for term in terms if isinstance(term, Derivative) for part in term.walk())
+    return frozenset(part.declaration.name for part in rates if isinstance(part, Symbol))
+
+
+def with_formula_facts(claims: Sequence[Claim]) -> list[Claim]:
+    """Returns the claims, each with what earlier formulas say of its symbols, in the order of the text."""
+    said: dict[Declaration, list[_Saying]] = {}
+    made = []
+    for at, claim in enumerate(claims):
+        statement = claim.printed.statement
+        if statement is None:
+            made.append(claim)
+            continue
+        made.append(replace(claim, facts=(*claim.facts, *_about(claim, said))))
+        if (saying := _saying(claim, at)) is not None:
+            for declaration in saying.registered:
+                said.setdefault(declaration, []).append(saying)
+    return made
+
+
+class _Saying:
+    """What one formula says, its place among the others, and the symbols under which it is looked for."""
+
+    def __init__(self, claim: Claim, at: int, fact: Fact, registered: set[Declaration]) -> None:
+        self.claim, self.at, self.fact, self.registered = claim, at, fact, registered
+
+
+def _saying(claim: Claim, at: int) -> _Saying | None:
+    """Returns None for a formula that asserts something."""
+    act, own = claim.act
+    statement, definitions = claim.printed.statement, claim.notation.definitions
+    assert statement is not None
+    if act in (Act.ASSERT, Act.ASSIGN) or own is None:
+        return None
+    is_framed = own.declaration.name in claim.notation.framed
+    registered = free_in([own], definitions) if is_framed else {own.declaration}
+    registered |= conditioned(statement, definitions)
+    definition = definition_by(statement, own) if act is Act.DEFINE and not is_framed else None
+    about = names_of(registered | {own.declaration})
+    origin = Origin(Provider.FORMULA, to_latex(statement), claim.id)
+    fact = Fact(definition or statement, about, origin, Strength.STATED, act=act)
+    return _Saying(claim, at, fact, registered)
+
+
+def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
+    """Returns what is said of the symbols of the claim, and of those behind what is said."""
+    statement, notation = claim.printed.statement, claim.notation
+    assert statement is not None
+    found: dict[int, Fact] = {}
+    seen: set[Declaration] = set()
+    waiting = free_in(terms_of(statement), notation.definitions)
+    while waiting:
+        declaration = waiting.pop()
+        if declaration in seen:
+            continue
+        seen.add(declaration)
+        for saying in said.get(declaration, ()):
+            stated = saying.claim.printed.statement
+            if stated in claim.supposed or not _is_carried(stated, saying.claim.notation, notation):
+                continue
+            fact = saying.fact
+            if saying.claim.id in claim.chain and fact.act is not Act.DEFINE:
+                fact = replace(fact, content=None)
+            found[saying.at] = fact
+            if fact.act is Act.DEFINE:
+                waiting |= free_in(terms_of(stated), notation.definitions)
+    return [found[at] for at in sorted(found)]
+
+
+def with_laws(claims: Sequence[Claim]) -> list[Claim]:
+    """Returns the claims, each with the equations that hold rates of the same free symbols, or before it of
+    what such equations speak of, the last before it first: any of them may be a law of its motion."""
+    moving = [_moving(claim) for claim in claims]
+    spoken = [_spoken(claim) if own else set() for claim, own in zip(claims, moving, strict=True)]
+    made = []
+    for at, claim in enumerate(claims):
+        alike = {place for place, own in enumerate(moving) if place != at and not own.isdisjoint(moving[at])}
+        waiting = [place for place in alike if place < at]
+        while waiting:
+            of_it = spoken[waiting.pop()]
+            more = [p for p in range(at) if p not in alike and not moving[p].isdisjoint(of_it)]
+            alike, waiting = alike.union(more), [*waiting, *more]
+        near = [(p, claims[p]) for p in sorted(alike, key=lambda p: (p > at, -p))]
+        laws = tuple(
+            _law(each, p < at)
+            for p, each in near
+            if not _are_of_one_chain(each, claim)
+            and _is_carried(each.printed.statement, each.notation, claim.notation)
+        )
+        made.append(replace(claim, facts=(*claim.facts, *laws)))
+    return made
+
+
+def _are_of_one_chain(one: Claim, other: Claim) -> bool:
+    """Returns whether the claims are steps of one chain: a false step must not prove the next one."""
+    return one.id in other.chain or other.id in one.chain
+
+
+def _is_carried(said: Statement | None, there: Notation, here: Notation) -> bool:
+    """Returns whether what is said in one scope means as much in another."""
+    if said is None:
+        return False
+    if there is here:
+        return True
+    parts = (part for side in sides_of(said) for part in there.definitions.reached(side))
+    symbols = {part for part in parts if isinstance(part, Symbol)}
+    declared = here.symbols.symbols
+    names = {each.declaration.name for each in symbols}
+    return declared_anew(names, there, here) is None and all(
+        declared.get(each.declaration.name, each.declaration) == each.declaration
+        and there.definitions.about(each) == here.definitions.about(each)
+        for each in symbols
+    )
+
+
+def _law(claim: Claim, earlier: bool) -> Fact:
+    statement = claim.printed.statement
+    assert statement is not None
+    origin = Origin(Provider.LAW, claim.printed.latex, claim.id)
+    about = names_of(_spoken(claim)) or frozenset(names_in(statement))
+    return Fact(statement, about, origin, Strength.STATED, act=claim.act[0], earlier=earlier)
+
+
+def _spoken(claim: Claim) -> set[Declaration]:
+    assert claim.printed.statement is not None
+    return free_in(terms_of(claim.printed.statement), claim.notation.definitions)
+
+
+def _moving(claim: Claim) -> set[Declaration]:
+    """Returns the free symbols of which an equation takes rates, behind definitions too."""
+    definitions = claim.notation.definitions
+    statement = claim.printed.statement
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return set()
+    parts = (part for side in sides_of(statement) for part in definitions.reached(side))
+    free = free_in((part.body for part in parts if isinstance(part, Derivative)), definitions)
+    return {each for each in free if not (each.constant or each.free or each.clock)}

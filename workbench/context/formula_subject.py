@@ -1,0 +1,264 @@
+"""What a formula is about: its free symbols, the symbols of which it takes rates, and its speech act."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+
+from workbench.context.facts import Act
+from workbench.context.free_symbols import equations_of, free_in, terms_of
+from workbench.core.construct import symbol
+from workbench.core.names import Name
+from workbench.core.operations import PARTIALS
+from workbench.core.terms import (
+    Apply,
+    Block,
+    Derivative,
+    IllFormed,
+    Number,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    Zero,
+    column_of_symbols,
+    sides_of,
+)
+from workbench.core.types import SCALAR, Declaration, Type
+from workbench.engines.inventory.inventory import Inventory, NotExact, take_inventory
+from workbench.language.definitions import Definitions
+from workbench.language.naming.symbols import SymbolTable
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A statement with the definitions in force.
+
+    bound: the symbols that a motion gives.   framed: those that frames and points give.
+    moving: those of which the text writes rates.   letters: whether letters and accents say anything."""
+
+    statement: Statement
+    definitions: Definitions
+    symbols: SymbolTable
+    bound: frozenset[Name] = frozenset()
+    framed: frozenset[Name] = frozenset()
+    moving: frozenset[Name] = frozenset()
+    letters: bool = True
+
+    @cached_property
+    def free(self) -> list[Symbol]:
+        """The symbols that nothing defines and that are not declared free, behind definitions too."""
+        written = dict.fromkeys(term for term in terms_of(self.statement) if isinstance(term, Symbol))
+        table = self.symbols.symbols
+        names = {
+            each
+            for each in self.declarations
+            if not (each.free or each.clock) and (each in self.written or each.name in table)
+        }
+        shown = [
+            each
+            for each in written
+            if each.declaration in names and not each.arguments and not each.type.dual
+        ]
+        seen = {each.declaration for each in shown}
+        behind = (each for each in names - seen if not (each.indices or each.parameters or each.type.dual))
+        return [*shown, *(symbol(each) for each in sorted(behind, key=lambda each: str(each.name)))]
+
+    @cached_property
+    def written(self) -> set[Declaration]:
+        """The declarations of the symbols that are written in the statement."""
+        return {term.declaration for term in terms_of(self.statement) if isinstance(term, Symbol)}
+
+    @cached_property
+    def declarations(self) -> set[Declaration]:
+        """The declarations of all free symbols, behind definitions too."""
+        return free_in(terms_of(self.statement), self.definitions)
+
+    @cached_property
+    def moved(self) -> set[Declaration]:
+        """The free symbols of which the statement takes a rate."""
+        return free_in(self.rates, self.definitions)
+
+    @cached_property
+    def rates(self) -> list[Term]:
+        """What is differentiated by time in the statement or behind its definitions."""
+        parts = (part for side in sides_of(self.statement) for part in self.definitions.reached(side))
+        return list(dict.fromkeys(part.body for part in parts if isinstance(part, Derivative)))
+
+    @cached_property
+    def conditioned(self) -> set[Declaration]:
+        """The functions on which the statement is a condition."""
+        return conditioned(self.statement, self.definitions)
+
+    @cached_property
+    def orders(self) -> dict[Symbol, int]:
+        """For each symbol the highest order of its rates, with all definitions unfolded."""
+        with suppress(NotExact, IllFormed):
+            return dict(take_inventory(sides_of(self.statement), self.definitions).orders)
+        return dict(Inventory().orders)
+
+    @cached_property
+    def act(self) -> tuple[Act, Symbol | None]:
+        """What the author does, and to which symbol. Occurrences are counted on the unfolded statement."""
+        if not isinstance(self.statement, Relation):
+            return self._concluded
+        if self.statement.operator not in ("=", "≈"):
+            return Act.ASSERT, None
+        left, right = self.statement.left, self.statement.right
+        for one, other in ((left, right), (right, left)):
+            own, order = derived(one)
+            if own is None:
+                continue
+            if own.declaration.name in self.framed and not self._is_open_column(own):
+                bodies = [each.body for each in self.definitions if each.declaration.name in self.framed]
+                if free_in([other], self.definitions) - free_in(bodies, self.definitions):
+                    return Act.CONSTRAIN, own
+                continue
+            if not self._may_be_given(own):
+                continue
+            highest = self._orders_in(other).get(own)
+            if highest is None:
+                return (Act.POSTULATE if order else Act.DEFINE), own
+            if highest < order:
+                return Act.POSTULATE, own
+        return self._constrained
+
+    @property
+    def _concluded(self) -> tuple[Act, Symbol | None]:
+        """CONSTRAIN for a statement with a symbol that stands once, in an equation that it concludes."""
+        equations = [term for each in equations_of(self.statement) for term in terms_of(each)]
+        once = [each for each in self._single if each in equations]
+        return (Act.CONSTRAIN, once[0]) if once else (Act.ASSERT, None)
+
+    @property
+    def _single(self) -> list[Symbol]:
+        """The symbols that stand once in the statement and behind no other symbol of it."""
+        count: Counter[Symbol] = Counter()
+        behind: Counter[Declaration] = Counter()
+        for term in terms_of(self.statement):
+            if isinstance(term, Symbol):
+                count[term] += 1
+                with suppress(IllFormed):
+                    body = self.definitions.lookup(term)
+                    behind.update(free_in([body], self.definitions) if body is not None else ())
+        once = [
+            each
+            for each, number in count.items()
+            if number == 1 and not behind[each.declaration] and self._may_be_given(each)
+        ]
+        once = [each for each in once if not any(o is not each and each in o.declaration.of for o in count)]
+        return [each for each in once if not (self.rates and each.declaration.constant)]
+
+    @property
+    def _constrained(self) -> tuple[Act, Symbol | None]:
+        """CONSTRAIN for an equation with a symbol that stands once in it, or with no common free symbol of
+        its sides; ASSERT for any other."""
+        assert isinstance(self.statement, Relation)
+        if self.conditioned:
+            return Act.CONSTRAIN, symbol(min(self.conditioned, key=lambda each: str(each.name)))
+        once = self._single
+        left, right = (free_in([side], self.definitions) for side in sides_of(self.statement))
+        if not once and left and right and left.isdisjoint(right):
+            once = [each for each in self._symbols if self._may_be_given(each)]
+        if not once and self._is_example:
+            inside = [symbol(each) for each in sorted(left | right, key=lambda each: str(each.name))]
+            once = [each for each in inside if self._may_be_given(each)]
+        kind = self.statement.left.type
+        best = min(once, key=lambda each: each.type != kind, default=None)
+        return (Act.ASSERT, None) if best is None else (Act.CONSTRAIN, best)
+
+    @property
+    def _symbols(self) -> list[Symbol]:
+        return list(dict.fromkeys(term for term in terms_of(self.statement) if isinstance(term, Symbol)))
+
+    @property
+    def _is_example(self) -> bool:
+        """Whether one side is a matrix of numbers, or a number beside a symbol alone."""
+        left, right = sides_of(self.statement)
+        if _is_value(left) != _is_value(right):
+            return True
+        pairs = ((left, right), (right, left))
+        return any(isinstance(one, Symbol) and _is_number(other) for one, other in pairs)
+
+    def _may_be_given(self, own: Symbol) -> bool:
+        """Returns whether a formula may say what the symbol is."""
+        declared = own.declaration
+        if self._is_open_column(own):
+            return True
+        if declared.free or declared.clock or declared.name in self.bound or declared.name in self.framed:
+            return False
+        return declared in free_in([own], self.definitions) and not self.definitions.is_pi(declared)
+
+    def _is_open_column(self, own: Symbol) -> bool:
+        """Returns whether the symbol is a column of components that stand nowhere else."""
+        bodies = [each.body for each in self.definitions.about(own)]
+        parts = _components_of(bodies[0]) if len(bodies) == 1 and not own.index else ()
+        entries = {part.declaration for part in parts if not part.declaration.free}
+        if not entries:
+            return False
+        others = [term for term in terms_of(self.statement) if isinstance(term, Symbol) and term != own]
+        return entries <= self.declarations and entries.isdisjoint(free_in(others, self.definitions))
+
+    def _orders_in(self, term: Term) -> dict[Symbol, int]:
+        with suppress(NotExact, IllFormed):
+            return dict(take_inventory([term], self.definitions).orders)
+        parts = self.definitions.reached(term)
+        return {part: 0 for part in parts if isinstance(part, Symbol)}
+
+
+def derived(term: Term) -> tuple[Symbol | None, int]:
+    """Returns x and the order for x, ẋ, ẍ and the column (p, 1) of a point; else (None, 0)."""
+    if isinstance(term, Symbol):
+        return term, 0
+    if isinstance(term, Derivative) and isinstance(term.body, Symbol) and term.order.is_number:
+        return term.body, int(term.order)
+    if isinstance(term, Block) and term.type == Type(4, 1):
+        places = [each for each in term.children if not isinstance(each, Number | Zero)]
+        return derived(places[0]) if len(places) == 1 else (None, 0)
+    return None, 0
+
+
+def _components_of(body: Term) -> tuple[Symbol, ...]:
+    """Returns the symbols of a column of symbols, or of x i + y j + z k."""
+    addends = body.arguments if isinstance(body, Apply) and body.head == "add" else ()
+    factors = [part for each in addends for part in each.children]
+    along = tuple(part for part in factors if isinstance(part, Symbol) and part.type == SCALAR)
+    is_sum = len(set(along)) == len(addends) > 1 and body.type.is_column
+    return along if is_sum else column_of_symbols(body)
+
+
+def _is_value(term: Term) -> bool:
+    """Returns whether a matrix is made of numbers alone and is more than 0 and the unit."""
+    parts = [] if term.type.rows == 1 == term.type.columns else list(term.walk())
+    has_symbol = any(isinstance(part, Symbol) for part in parts)
+    return any(isinstance(part, Number) for part in parts) and not has_symbol
+
+
+def _is_number(term: Term) -> bool:
+    """Returns whether a term is made of numbers and is not 0."""
+    parts = list(term.walk())
+    has_number = any(isinstance(part, Number) and part.value != 0 for part in parts)
+    return has_number and not any(isinstance(part, Symbol) for part in parts)
+
+
+def conditioned(statement: Statement, definitions: Definitions) -> set[Declaration]:
+    """Returns the functions without a definition whose slopes are said to make a number, as e_n · e_m = 0
+    says of orthogonal coordinates."""
+    known = {definition.declaration.name for definition in definitions}
+    found: set[Declaration] = set()
+    for equation in equations_of(statement):
+        sides = (equation.left, equation.right)
+        if all(any(isinstance(part, Symbol) for part in side.walk()) for side in sides):
+            continue
+        parts = [part for side in sides for part in definitions.reached(side)]
+        if any(isinstance(part, Apply) and part.head in PARTIALS for part in parts):
+            symbols = (part.declaration for part in parts if isinstance(part, Symbol))
+            found |= {each for each in symbols if each.of and not each.free and each.name not in known}
+    return found
+
+
+def names_of(declarations: Sequence[Declaration] | set[Declaration]) -> frozenset[Name]:
+    return frozenset(each.name for each in declarations)

@@ -1,0 +1,59 @@
+"""What a property of the table means for symbols, as facts that engines can use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from workbench.context.facts import Supposition
+from workbench.core.construct import apply, number, relation, symbol
+from workbench.core.names import Name
+from workbench.core.properties import PROPERTIES, Property
+from workbench.core.terms import Relation, Symbol, Term
+
+
+def having(name: str, symbols: Iterable[Symbol]) -> Supposition:
+    """Returns what it means that the symbols have the property: each by itself, or all together.
+
+    A flag of a matrix that is no tensor means nothing to the engines, so that equations say it there."""
+    row, symbols = PROPERTIES[name], list(symbols)
+    if row.count > 1:
+        assert row.equations is not None
+        return Supposition((), tuple(row.equations(*symbols)))
+    return joined(_alone(row, each) for each in symbols)
+
+
+def _alone(row: Property, own: Symbol) -> Supposition:
+    if row.flag and own.type.kind != "matrix":
+        flag: dict[str, Any] = {row.flag: True}
+        flagged = symbol(replace(own.declaration, **flag), own.index)
+        return Supposition(((_key(own), flagged),))
+    if row.term:
+        return Supposition(((_key(own), row.term(own)),))
+    assert row.equations is not None
+    return Supposition((), tuple(row.equations(own)))
+
+
+def meaning(own: Symbol, term: Term) -> Supposition:
+    """Returns that the symbol is the term."""
+    return Supposition(((_key(own), term),))
+
+
+def of_length_one(symbols: Iterable[Symbol]) -> Supposition:
+    """Returns that the squares of the symbols make 1."""
+    squares = [apply("dot" if each.type.kind == "vector" else "mul", each, each) for each in symbols]
+    return Supposition((), (relation("=", apply("add", *squares), number(1)),))
+
+
+def joined(several: Iterable[Supposition]) -> Supposition:
+    terms: list[tuple[Name | Symbol, Term]] = []
+    equations: list[Relation] = []
+    for each in several:
+        terms += each.terms
+        equations += each.equations
+    return Supposition(tuple(terms), tuple(equations))
+
+
+def _key(own: Symbol) -> Name | Symbol:
+    return own if own.index else own.declaration.name

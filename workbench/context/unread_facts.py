@@ -1,0 +1,206 @@
+"""Facts from formulas that are not read, or that stand in a sentence: x = …"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from pathlib import Path
+
+from workbench.context.claims import Claim, Notation
+from workbench.context.facts import Duration, Fact, Origin, Provider
+from workbench.context.formula_acts import is_before_scope, is_by_definition
+from workbench.context.free_symbols import terms_of
+from workbench.context.read_formulas import read_statement
+from workbench.core.construct import apply, derivative, number, relation, zero
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.operations import CIRCULAR
+from workbench.core.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
+from workbench.core.types import Declaration
+from workbench.core.verdict import Strength
+from workbench.language.definitions import expand
+from workbench.source.documents import Display
+from workbench.source.documents.source_view import Source
+from workbench.source.documents.surrounding_words import Sections, headings
+
+_ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
+_DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
+#: The indices of a component of a vector, a matrix or a quaternion.
+COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
+_WHOLE = re.compile(r"[+-]?\d+")
+_RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
+_COSINES = (1, 0, -1, 0)
+
+
+@dataclass(frozen=True)
+class Unread:
+    """left = right, on a line of the text."""
+
+    left: str
+    right: str
+    line: int
+    file: Path | None = None
+    sentence: Source | None = None  # in which it stands
+
+    @cached_property
+    def latex(self) -> str:
+        return " ".join(f"{self.left}={self.right}".split())
+
+    @property
+    def shown(self) -> str:
+        return self.latex if len(self.latex) <= 60 else f"{self.latex[:59]}…"
+
+    def values(self, own: Symbol, terms: Sequence[Term]) -> list[Fact]:
+        """Returns that the symbol always has its value, if that is a whole number or a right angle; nothing
+        otherwise, or if the sines of an angle do not say what the terms are."""
+        top, is_turn = _top(own, terms), _is_turn(own, terms)
+        is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))
+        if top is None or own.type.kind != "scalar" or not is_value:
+            return []
+        right = re.sub(r"[\s{}]|\\[,;!]", "", self.right).rstrip(".,;")
+        if (quarters := _quarters(right)) is not None and is_turn:
+            premises = [relation("=", apply("cos", own), number(_COSINES[quarters % 4]))]
+            if "\\pm" not in right or quarters % 2 == 0:
+                premises.append(relation("=", apply("sin", own), number(_COSINES[(quarters - 1) % 4])))
+        elif _WHOLE.fullmatch(right):
+            premises = [relation("=", own, number(int(right)) if int(right) else zero())]
+        else:
+            return []
+        premises += [relation("=", derivative(own, order + 1), zero()) for order in range(top)]
+        about, origin = frozenset({own.declaration.name}), self.origin
+        return [Fact(each, about, origin, Strength.STATED, Duration.INSTANT) for each in premises]
+
+    @property
+    def origin(self) -> Origin:
+        return Origin(Provider.UNREAD, self.shown, f"line {self.line}")
+
+
+def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
+    """By what stands before an =: the formulas that are not read, or in a sentence."""
+    unread = [each for each in claims if each.printed.statement is None and not each.chain]
+    said = [(each.printed.latex, each.line, each.file, None) for each in unread]
+    said += [(each.latex, each.line, each.source.path, each.source) for each in inline]
+    found: dict[str, list[Unread]] = {}
+    for latex, line, file, source in said:
+        left, equals, right = latex.partition("=")
+        if equals:
+            name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
+            found.setdefault(name, []).append(Unread(left, right, line, file, source))
+    return found
+
+
+def unread_facts(claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
+    """Yields what formulas that are not read say of the free symbols of a claim: the value of a number or an
+    angle, or something that is not formalised."""
+    assert claim.printed.statement is not None
+    definitions = claim.notation.definitions
+    defined = {definition.declaration.name for definition in definitions}
+    written = {term.declaration for term in terms_of(claim.printed.statement) if isinstance(term, Symbol)}
+    free = [each for each in written if each.name not in defined and not each.free]
+    for declaration in sorted(free, key=lambda each: str(each.name)):
+        if not definitions.is_pi(declaration):
+            yield from _facts_about(declaration, claim, said)
+
+
+def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
+    notation = claim.notation
+    for unread in _said_of(declaration, notation, said):
+        is_before = is_before_scope([declaration.name], unread.file, unread.line, notation)
+        if is_before or _is_by_definition(unread, notation):
+            continue
+        terms = _expanded(claim)
+        own = _own(declaration, terms)
+        values = unread.values(own, terms) if own else []
+        if not values:
+            yield Fact(None, frozenset({declaration.name}), unread.origin, Strength.STATED)
+        elif not _is_elsewhere(unread, claim):
+            yield from values
+
+
+def _is_elsewhere(value: Unread, claim: Claim) -> bool:
+    """Whether a sentence gives a symbol its value in a section in which the claim does not stand."""
+    if value.sentence is None or value.file != claim.file:
+        return False
+    return not _sections_by_line(value.sentence).holds(value.line, claim.line)
+
+
+@lru_cache(maxsize=8)
+def _sections_by_line(source: Source) -> Sections:
+    return Sections.of([(source.place(start)[0], level) for start, level in headings(source.prose)])
+
+
+def _said_of(
+    declaration: Declaration, notation: Notation, said: Mapping[str, list[Unread]]
+) -> Iterator[Unread]:
+    """What is said of the symbol, or of a component of it that is no symbol of its own."""
+    name = _flat(str(declaration.name))
+    yield from said.get(name, ())
+    if declaration.type.kind == "scalar":
+        return
+    declared = {_flat(str(each)) for each in notation.symbols.symbols}
+    for other, unread in said.items():
+        _, _, index = other.partition(f"{name}_")
+        if other == f"{name}_{index}" and COMPONENT.fullmatch(index) and other not in declared and index:
+            yield from unread
+
+
+def _is_by_definition(unread: Unread, notation: Notation) -> bool:
+    """Whether its sides are the same by what is defined, so that it says nothing."""
+    with suppress(ReadError, IllFormedAt, ValueError):
+        return is_by_definition(read_statement(unread.latex, notation, None)[0], notation.definitions)
+    return False
+
+
+def _quarters(right: str) -> int | None:
+    """How many right angles it is, where it is some."""
+    if right in ("0", "-0"):
+        return 0
+    match = _RIGHT_ANGLE.fullmatch(right)
+    degrees = int(match[2] or (180 if match[3] else 90)) if match else 1
+    return None if degrees % 90 else degrees // 90 * (-1 if match[1] == "-" else 1)
+
+
+def _flat(name: str) -> str:
+    """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
+    return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)", "", _DOTS.sub("", name))
+
+
+def _expanded(claim: Claim) -> list[Term]:
+    sides = list(sides_of(claim.printed.statement))
+    sides += [side for supposed in claim.supposed for side in sides_of(supposed)]
+    with suppress(IllFormed):
+        return [expand(side, claim.notation.definitions) for side in sides]
+    return []
+
+
+def _parts(terms: Sequence[Term]) -> Iterator[Term]:
+    for term in terms:
+        yield from term.walk()
+
+
+def _own(declaration: Declaration, terms: Sequence[Term]) -> Symbol | None:
+    """The symbol in the terms; None where it is a family, or seen at several instants, or not at all."""
+    parts = [part for part in _parts(terms) if isinstance(part, Symbol)]
+    own = {part for part in parts if part.declaration == declaration}
+    is_one = len(own) == 1 and not any(part.index or part.arguments for part in own)
+    return own.pop() if is_one and not any(part.declaration.clock for part in parts) else None
+
+
+def _top(own: Symbol, terms: Sequence[Term]) -> int | None:
+    """The order of the highest derivative of the symbol that can be in the terms."""
+    rates = [part for part in _parts(terms) if isinstance(part, Derivative)]
+    orders = {rate.order for rate in rates if own in rate.body.walk()}
+    return sum(each.constant for each in orders) if all(each.is_number for each in orders) else None
+
+
+def _is_turn(own: Symbol, terms: Sequence[Term]) -> bool:
+    """Whether only sines and the like are taken of it, and its rates."""
+
+    def is_turn(term: Term) -> bool:
+        if isinstance(term, Derivative) or (isinstance(term, Apply) and term.head in CIRCULAR):
+            return term.children == (own,) or all(map(is_turn, term.children))
+        return term != own and all(map(is_turn, term.children))
+
+    return all(map(is_turn, terms))

@@ -1,0 +1,148 @@
+"""The name of a symbol: a letter in its styles, and scripts in which some places are indices."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from workbench.core.integer_expressions import Linear
+
+#: A script: the texts around its index places, ("", ",", "") for two indices and ("rel",) for none; () is no
+#: script.
+Script = tuple[str, ...]
+
+#: The fields that are scripts, in the order in which their indices count.
+SCRIPTS = ("left_sub", "left_sup", "sub", "sup")
+
+#: Letters that make another symbol of the one behind them, if that is declared: \Delta t.
+PREFIXES = ("\\Delta", "\\delta")
+
+#: What begins a prefix that is written with a subscript: \\nabla_{x,y} f, a symbol where it is declared.
+NABLA = "\\nabla"
+
+_OUTERMOST_FIRST = (
+    *PREFIXES,
+    "\\underline",
+    "\\overline",
+    "\\bar",
+    "\\vec",
+    "\\hat",
+    "\\check",
+    "\\breve",
+    "\\mathring",
+    "\\tilde",
+)
+
+#: Marks over a letter, which may stand over two that are one name: \\vec{AB}.
+ACCENTS = frozenset(_OUTERMOST_FIRST).difference(PREFIXES)
+
+
+def is_prefix(style: str) -> bool:
+    """Whether it makes another symbol of the one behind it: \\Delta, or \\nabla with a subscript."""
+    return style in PREFIXES or style.startswith(f"{NABLA}_")
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Name:
+    """What tells a symbol from all others.
+
+    letter: LaTeX, without its fonts and accents.   styles: these, outermost first (`Name.styled` sorts them).
+    parameters: how many arguments it takes: f(x) is another symbol than f.
+    of: of a symbol that stands for what is made of terms, these terms, so that the same are the same symbol.
+    """
+
+    letter: str
+    styles: tuple[str, ...] = ()
+    primes: int = 0
+    left_sub: Script = ()
+    left_sup: Script = ()
+    sub: Script = ()
+    sup: Script = ()
+    parameters: int = 0
+    of: tuple[Any, ...] = ()
+
+    @staticmethod
+    def styled(styles: Iterable[str], letter: str) -> Name:
+        """\\underline outermost, the font next to the letter, whatever the order in the source."""
+        order = {style: place for place, style in enumerate(_OUTERMOST_FIRST)}
+        innermost_first = sorted(
+            dict.fromkeys(styles),
+            key=lambda s: -1 if is_prefix(s) else order.get(s, len(order)),
+            reverse=True,
+        )
+        return Name(letter, tuple(reversed(innermost_first)))
+
+    @property
+    def base(self) -> str:
+        """The letter in its styles, as LaTeX."""
+        return f"{''.join(f'{style}{{' for style in self.styles)}{self.letter}{'}' * len(self.styles)}"
+
+    @property
+    def scripts(self) -> tuple[Script, ...]:
+        return tuple(getattr(self, field) for field in SCRIPTS)
+
+    @property
+    def indices(self) -> int:
+        return sum(len(script) - 1 for script in self.scripts if script)
+
+    def latex(self, index: Sequence[object], accents: Sequence[str] = ()) -> str:
+        """The name with its indices put in, and accents, the outermost first, over its letter alone."""
+        places = iter(index)
+        left_sub, left_sup, sub, sup = (
+            "" if not script else sign + "{" + "".join(_filled(script, places)) + "}"
+            for sign, script in zip("_^_^", self.scripts, strict=True)
+        )
+        letter = self.base + "'" * self.primes
+        for accent in reversed(accents):
+            letter = f"{accent}{{{letter}}}"
+        left = "{}" if left_sub or left_sup else ""
+        return f"{left}{left_sub}{left_sup}{letter}{sub}{sup}"
+
+    def at(self, index: Sequence[Linear]) -> Name:
+        """The name whose scripts have these integers in the places of the indices."""
+        places = iter(index)
+        given = zip(SCRIPTS, self.scripts, strict=True)
+        filled: dict[str, Any] = {field: ("".join(_filled(s, places)),) for field, s in given if s}
+        return replace(self, **filled)
+
+    def index_of(self, other: Name) -> tuple[Linear, ...] | None:
+        """The numbers at which the other is a member of this family: 1 for Φ_1 in Φ_n; None if it is none."""
+        if not self.indices or self.without_scripts() != other.without_scripts():
+            return None
+        found: list[str] = []
+        for own, its in zip(self.scripts, other.scripts, strict=True):
+            match = (
+                re.fullmatch("(0|[1-9][0-9]*)".join(map(re.escape, own)), its[0])
+                if own and len(its) == 1
+                else None
+            )
+            if match is None and (own or its):
+                return None
+            found += match.groups() if match is not None else ()
+        return tuple(Linear(int(number)) for number in found)
+
+    def without_scripts(self) -> Name:
+        bare: dict[str, Any] = dict.fromkeys(SCRIPTS, ())
+        return replace(self, **bare)
+
+    def without_arguments(self) -> Name:
+        return replace(self, parameters=0)
+
+    def shown(self, index: Sequence[object]) -> str:
+        """The same, of a function with a mark for each of its arguments."""
+        arguments = ",".join(["\\cdot"] * self.parameters)
+        return self.latex(index) + (f"({arguments})" if arguments else "")
+
+    def __str__(self) -> str:
+        return self.shown("n" * self.indices)
+
+    def __repr__(self) -> str:
+        return repr(str(self)) if not self.of else repr((str(self), self.of))
+
+
+def _filled(script: Script, places: Any) -> Iterable[str]:
+    yield script[0]
+    for text in script[1:]:
+        yield f"{next(places)}{text}"

@@ -1,0 +1,103 @@
+"""The properties of symbols: which kinds can have them, the flag of a declaration, and what they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from workbench.core.construct import apply, derivative, identity, number, relation, zero
+from workbench.core.terms import Conjunction, Relation, Statement, Symbol, Term
+
+_SQUARE = frozenset({"tensor", "matrix"})
+_ANY = frozenset({"scalar", "vector", "tensor", "matrix", "quaternion"})
+
+
+@dataclass(frozen=True)
+class Property:
+    """One property.
+
+    kinds: of the symbols that can have it.   flag: that of a declaration; the engines and the certificates
+    parametrise symbols by it.   term: what a symbol with the property is.   equations: what holds of the
+    symbols; None for a condition that no equation says.   count: of how many symbols it speaks together."""
+
+    name: str
+    kinds: frozenset[str]
+    flag: str | None = None
+    term: Callable[[Term], Term] | None = None
+    equations: Callable[..., Sequence[Relation]] | None = None
+    count: int = 1
+
+    def fits(self, symbol: Symbol) -> bool:
+        """Returns whether the symbol can have the property."""
+        is_square = self.kinds != _SQUARE or symbol.type.is_square
+        return symbol.type.kind in self.kinds and is_square and not symbol.type.dual
+
+    def statement_of(self, term: Term) -> Statement:
+        """Returns the statement that the term has the property. Raises ValueError if no equation says it."""
+        if self.equations is None:
+            raise ValueError(f"no equation says what {self.name} means")
+        said = tuple(self.equations(term))
+        return said[0] if len(said) == 1 else Conjunction(said)
+
+
+def _same(left: Term, right: Term) -> Relation:
+    return relation("=", left, right)
+
+
+def _transposed(x: Term) -> Term:
+    return apply("transpose", x)
+
+
+def _orthogonal(x: Term) -> list[Relation]:
+    return [_same(apply("mul", _transposed(x), x), identity(x.type))]
+
+
+def _rotation(x: Term) -> list[Relation]:
+    return [*_orthogonal(x), _same(apply("det", x), number(1))]
+
+
+PROPERTIES: Mapping[str, Property] = {
+    each.name: each
+    for each in (
+        Property(
+            "unit",
+            frozenset({"vector", "quaternion"}),
+            flag="unit",
+            equations=lambda x: [_same(apply("norm", x), number(1))],
+        ),
+        Property("rotation", _SQUARE, flag="rotation", equations=_rotation),
+        Property("orthogonal", _SQUARE, equations=_orthogonal),
+        Property("symmetric", _SQUARE, flag="symmetric", equations=lambda x: [_same(_transposed(x), x)]),
+        Property("skew", _SQUARE, equations=lambda x: [_same(_transposed(x), apply("neg", x))]),
+        Property(
+            "constant",
+            _ANY,
+            flag="constant",
+            equations=lambda x: [_same(derivative(x, 1), zero(x.type))],
+        ),
+        Property("positive", frozenset({"scalar"}), flag="positive"),
+        Property("small", frozenset({"scalar", "vector"}), flag="small"),
+        Property("zero", _ANY, term=lambda x: zero(x.type), equations=lambda x: [_same(x, zero(x.type))]),
+        Property(
+            "identity",
+            _SQUARE,
+            term=lambda x: identity(x.type),
+            equations=lambda x: [_same(x, identity(x.type))],
+        ),
+        Property(
+            "perpendicular",
+            frozenset({"vector"}),
+            equations=lambda a, b: [_same(apply("dot", a, b), zero())],
+            count=2,
+        ),
+        Property(
+            "parallel",
+            frozenset({"vector"}),
+            equations=lambda a, b: [_same(apply("cross", a, b), zero(a.type))],
+            count=2,
+        ),
+    )
+}
+
+#: The flags of a declaration that an equation says, and that a definition of the symbol must keep.
+FLAGS = tuple(each.flag for each in PROPERTIES.values() if each.flag and each.equations)

@@ -1,0 +1,139 @@
+"""What a symbol or a term is: its type, its weight, and the declaration that a paper file gives for it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+
+Kind = Literal["scalar", "vector", "covector", "tensor", "matrix", "operator", "quaternion"]
+
+_KINDS: dict[tuple[int, int], Kind] = {
+    (1, 1): "scalar",
+    (3, 1): "vector",
+    (1, 3): "covector",
+    (3, 3): "tensor",
+}
+_SIZE = re.compile(r"matrix ([1-9][0-9]?)[×x]([1-9][0-9]?)")
+
+#: The power of 1/time that a quantity carries; None: exempt from the weight check.
+Weight = Linear | None
+
+
+@dataclass(frozen=True, slots=True)
+class Type:
+    """Rows and columns of scalars, real or dual. An operator has 3×3 coefficients; a quaternion is a column
+    of four with a product of its own."""
+
+    rows: int
+    columns: int
+    dual: bool = False
+    algebra: Literal["", "operator", "quaternion"] = ""
+
+    @property
+    def kind(self) -> Kind:
+        return self.algebra or _KINDS.get((self.rows, self.columns), "matrix")
+
+    @property
+    def is_column(self) -> bool:
+        """Whether it is a vector of any length; a scalar is none."""
+        return not self.algebra and self.columns == 1 and self.rows > 1
+
+    @property
+    def is_square(self) -> bool:
+        """Whether it is a scalar, a tensor or a larger square matrix."""
+        return not self.algebra and self.rows == self.columns
+
+    def __str__(self) -> str:
+        name = f"matrix {self.rows}×{self.columns}" if self.kind == "matrix" else self.kind
+        return f"dual {name}" if self.dual else name
+
+    def with_dual(self, dual: bool) -> Type:
+        return self if dual == self.dual else replace(self, dual=dual)
+
+
+SCALAR = Type(1, 1)
+VECTOR = Type(3, 1)
+TENSOR = Type(3, 3)
+OPERATOR = Type(3, 3, algebra="operator")
+QUATERNION = Type(4, 1, algebra="quaternion")
+
+#: What a paper file may call a symbol's kind, beside a matrix n×m. Hamilton's quaternions have i j = k and
+#: the scalar part first.
+KINDS = {
+    "scalar": SCALAR,
+    "vector": VECTOR,
+    "tensor": TENSOR,
+    "rotation": TENSOR,
+    "transform": Type(4, 4),
+    "hamilton quaternion": QUATERNION,
+    "operator": OPERATOR,
+}
+
+
+def type_of_kind(kind: str) -> Type | None:
+    """The type of what a paper file calls so, perhaps with 'dual '; None where there is no such kind."""
+    plain = kind.removeprefix("dual ")
+    size = _SIZE.fullmatch(plain)
+    found = Type(int(size[1]), int(size[2])) if size else KINDS.get(plain)
+    return found and found.with_dual(plain != kind)
+
+
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """What a paper file says of a symbol.
+
+    name: unique in a paper.
+    type, weight: of one member; the weight of a family is linear in its indices, called `@0`, `@1`, … there.
+    constant: its time derivative is 0.   unit: a vector or quaternion with x·x = 1 (dual: |x| = 1).
+    rotation: a tensor with R Rᵀ = I and det R = 1.
+    transform: a 4×4 matrix [R p; 0 1] with a rotation R.
+    symmetric, diagonal: a square matrix that is so.
+    coordinate: the place of a field; div and curl differentiate by it.
+    uniform: the same at every place, so that div and curl take it for a constant.
+    of: the symbols that it is a function of; nothing but them (and t, where it is among them) moves it.
+    independent: others are functions `of` it and it is none itself, so that ∂/∂q keeps it fixed.
+    positive: a number more than 0 at all times, so that it has a root (`definitions.squared_root`).
+    small: so small that what is said with ≈ holds to first order in it and its rates.
+    free: it may be anything, whatever a text seems to say of it.
+    tilded: the same letter with a tilde is a symbol of its own, so its skew tensor is not written so.
+    clock: the time t, whose derivative is 1.
+    parameters: how many arguments a function symbol such as Φ_k(ω) takes.
+    apart: the indices at which a family has no member, since another symbol is declared that is printed so.
+    introduced: only definitions introduce it, so that a member which none of them reaches is nothing.
+    hidden: no formula has it, but what frames and points are is made of it: it moves in any way.
+    """
+
+    name: Name
+    type: Type
+    weight: Weight = None
+    constant: bool = False
+    unit: bool = False
+    rotation: bool = False
+    transform: bool = False
+    symmetric: bool = False
+    diagonal: bool = False
+    coordinate: bool = False
+    uniform: bool = False
+    of: tuple[Any, ...] = ()
+    independent: bool = False
+    small: bool = False
+    positive: bool = False
+    free: bool = False
+    tilded: bool = False
+    clock: bool = False
+    indices: int = 0
+    apart: tuple[Any, ...] = ()
+    parameters: int = 0
+    introduced: bool = False
+    hidden: bool = False
+
+
+#: The number π, of which a quarter turn is known.
+PI = Declaration(Name("\\pi"), SCALAR, None, constant=True)
+
+#: The time t.
+CLOCK = Declaration(Name("t"), SCALAR, None, independent=True, clock=True)

@@ -1,0 +1,47 @@
+"""What a statement is about, before any arithmetic: the one thing that the two engines share."""
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+
+from workbench.core.terms import Symbol, Term
+from workbench.language.definitions import Lookup
+
+__all__ = ["Lookup", "NotExact", "With", "Without", "reached"]
+
+
+@dataclass(frozen=True)
+class With:
+    """The definitions, and more of them."""
+
+    definitions: Lookup
+    more: Mapping[Symbol, Term]
+
+    def lookup(self, symbol: Symbol) -> Term | None:
+        return self.more.get(symbol) or self.definitions.lookup(symbol)
+
+
+@dataclass(frozen=True)
+class Without:
+    """The definitions but those of some symbols, which are free."""
+
+    definitions: Lookup
+    free: Collection[Symbol]
+
+    def lookup(self, symbol: Symbol) -> Term | None:
+        return None if symbol in self.free else self.definitions.lookup(symbol)
+
+
+def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
+    """The parts of the term, and of all definitions in it, each of which is looked into once."""
+    waiting, seen = [term], {term}
+    while waiting:
+        for part in waiting.pop().walk():
+            yield part
+            body = definitions.lookup(part) if isinstance(part, Symbol) else None
+            if body is not None and body not in seen:
+                seen.add(body)
+                waiting.append(body)
+
+
+class NotExact(ValueError):
+    """The term is well-formed but outside the exact world; the message says which part and why."""

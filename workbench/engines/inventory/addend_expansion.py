@@ -1,0 +1,97 @@
+"""Equations addend by addend: what is linear is brought into sums to n, and derivatives too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Set
+
+from workbench.core.construct import apply, big_sum, derivative, rebuild, relation, zero
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import free_integers, instantiate
+from workbench.core.operations import COMPONENTWISE, PRODUCTS
+from workbench.core.terms import Apply, BigSum, Derivative, Relation, Term, Zero
+
+
+def has_sums(term: Term) -> bool:
+    return any(isinstance(part, BigSum) for part in term.walk())
+
+
+def addend_by_addend(equation: Relation) -> list[Relation] | None:
+    """Equations of single addends from which the equation follows for every n: sums over one range are put
+    together, and so is what stands outside of sums. None where a sum stands in no such way."""
+    parts: dict[tuple[Linear, Linear] | None, Term] = {}
+    variables: dict[tuple[Linear, Linear], str] = {}
+    for negative, addend in addends(spread(apply("add", equation.left, apply("neg", equation.right)))):
+        bounds = None
+        if isinstance(addend, BigSum):
+            if addend.lower is None:
+                return None
+            bounds, (own,) = (addend.lower, addend.upper), addend.variables
+            addend = instantiate(addend.body, {own: Linear.variable(variables.setdefault(bounds, own))})
+        elif has_sums(addend):
+            return None
+        addend = apply("neg", addend) if negative else addend
+        parts[bounds] = apply("add", parts[bounds], addend) if bounds in parts else addend
+    found: list[Relation] = []
+    for total in parts.values():
+        said = relation("=", total, zero(total.type))
+        inner = addend_by_addend(said) if has_sums(total) else [said]
+        if inner is None:
+            return None
+        found += inner
+    return found
+
+
+def addends(term: Term, negative: bool = False) -> Iterator[tuple[bool, Term]]:
+    if isinstance(term, Apply) and term.head == "add":
+        for argument in term.arguments:
+            yield from addends(argument, negative)
+    elif isinstance(term, Apply) and term.head == "neg":
+        yield from addends(term.arguments[0], not negative)
+    else:
+        yield negative, term
+
+
+def spread(term: Term) -> Term:
+    """The term with its sums outermost: what is linear is brought to their addends."""
+    if not has_sums(term):
+        return term
+    children = tuple(spread(child) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    term = term if unchanged else rebuild(term, children)
+    if isinstance(term, BigSum):
+        return term
+    if isinstance(term, Derivative):
+        return _over(term.body, lambda part: _derived(part, term.order), frozenset(term.order.variables))
+    if isinstance(term, Apply) and len(term.arguments) == 1 and term.head in COMPONENTWISE - {"neg"}:
+        return _over(term.arguments[0], lambda part: apply(term.head, part))
+    if isinstance(term, Apply) and term.head in PRODUCTS:
+        left, right = term.arguments
+        if has_sums(left) and not has_sums(right):
+            return _over(left, lambda part: apply(term.head, part, right), free_integers(right))
+        if has_sums(right) and not has_sums(left):
+            return _over(right, lambda part: apply(term.head, left, part), free_integers(left))
+    return term
+
+
+def _over(term: Term, linear: Callable[[Term], Term], speaks_of: Set[str] = frozenset()) -> Term:
+    """linear(term), brought to the addends, and in sums to theirs, unless these bind what it speaks of."""
+    total: Term | None = None
+    for negative, addend in addends(term):
+        if isinstance(addend, BigSum) and speaks_of.isdisjoint(addend.variables):
+            body = addend.body
+            body = _over(body, linear, speaks_of) if has_sums(body) else linear(body)
+            new: Term = big_sum(addend.variables, addend.lower, addend.upper, body)
+        else:
+            new = linear(addend)
+        new = apply("neg", new) if negative else new
+        total = new if total is None else apply("add", total, new)
+    assert total is not None
+    return total
+
+
+def _derived(term: Term, order: Linear) -> Term:
+    if isinstance(term, Zero):
+        return term
+    if isinstance(term, Derivative):
+        return derivative(term.body, term.order + order)
+    return derivative(term, order)

@@ -1,0 +1,176 @@
+"""What sines and cosines are taken of: rational combinations of angles.
+
+An angle is a free scalar, or a product of such, a norm, a quotient … such as ω t or ‖x‖, known by its value.
+Where θ/2 stands under a sine, θ is 2 h with a free angle h; of ω t the half has the circle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from math import lcm
+from typing import TypeGuard
+
+from workbench.core.construct import apply, number, symbol
+from workbench.core.names import Name
+from workbench.core.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
+from workbench.engines.inventory import Lookup, NotExact, With
+from workbench.engines.inventory.rodrigues import angle_and_axis, turned_vector, turning_and_moving
+from workbench.language.definitions import number_behind
+from workbench.language.printing.printer import to_latex
+
+#: A sum of products of scalars: the sorted factors of each → its coefficient.
+Sum = dict[tuple[Term, ...], Fraction]
+
+_ROUND = frozenset({"sin", "cos", "exp"})
+NO_ANGLE = "the sine or cosine of anything but a rational combination of angles"
+NESTED = "a sine or cosine of what holds another one"
+
+
+def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
+    """The definitions under which every free angle in the terms is a whole multiple of a free one."""
+    denominators: dict[Symbol, int] = {}
+    for argument in round_terms(terms, definitions, set()):
+        for angle, part in _parts(argument, definitions):
+            if is_free_angle(angle) and part.denominator > 1:
+                denominators[angle] = lcm(denominators.get(angle, 1), part.denominator)
+    multiples = {a: _multiple(a, size) for a, size in denominators.items()}
+    return With(definitions, multiples) if multiples else definitions
+
+
+def is_free_angle(angle: Term) -> TypeGuard[Symbol]:
+    """Whether it is a symbol other than the time: the rate of t/2 is known, as that of ω t is, and no other
+    symbol has it."""
+    return isinstance(angle, Symbol) and not angle.declaration.clock
+
+
+def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
+    """The angle as a rational combination of free scalars and of other terms, each a product, a norm, ….
+    Raises NotExact where a number stands in it, or a sine: the engines have no circle of what has one."""
+    parts: dict[Term, Fraction] = {}
+    for factors, coefficient in sum_of_products(angle, definitions).items():
+        if not factors:
+            raise NotExact(NO_ANGLE)
+        if len(factors) > 1 and len(set(factors)) == 1 and not _is_positive(factors):
+            raise NotExact("a sine or cosine of the power of an angle, which may be meant for its power")
+        if not any(isinstance(factor, DualUnit) for factor in factors):
+            term = factors[0]
+            for factor in factors[1:]:
+                term = apply("mul", term, factor)
+            parts[term] = coefficient
+    if next(round_terms(parts, definitions, set()), None) is not None:
+        raise NotExact(NESTED)
+    return parts
+
+
+def _is_positive(factors: tuple[Term, ...]) -> bool:
+    """Whether they are the r r of a positive angle."""
+    return len(factors) == 2 and isinstance(factors[0], Symbol) and number_behind(factors[0]) != factors[0]
+
+
+def angles_of(term: Apply, definitions: Lookup) -> dict[Term, Fraction]:
+    """The angles of a sine, a cosine or an exponential; none where it is that of a dual number alone."""
+    (argument,) = term.arguments
+    if term.head != "exp":
+        return angle_parts(argument, definitions)
+    if (parts := turning_and_moving(argument, definitions)) is not None:
+        argument = parts[0]
+    turn = angle_and_axis(argument, definitions)
+    if turn is not None:
+        return angle_parts(turn[0], definitions)
+    vector = turned_vector(argument, definitions)
+    return {} if vector is None else angle_parts(apply("norm", vector), definitions)
+
+
+def _parts(argument: Apply, definitions: Lookup) -> Iterable[tuple[Term, Fraction]]:
+    try:
+        return angles_of(argument, definitions).items()
+    except NotExact:
+        return ()  # the inventory says so
+
+
+def round_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> Iterator[Apply]:
+    """The sines, cosines and exponentials, in definitions too."""
+    for term in terms:
+        if term in seen:
+            continue
+        seen.add(term)
+        if isinstance(term, Apply) and term.head in _ROUND:
+            yield term
+        body = definitions.lookup(term) if isinstance(term, Symbol) else None
+        yield from round_terms(term.children if body is None else (body, *term.children), definitions, seen)
+
+
+def sum_of_products(term: Term, definitions: Lookup) -> Sum:
+    """The scalar multiplied out."""
+    match term:
+        case Zero():
+            return {}
+        case Number(value=value):
+            return {(): value}
+        case Symbol() if (body := definitions.lookup(term)) is not None:
+            return sum_of_products(body, definitions)
+        case Apply(head="re", arguments=(inner,)):
+            return sum_of_products(inner, definitions)
+        case Apply(head="neg", arguments=(inner,)):
+            return {factors: -c for factors, c in sum_of_products(inner, definitions).items()}
+        case Apply(head="add", arguments=addends):
+            total: Sum = {}
+            for addend in addends:
+                for factors, c in sum_of_products(addend, definitions).items():
+                    total[factors] = total.get(factors, Fraction(0)) + c
+            return total
+        case Apply(head="mul", arguments=(left, right)):
+            return _product(sum_of_products(left, definitions), sum_of_products(right, definitions))
+        case Apply(head="div", arguments=(top, bottom)):
+            return _product(sum_of_products(top, definitions), _reciprocal(bottom, definitions))
+        case Power(base=base, exponent=exponent) if base.type.kind == "scalar" and exponent.is_number:
+            total = {(): Fraction(1)}
+            for _ in range(int(exponent)):
+                total = _product(total, sum_of_products(base, definitions))
+            return total
+        case Apply(head="norm", arguments=(inner,)):
+            size, rest = _scaled(inner, definitions)
+            return {(apply("norm", rest),): abs(size)}
+    return {(term,): Fraction(1)}
+
+
+def _product(left: Sum, right: Sum) -> Sum:
+    total: Sum = {}
+    for a, x in left.items():
+        for b, y in right.items():
+            factors = tuple(sorted((*a, *b), key=to_latex))
+            total[factors] = total.get(factors, Fraction(0)) + x * y
+    return total
+
+
+def _reciprocal(term: Term, definitions: Lookup) -> Sum:
+    below = sum_of_products(term, definitions)
+    if len(below) == 1 and () in below and below[()]:
+        return {(): 1 / below[()]}
+    return {(apply("div", number(1), term),): Fraction(1)}
+
+
+def _scaled(term: Term, definitions: Lookup) -> tuple[Fraction, Term]:
+    """A number and the rest of a vector or scalar of which a norm is taken."""
+    match term:
+        case Symbol() if (body := definitions.lookup(term)) is not None:
+            size, rest = _scaled(body, definitions)
+            return (size, rest) if size != 1 else (size, term)
+        case Apply(head="neg", arguments=(inner,)):
+            size, rest = _scaled(inner, definitions)
+            return -size, rest
+        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))):
+            size, rest = _scaled(inner, definitions)
+            return value * size, rest
+        case Apply(head="div", arguments=(inner, Number(value=value))):
+            size, rest = _scaled(inner, definitions)
+            return size / value, rest
+    return Fraction(1), term
+
+
+def _multiple(angle: Symbol, size: int) -> Term:
+    name = Name(rf"\frac{{{to_latex(angle)}}}{{{size}}}", of=(angle, size))
+    part = symbol(replace(angle.declaration, name=name, indices=0, weight=angle.weight, parameters=0))
+    return apply("mul", number(size), part)

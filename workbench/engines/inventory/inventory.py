@@ -1,0 +1,201 @@
+"""What a statement is made of, found before any arithmetic: its free symbols, how often differentiated.
+
+Both engines allocate their indeterminates from this list, and a check that would test nothing shows here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import lcm
+
+from workbench.core.construct import apply, derivative, number
+from workbench.core.operations import GRADIENTS, PARTIALS
+from workbench.core.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator, heads_in
+from workbench.engines.inventory import Lookup, NotExact, reached
+from workbench.engines.inventory.angle_combinations import angles_of, is_free_angle
+from workbench.engines.inventory.partial_derivatives import require_known_dependence, seeds
+from workbench.language.printing.printer import to_latex
+
+
+@dataclass
+class Inventory:
+    """orders: free symbol → highest time derivative that occurs.   angles: free ones under sin, cos or exp.
+    circles: other terms there, such as ω t or ‖x‖ → the part of it that has a sine and cosine of its own.
+    reciprocals, norms: how many divisions (or inverses) and norms there are, counted with the definitions.
+    has_roots: whether there is a norm or a root besides the angle ‖x‖ of exp x̃, which is smooth at x = 0."""
+
+    orders: dict[Symbol, int] = field(default_factory=dict)
+    angles: dict[Symbol, None] = field(default_factory=dict)
+    circles: dict[Term, Term] = field(default_factory=dict)
+    reciprocals: int = 0
+    norms: int = 0
+    has_roots: bool = False
+
+
+def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
+    """The inventory of all terms together. Raises NotExact where an integer variable is still unbound."""
+    survey = _Survey(definitions)
+    for term in terms:
+        for symbol, order in survey.orders(term).items():
+            known = survey.inventory.orders.get(symbol, 0)
+            survey.inventory.orders[symbol] = max(known, order)
+    survey.add_coordinates()
+    survey.add_roots_of_factors()
+    return survey.inventory
+
+
+def has_gradient(terms: Iterable[Term]) -> bool:
+    """Whether a div, curl or partial derivative stands in the terms, as they are written."""
+    heads = GRADIENTS | PARTIALS
+    return not all(heads.isdisjoint(heads_in(term)) for term in terms)
+
+
+class _Survey:
+    def __init__(self, definitions: Lookup) -> None:
+        self.definitions = definitions
+        self.inventory = Inventory()
+        self._known: dict[Term, dict[Symbol, int]] = {}
+        self._sizes: dict[Term, int] = {}
+        self._turning: Term | None = None  # the angle ‖x‖ of exp x̃
+        self._factors = 0  # of what roots are taken of, such as the m and r of √(m r)
+
+    def orders(self, term: Term) -> dict[Symbol, int]:
+        if isinstance(term, Apply) and term.head in ("norm", "root") and term is not self._turning:
+            self.inventory.has_roots = True
+        if term not in self._known:
+            self._known[term] = self._survey(term)
+        return self._known[term]
+
+    def _survey(self, term: Term) -> dict[Symbol, int]:
+        if isinstance(term, Symbol):
+            body = self.definitions.lookup(term)
+            self._factors += term.declaration.positive
+            return {term: 0} if body is None else self.orders(body)
+        if isinstance(term, BigSum):
+            raise NotExact("a sum whose bounds are not numbers")
+        if isinstance(term, Power) and not term.exponent.is_number:
+            raise NotExact(f"a power with the exponent {term.exponent}")
+        shift = 0
+        if isinstance(term, Derivative):
+            if not term.order.is_number:
+                raise NotExact(f"a derivative of order {term.order}")
+            shift = term.order.constant
+        if isinstance(term, Apply):
+            self._count(term)
+        merged: dict[Symbol, int] = {}
+        for place, child in enumerate(term.children):
+            raised = shift + self._raised(term, place)
+            for symbol, order in self.orders(child).items():
+                merged[symbol] = max(merged.get(symbol, 0), order + raised)
+        if isinstance(term, Apply) and term.head in GRADIENTS:
+            _require_known_places(term, merged)
+        if isinstance(term, Apply) and term.head in PARTIALS:
+            body, by = term.arguments
+            if term.head == "total" and self._holds_rates(body):
+                raise NotExact("a time derivative under d/dx; it may change with x")
+            by_what = seeds(by, self.definitions)
+            require_known_dependence(term.head, by_what, self.orders(body), self._moving(body))
+            for symbol in merged:
+                merged[symbol] += bool(symbol.declaration.of)
+        return merged
+
+    def add_coordinates(self) -> None:
+        """What the functions are `of`, as often differentiated as these."""
+        known = self.inventory.orders
+        waiting = list(known)
+        while waiting:
+            function = waiting.pop()
+            for argument in function.declaration.of:
+                for symbol, own in self.orders(argument).items():
+                    if known.get(symbol, -1) < own + known[function]:
+                        known[symbol] = own + known[function]
+                        waiting.append(symbol)
+
+    def add_roots_of_factors(self) -> None:
+        """√(m r) is √m √r: a root of each, where any are taken."""
+        if self.inventory.norms:
+            self.inventory.norms += self._factors
+            self.inventory.reciprocals += self._factors
+
+    def _holds_rates(self, term: Term) -> bool:
+        return any(isinstance(part, Derivative | TimeOperator) for part in reached(term, self.definitions))
+
+    def _moving(self, term: Term) -> set[Symbol]:
+        """What stands under a derivative by the time."""
+        found: set[Symbol] = set()
+        for part in reached(term, self.definitions):
+            if isinstance(part, Derivative | TimeOperator):
+                found |= self.orders(part.body if isinstance(part, Derivative) else term).keys()
+        return found
+
+    def _raised(self, term: Term, place: int) -> int:
+        """How often the child at this place is differentiated by operators that act on it from the left."""
+        if isinstance(term, Power):
+            return max(0, int(term.exponent) - 1) * self.degree(term.base)
+        if isinstance(term, Apply) and term.head in ("mul", "compose") and place == 1:
+            return self.degree(term.arguments[0])
+        return 0
+
+    def degree(self, term: Term) -> int:
+        """The power of D in an operator; 0 for anything else."""
+        if term.type.kind != "operator":
+            return 0
+        match term:
+            case TimeOperator():
+                return 1
+            case Symbol():
+                body = self.definitions.lookup(term)
+                return 0 if body is None else self.degree(body)
+            case Power():
+                return int(term.exponent) * self.degree(term.base)
+            case Apply(head="mul" | "compose"):
+                return sum(self.degree(a) for a in term.arguments)
+        return max((self.degree(child) for child in term.children), default=0)
+
+    def _count(self, term: Apply) -> None:
+        if term.head in ("div", "inverse"):
+            # a triangular matrix is inverted entry by entry
+            self.inventory.reciprocals += term.type.rows if term.type.kind == "matrix" else 1
+        elif term.head in ("norm", "root"):
+            # a dual norm also divides by the real one, see Eq. (74)
+            self.inventory.norms += 1
+            self.inventory.reciprocals += 1
+        elif term.head in ("sin", "cos", "exp"):
+            self.inventory.reciprocals += term.type.kind == "matrix"  # sin α/α
+            for angle, part in angles_of(term, self.definitions).items():
+                if is_free_angle(angle):
+                    self.inventory.angles[angle] = None
+                else:
+                    self._circle(angle, part)
+
+    def _circle(self, angle: Term, part: Fraction) -> None:
+        self._sizes[angle] = lcm(self._sizes.get(angle, 1), part.denominator)
+        size = number(Fraction(1, self._sizes[angle]))
+        if size.value == 1 and isinstance(angle, Symbol):
+            self.inventory.angles[angle] = None
+            return
+        if isinstance(angle, Symbol):
+            self.inventory.angles.pop(angle, None)
+        self.inventory.circles[angle] = angle if size.value == 1 else apply("mul", size, angle)
+        if angle not in self._known:
+            self._turning = angle
+            self.orders(angle)
+            self._turning = None
+            if isinstance(angle, Apply) and angle.head == "norm":
+                self.inventory.reciprocals += 1  # sin ‖x‖/‖x‖
+
+
+def _require_known_places(gradient: Apply, orders: Mapping[Symbol, int]) -> None:
+    """Nothing is constant in space unless it is said so: the velocity ρ̇ of what is at ρ is not."""
+    for symbol, order in orders.items():
+        if symbol.declaration.coordinate and order:
+            rate = to_latex(derivative(symbol, order))
+            where = f"{rate} in the {gradient.head}"
+            raise NotExact(
+                f"{where} depends on the place as the motion says; a formula for it makes it a field"
+            )
+        if not (symbol.declaration.uniform or symbol.declaration.coordinate):
+            where = f"{symbol.declaration.name} in the {gradient.head}"
+            raise NotExact(f"{where} may depend on the place; if not, declare uniform = true")

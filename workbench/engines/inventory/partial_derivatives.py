@@ -1,0 +1,100 @@
+"""What a partial derivative differentiates by, and the functions `of` something that it differentiates.
+
+A function f of q is at one instant its value and its partial derivatives, the parameters f_α, of which a
+smooth function may have any:
+
+    d f_α = Σᵢ f_{α+eᵢ} d qᵢ      for every derivation d, d/dt and ∂/∂q alike
+
+Under ∂/∂q everything else is kept: other coordinates, t, and q̇ beside q. Nothing is constant unless it is
+said so: each free symbol is constant, a coordinate that functions are `of`, or such a function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from typing import NamedTuple
+
+from workbench.core.operations import PARTIALS
+from workbench.core.terms import Apply, Block, Derivative, Number, Symbol, Term
+from workbench.engines.inventory import Lookup, NotExact, reached
+
+
+class Seed(NamedTuple):
+    """A component of a derivative of a free symbol, of which the variable has the multiple `factor`."""
+
+    symbol: Symbol
+    order: int
+    component: int
+    factor: Fraction
+
+
+def seeds(by: Term, definitions: Lookup) -> list[Seed]:
+    """The components of what is differentiated by. Raises NotExact where they are not free."""
+    match by:
+        case Derivative(order=order):
+            return [seed._replace(order=seed.order + int(order)) for seed in seeds(by.body, definitions)]
+        case Block(entries=entries) if all(len(row) == 1 for row in entries):
+            found = [seed for (entry,) in entries for seed in seeds(entry, definitions)]
+            if len({seed[:3] for seed in found}) == len(found):
+                return found
+        case Apply(head="mul", arguments=(Number(value=value), Symbol() as part)):
+            return [seed._replace(factor=seed.factor * value) for seed in seeds(part, definitions)]
+        case Symbol() if (body := definitions.lookup(by)) is not None:
+            return seeds(body, definitions)
+        case Symbol() if not (by.declaration.unit or by.type.dual):
+            count = by.type.rows * by.type.columns
+            return [Seed(by, 0, component, Fraction(1)) for component in range(count)]
+    raise NotExact("a partial derivative by what is no free coordinate")
+
+
+def positive_coordinates(sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:
+    """The positive numbers by which something is differentiated: none is free, each being a square."""
+    parts = [part for side in sides for part in reached(side, definitions)]
+    by = [part.arguments[1] for part in parts if isinstance(part, Apply) and part.head in PARTIALS]
+    symbols = (part for term in by for part in reached(term, definitions) if isinstance(part, Symbol))
+    return frozenset(s for s in symbols if s.declaration.positive and definitions.lookup(s) is not None)
+
+
+def require_known_dependence(
+    head: str, by: Iterable[Seed], symbols: Iterable[Symbol], moving: Collection[Symbol]
+) -> None:
+    """Nothing is independent of a coordinate unless it is said so. By a function of something else only what
+    is a function of it alone is differentiated; by the place of a field no rate of what is there. moving:
+    what stands under a derivative by the time. Raises NotExact."""
+    varied = {seed.symbol for seed in by}
+    by_function = any(symbol.declaration.of for symbol in varied)
+    by_place = all(symbol.declaration.coordinate for symbol in varied)
+    for symbol in symbols:
+        declaration = symbol.declaration
+        if by_place and symbol in moving and (symbol in varied or _moved_by(symbol, varied) & varied):
+            raise NotExact(f"the rate of {declaration.name} depends on the place as the motion says")
+        if symbol in varied or declaration.constant or (by_place and declaration.uniform):
+            continue
+        name = declaration.name
+        if not (declaration.independent or declaration.of):
+            said = "`of` says what it depends on, `independent` that it is a coordinate"
+            raise NotExact(f"{name} in the partial derivative may depend on it; {said}")
+        others = {each for each in _moved_by(symbol, varied) if not each.declaration.clock} - varied
+        if by_function and (others or not declaration.of):
+            raise NotExact(f"{name} is no function of that alone by which it is differentiated")
+        if head == "total" and (others or (not declaration.of and not declaration.clock)):
+            raise NotExact(f"{name} in the derivative d/dx may change with x; write \\partial if it is kept")
+
+
+def _moved_by(symbol: Symbol, varied: set[Symbol]) -> set[Symbol]:
+    """What a function is of in the end, not beyond what is varied."""
+    found: set[Symbol] = set()
+    for each in symbol.declaration.of:
+        found |= _moved_by(each, varied) if each.declaration.of and each not in varied else {each}
+    return found
+
+
+def indices(count: int, degree: int) -> list[tuple[int, ...]]:
+    """The partial derivatives of a degree by `count` coordinates, each as the sorted places of these."""
+    return list(combinations_with_replacement(range(count), degree))
+
+
+def coordinate_count(symbol: Symbol) -> int:
+    return sum(argument.type.rows for argument in symbol.declaration.of)

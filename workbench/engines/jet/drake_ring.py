@@ -1,0 +1,54 @@
+"""Drake's polynomials as a further ring of the second engine, where their double coefficients are exact.
+
+Sums and products of integers, and of fractions with a power of two below, are exact in doubles as long as
+they stay below 2⁵³. Where they would not, Drake is not asked; see `MOST_INDETERMINATES` and `constant`.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from workbench.core.terms import Relation
+from workbench.drake.gate import Polynomial, Variable
+from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact
+from workbench.engines.inventory.parameters import SPHERES, parameters
+from workbench.engines.jet.jets import JetEngine
+from workbench.engines.jet.rings import PointSource
+
+#: Beyond this many indeterminates Drake's polynomials are too slow to be asked.
+MOST_INDETERMINATES = 15
+
+
+class DrakeRing:
+    """pydrake.symbolic.Polynomial; no division, no roots."""
+
+    def __init__(self, inventory: Inventory) -> None:
+        names = list(parameters(inventory))
+        if len(names) > MOST_INDETERMINATES or any(p.part in SPHERES for p in names):
+            raise NotExact(
+                "too many indeterminates for Drake's polynomials, or indeterminates with relations"
+            )
+        self.point = {p: Polynomial(Variable(f"x{i}")) for i, p in enumerate(names)}
+
+    def constant(self, numerator: int, denominator: int) -> Polynomial:
+        if denominator & (denominator - 1):
+            raise NotExact(f"{numerator}/{denominator} is no double")
+        return Polynomial(numerator / denominator)
+
+    def divide(self, a: Any, b: Any) -> Polynomial:
+        raise NotExact("Drake's polynomials do not divide")
+
+    def root(self, square: Any) -> Polynomial:
+        raise NotExact("Drake's polynomials have no roots")
+
+
+def recheck_by_drake(relation: Relation, inventory: Inventory, definitions: Lookup) -> bool | None:
+    """Whether left − right expands to 0 in Drake; None where doubles are not exact or it takes too long."""
+    try:
+        ring = DrakeRing(inventory)
+        engine = JetEngine(PointSource(ring, ring.point), definitions)
+        differences = engine.differences(relation.left, relation.right)
+    except NotExact:
+        return None
+    zero = Polynomial(0.0)
+    return all(zero.EqualTo(d) for d in differences)

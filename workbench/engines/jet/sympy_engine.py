@@ -1,0 +1,22 @@
+"""The second engine over SymPy's polynomials."""
+
+from __future__ import annotations
+
+from workbench.core.terms import Relation
+from workbench.engines.inventory.inventory import Inventory, Lookup
+from workbench.engines.jet.jets import JetEngine
+from workbench.engines.jet.rings import PointSource
+from workbench.engines.jet.sympy_gate import PolyElement
+from workbench.engines.jet.sympy_ring import SympyRing
+
+
+class SympyEngine(JetEngine):
+    """Evaluates terms as ratios of polynomials in all that the symbols depend on."""
+
+    def __init__(self, inventory: Inventory | None, definitions: Lookup) -> None:
+        self.ring = SympyRing(inventory)
+        super().__init__(PointSource(self.ring, self.ring.point), definitions)
+
+    def residuals(self, relation: Relation) -> list[PolyElement]:
+        """The numerators of left − right, component by component."""
+        return self.ring.tops(self.differences(relation.left, relation.right))

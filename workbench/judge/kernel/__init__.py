@@ -1,1 +1,0 @@
-"""What asks the engines and turns their answers into a verdict: every `proved` rests on all of it."""

@@ -1,1 +1,0 @@
-"""The second engine: terms as lists of time derivatives in index notation, over any ring but FLINT's."""

@@ -1,0 +1,105 @@
+"""What a definition rests on: members that two would define, and definitions in a circle, are refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from workbench.core.codes.declaration_codes import DeclarationCode
+from workbench.core.formula_errors import SpecError
+from workbench.core.integer_expressions import Linear, as_linear
+from workbench.core.names import Name
+from workbench.core.terms import Definition, Symbol, Term
+from workbench.language.definitions import solve
+from workbench.language.naming.spelling import Named
+from workbench.language.naming.symbols import SymbolTable
+
+
+def entered(key: str, definition: Definition, table: SymbolTable) -> SymbolTable:
+    """The table that knows the definition, too. Raises SpecError for its key."""
+    _refuse_circle(key, definition, table)
+    _refuse_overlap(key, definition, table)
+    name = definition.declaration.name
+    known = {**table.defined, name: (*table.defined.get(name, ()), definition.index)}
+    primitive = table.primitive.union(_primitives(definition, known))
+    names = {each.declaration.name for each in _symbols(definition.body)}
+    used = (table.arguments & names).union(*(table.depends.get(each, ()) for each in (name, *names)))
+    return replace(table, defined=known, primitive=primitive, depends={**table.depends, name: used})
+
+
+def _refuse_overlap(key: str, definition: Definition, table: SymbolTable) -> None:
+    """Of a_{n+1} and a_{n+2}, or K_{m,0} and K_{0,n}, either could define a₂, or K_{0,0}. A single member may
+    be defined apart."""
+    name = definition.declaration.name
+    if all(place.is_number for place in definition.index):
+        return
+    for other in table.defined.get(name, ()):
+        if all(place.is_number for place in other):
+            continue
+        tried = [_common(one, two) for one, two in zip(definition.index, other, strict=True)]
+        common = [place for place in tried if place is not None]
+        if len(common) == len(tried):
+            both, known = (name.shown(index) for index in (tuple(map(as_linear, common)), other))
+            raise SpecError(
+                DeclarationCode.DEFINES_SO_DOES_EACH(both=both, known=known),
+                key,
+            )
+
+
+def _common(one: Linear, other: Linear) -> int | None:
+    """The least number that both index places can be, letters being 0 or more; None if there is none."""
+    least = max(one.constant, other.constant)
+    is_open = [not place.is_number or place.constant == least for place in (one, other)]
+    return least if all(is_open) else None
+
+
+def _refuse_circle(key: str, definition: Definition, table: SymbolTable) -> None:
+    name = definition.declaration.name
+    for used, index in table.primitive:
+        if used == name and solve(definition.index, index) is not None:
+            raise SpecError(DeclarationCode.USED_ABOVE(), key)
+    own = definition.index
+    members = [term.index for term in _symbols(definition.body) if term.declaration.name == name]
+    exact = [place for place in table.defined.get(name, ()) if all(i.is_number for i in place)]
+    descending = [m for m in members if m not in exact or not _may_be_base(m, own)]
+    if descending and not _all_lower(descending, own):
+        raise SpecError(DeclarationCode.DEFINITION_USES_SYMBOL_ITSELF(), key)
+
+
+def _may_be_base(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
+    """Whether the member, defined by itself, comes before Φ_own or is the first of these: Φ₁ for Φ_{n+1}."""
+    return any(not place.is_number for place in own) and _is_before(member, own)
+
+
+def _is_before(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
+    return all(_step(i, place) >= 0 for i, place in zip(member, own, strict=True))
+
+
+def _all_lower(members: Sequence[tuple[Linear, ...]], own: tuple[Linear, ...]) -> bool:
+    """Whether the members come before Φ_own in an order that ends: by one index, or by all together."""
+    by_one = any(all(_step(m[at], place) > 0 for m in members) for at, place in enumerate(own))
+    return by_one or all(
+        _is_before(m, own) and any(_step(i, p) > 0 for i, p in zip(m, own, strict=True)) for m in members
+    )
+
+
+def _step(used: Linear, own: Linear) -> int:
+    """How far the index used stands below that of the definition, at the least; -1 if that is unknown."""
+    step = own - used
+    grows = all(coefficient > 0 for _, coefficient in step.coefficients)
+    return step.constant if step.is_number or (grows and used.is_number) else -1
+
+
+def _primitives(
+    definition: Definition, defined: Mapping[Name, tuple[tuple[Linear, ...], ...]]
+) -> Iterator[Named]:
+    for term in _symbols(definition.body):
+        name = term.declaration.name
+        if name != definition.declaration.name and not any(
+            solve(member, term.index) is not None for member in defined.get(name, ())
+        ):
+            yield name, term.index
+
+
+def _symbols(term: Term) -> Iterator[Symbol]:
+    return (t for t in term.walk() if isinstance(t, Symbol))

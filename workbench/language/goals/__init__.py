@@ -1,0 +1,1 @@
+"""Statements with quantifiers, their proofs, and the reader of both."""

@@ -1,0 +1,379 @@
+"""LaTeX text to tokens: spacing dropped, brackets and environments matched, |x| opened and closed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from lark import Token
+
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault
+from workbench.core.operations import FUNCTIONS
+from workbench.language.grammar.token_context import marked
+from workbench.language.grammar.vocabulary import (
+    BRACKETS,
+    CHARACTERS,
+    COMMANDS,
+    DOTS,
+    ENDS_A_FACTOR,
+    ENVIRONMENTS,
+    EXPECTED,
+    MATRICES,
+    NAMES,
+    SIZES,
+    SPACING,
+    UPRIGHT_NAMES,
+    WORDS,
+    guessed,
+    is_upright,
+    words_in_a_formula,
+)
+
+_OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
+
+#: What an alignment mark stands before, and what is no condition: the sign of a relation.
+_RELATES = re.compile(r"\s*(?:=|:|\\(?:approx|equiv|neq?|triangleq|coloneqq?)(?![A-Za-z]))")
+
+_SIDES = re.compile(r"\\(left|right)(?![A-Za-z])\s*(\\?.)")
+
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
+
+#: No formula that is read is longer, or nests brackets deeper; none of a book is as long.
+MOST_CHARACTERS = 20_000
+DEEPEST = 40
+
+_TOKEN = re.compile(
+    r"""(?P<space>[ \t\r\n~]+|\\[a-z]+(?:sep|skip|stretch)\s*=\s*-?[0-9.]+(?:pt|em|ex|mm))
+    | \\(?:stackrel|overset)\s*\{\s*(?:\\(?:text|mathrm|rm)\s*\{\s*def\.?\s*\}|def|\\triangle|\\Delta)\s*\}
+      \s*(?P<defined>\{\s*=\s*\}|=)
+    | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
+    | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
+    | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
+      \{(?P<words>(?:arc|a)tan2|[1-3](?:-[1-3])+|\s*\\&\s*|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
+    | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
+    | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
+    | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
+    | \\(?P<function>(?:arc|a)tan2)(?=\s*(?:\\left)?\()
+    | \\(?P<command>[A-Za-z]+|[^A-Za-z])
+    | (?P<number>[0-9]+(?:\.[0-9]+)?)
+    | (?P<letters>(?:arc|a)tan2(?![A-Za-z0-9])|[A-Za-z]+)
+    | (?P<assign>:=)
+    | (?P<character>.)""",
+    re.VERBOSE | re.DOTALL,
+)
+
+
+class _Open(NamedTuple):
+    """A bracket or environment that is open."""
+
+    what: str
+    at: int
+    contents: str = ""
+
+
+class _Script(NamedTuple):
+    """The first or second argument of \\prescript{A}{B}{x} that is yet to come. depth: how many brackets are
+    open around it."""
+
+    depth: int
+    below: bool
+
+
+def tokenize(text: str) -> Iterator[Token]:
+    """The tokens of a formula; token.start_pos is its offset, token.end_pos where it ends. Raises Fault."""
+    return iter(Tokenizer(text).tokens())
+
+
+_EVALUATED = "a bar that says where something is evaluated is not read"
+
+
+class Tokenizer:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.out: list[Token] = []
+        self.open: list[_Open] = []
+        self.size = ""  # a pending \left, \right, \bigl …
+        self.scripts: list[_Script] = []
+        self.refused: list[Fault] = []  # the first is told if the brackets match
+
+    def tokens(self) -> list[Token]:
+        if found := _CONTROL.search(self.text):
+            raise Fault(SyntaxCode.FORBIDDEN_CHARACTER(ord=f"{ord(found[0]):04X}"), found.start())
+        for match in _TOKEN.finditer(self.text):
+            self.match(match)
+        if self.open:
+            opened = self.open[-1]
+            is_bar = opened.what == "|" and self.text[opened.at + 1 :].lstrip().startswith("_")
+            raise Fault(_EVALUATED if is_bar else f"{opened.what} is never closed", opened.at)
+        if self.size:
+            raise Fault(SyntaxCode.WITHOUT_BRACKET(size=self.size), len(self.text))
+        if self.refused:
+            raise self.refused[0]
+        return marked(self.out)
+
+    def emit(self, kind: str, value: str, at: int) -> None:
+        self.out.append(Token(kind, value, start_pos=at, end_pos=self.end))
+
+    def ends(self, *kinds: str) -> bool:
+        """Whether the last token is of one of these kinds."""
+        return any(token.type in kinds for token in self.out[-1:])
+
+    def match(self, match: re.Match[str]) -> None:
+        kind, text, at = match.lastgroup, match[0], match.start()
+        self.end = match.end()
+        if kind == "space":
+            return
+        if text == "/" and self.size not in ("left", "right"):  # \\Big/
+            self.size = ""
+        if self.size and not self.is_bracket(match):
+            raise Fault(SyntaxCode.MUST_FOLLOWED_BRACKET_GOT(size=self.size, text=text), at)
+        match kind:
+            case "defined" | "assign":
+                self.emit("RELATION", "=", at)
+            case "ring":
+                self.command("mathring", at)
+            case "prose":
+                if self.out and not self.ends("BREAK", "BEGIN_LINES"):
+                    raise Fault(SyntaxCode.WORDS_IN_FORMULA(text=text), at)
+            case "said":
+                raise Fault(words_in_a_formula(text), at)
+            case "words":
+                self.words(text, match["words"], at)
+            case "name":
+                self.environment(match["environment"], match["name"], at)
+            case "newline":
+                self.emit("ROW" if self.inside("matrix") else "BREAK", text, at)
+            case "function":
+                self.emit("FUNCTION", text, at)
+            case "command":
+                self.command(match["command"], at)
+            case "number" if self.ends("FRACTION") and len(text) == 2:
+                self.emit("NUMBER", text[0], at)  # \frac12
+                self.emit("NUMBER", text[1], at + 1)
+            case "number":
+                self.emit("NUMBER", text, at)
+            case "letters":
+                if self.ends("SUB", "SUP"):
+                    self.emit("LETTER", text[0], at)  # k_Re is k_R e
+                    at, text = at + 1, text[1:]
+                if text in FUNCTIONS:
+                    self.emit("FUNCTION", text, at)
+                elif text in NAMES and not self.in_script():
+                    self.words(text, text, at)
+                else:
+                    for i, letter in enumerate(text):
+                        self.emit("LETTER", letter, at + i)
+            case _:
+                self.character(text, at)
+
+    def is_bracket(self, match: re.Match[str]) -> bool:
+        return match[0] in BRACKETS or match[0] == "."
+
+    def words(self, text: str, words: str, at: int) -> None:
+        plain = " ".join(words.replace(",", " ").split()).rstrip(".")
+        is_script = self.ends("SUB", "SUP")
+        is_label = is_script or [token.type for token in self.out[-2:]] == ["SUB", "LBRACE"]
+        is_name = plain[-1:].isalpha() or plain[:1].isdecimal()  # 3-2-1
+        if is_label and is_name and not (plain in FUNCTIONS and not is_script):
+            self.label(words.strip(" ,."), at, braced=is_script)
+        elif plain in FUNCTIONS:
+            self.emit("FUNCTION", f"\\{plain}", at)
+        elif (word := plain[:1].lower() + plain[1:]) in WORDS:
+            self.joining(WORDS[word], word, at)
+        elif plain and not text.startswith("\\op") and (self.in_script() or is_upright(text, plain)):
+            self.label(words.strip(" ,."), at)
+        elif plain in EXPECTED:
+            self.refused.append(Fault(SyntaxCode.NOT_A_FORMULA_SIGN(text=text, EXPECTED=EXPECTED[plain]), at))
+        elif plain in UPRIGHT_NAMES or (text.startswith("\\operatorname") and plain.isalpha()):
+            self.emit("FUNCTION", f"\\{plain}", at)  # the paper may say what it is
+        elif plain:
+            raise Fault(words_in_a_formula(text), at)
+
+    def in_script(self) -> bool:
+        """Whether what comes is a script, or the first letter of what comes."""
+        return self.ends("SUB", "SUP") or any(opened.contents == "script" for opened in self.open)
+
+    def joining(self, kind: str, word: str, at: int) -> None:
+        """ "and", "where" and the like: a comma before them goes; "for all" without one begins conditions."""
+        if kind == "FORALL":
+            if self.out and not self.ends(*_OPENS_A_CLAUSE):
+                self.emit("GIVEN", word, at)
+        elif self.ends("COMMA"):
+            self.out.pop()
+        if not (kind in ("GIVEN", "AND") and self.ends("GIVEN")):
+            self.emit(kind, {"IMPLICATION": "⇔", "FORALL": "∀"}.get(kind, word), at)
+
+    def label(self, letters: str, at: int, braced: bool = False) -> None:
+        """Upright letters, with the commas between words, or the figures of 3-2-1; as a script that stands
+        without braces they need some."""
+        if braced:
+            self.emit("LBRACE", "{", at)
+        if letters[:1].isdecimal():
+            self.emit("NUMBER", letters.replace("-", ""), at)
+        for letter in letters:
+            if letter == ",":
+                self.emit("COMMA", letter, at)
+            elif letter.isalpha():
+                self.emit("STYLE", "\\mathrm", at)
+                self.emit("LETTER", letter, at)
+        if braced:
+            self.emit("RBRACE", "}", at)
+
+    def command(self, name: str, at: int) -> None:
+        text = f"\\{name}"
+        if name in SPACING or name.isspace():
+            return
+        if name in SIZES:
+            self.size = name
+        elif name == "prescript":
+            for kind, value in (("LBRACE", "{"), ("RBRACE", "}"), ("SUP", "^")):
+                self.emit(kind, value, at)
+            self.scripts += [_Script(len(self.open), below) for below in (True, False)]
+        elif text in BRACKETS:
+            self.bracket(text, at)
+        elif name in COMMANDS:
+            kind, value = COMMANDS[name]
+            self.bound_prefixes(kind, at)
+            self.emit(kind, value, at)
+        elif name in DOTS:
+            raise Fault(guessed(text), at)
+        elif name in EXPECTED:
+            self.refused.append(Fault(SyntaxCode.NOT_A_FORMULA_SIGN(text=text, EXPECTED=EXPECTED[name]), at))
+        else:
+            raise Fault(SyntaxCode.UNKNOWN_COMMAND(text=text), at)
+
+    def bound_prefixes(self, kind: str, at: int) -> None:
+        """\\dot\\dot\\dot… nests without brackets."""
+        if kind in ("ACCENT", "STYLE") and [token.type for token in self.out[-9:]] == [kind] * 9:
+            raise Fault(SyntaxCode.MORE_THAN_NINE_ACCENTS(), at)
+
+    def character(self, text: str, at: int) -> None:
+        if text in CHARACTERS:
+            self.emit(*CHARACTERS[text], at)
+        elif text == "{":
+            if any(script.below for script in self.script_here()):
+                self.emit("SUB", "_", at)
+            self.push(text, at, "script" * self.ends("SUB", "SUP"))
+            self.emit("LBRACE", text, at)
+        elif text == "}":
+            self.pop("{", text, at)
+            is_script = bool(self.script_here())
+            if is_script and self.ends("LBRACE"):
+                del self.out[-2:]  # a script that is empty
+            else:
+                self.emit("RBRACE", text, at)
+            if is_script:
+                self.scripts.pop()
+        elif text == "&":
+            if self.inside("cases") and not _RELATES.match(self.text, at + 1):
+                self.joining("GIVEN", text, at)  # the value, and behind the mark its condition
+            elif self.inside("matrix"):
+                doubled = self.text[at - 1 : at] == "&"  # && may leave room between two columns
+                self.emit("CELL", "&&" if doubled else text, at)
+            elif not self.inside("lines", "cases"):
+                raise Fault(SyntaxCode.ALIGNMENT_MARK(), at)
+        elif text == "." and self.size:
+            self.null_delimiter(at)
+        elif text == "…" or self.text.startswith("...", at):
+            raise Fault(guessed("…"), at)
+        elif text == ".":
+            rest = self.text[at + 1 :].lstrip()
+            if rest and not rest.startswith(("\\\\", "\\end", "\\quad", "}")):
+                self.emit("INFIX", ".", at)
+        elif text in BRACKETS:
+            self.bracket(text, at)
+        elif text in EXPECTED:
+            self.refused.append(Fault(SyntaxCode.NOT_A_FORMULA_SIGN(text=text, EXPECTED=EXPECTED[text]), at))
+        elif text == "/":
+            self.emit("MARK" if self.in_script() else "INFIX", text, at)  # r^{P/O}
+        else:
+            raise Fault(SyntaxCode.UNEXPECTED_CHARACTER(text=repr(text), ord=f"{ord(text):04X}"), at)
+
+    def script_here(self) -> list[_Script]:
+        """The argument of \\prescript that a brace here is one of."""
+        return [script for script in self.scripts[-1:] if script.depth == len(self.open)]
+
+    def null_delimiter(self, at: int) -> None:
+        """\\left\\{ \\begin{array} … \\right. is a brace around lines; no other bracket is one-sided."""
+        size, self.size = self.size, ""
+        if size != "right" or not self.is_open("\\left\\{"):
+            raise Fault(SyntaxCode.ONE_SIDED_BRACKET_LEFT(EVALUATED=_EVALUATED), at)
+        self.open.pop()
+
+    def bracket(self, text: str, at: int) -> None:
+        kind, side = BRACKETS[text]
+        size, self.size = self.size, ""
+        if size == "left" and kind == "\\{" and self.is_brace_of_lines(at + len(text)):
+            self.push("\\left\\{", at)
+        elif side == 0 and not size and self.parts_a_script(text, at):
+            self.emit("MARK", text, at)
+        elif side > 0 or (side == 0 and self.opens(kind, size)):
+            self.push(kind, at)
+            self.emit("OPEN", kind, at)
+        else:
+            self.pop(kind, text, at)
+            self.emit("CLOSE", kind, at)
+
+    def is_brace_of_lines(self, behind: int) -> bool:
+        """Whether an environment follows, and \\right. closes the brace; \\right\\} closes a set."""
+        if not re.match(r"\s*\\begin", self.text[behind:]):
+            return False
+        depth = 1
+        for match in _SIDES.finditer(self.text, behind):
+            depth += 1 if match[1] == "left" else -1
+            if depth == 0:
+                return match[2] == "."
+        return True
+
+    def parts_a_script(self, bar: str, at: int) -> bool:
+        """The one bar of x_{t|t-1} or v_{\\|} is no bracket."""
+        rest = self.text[at + len(bar) :].partition("}")[0]
+        return self.inside("script") and bar not in rest
+
+    def opens(self, kind: str, size: str) -> bool:
+        """Whether a bar is an opening one."""
+        if size.endswith(("l", "left", "r", "right")):
+            return size.endswith(("l", "left"))
+        return not (self.is_open(kind) and self.ends(*ENDS_A_FACTOR))
+
+    def environment(self, side: str, name: str, at: int) -> None:
+        if name not in ENVIRONMENTS:
+            raise Fault(
+                SyntaxCode.UNKNOWN_ENVIRONMENT_KNOWN(name=name, ENVIRONMENTS=", ".join(sorted(ENVIRONMENTS))),
+                at,
+            )
+        if side == "end":
+            is_matrix = self.inside("matrix")
+            self.pop(f"\\begin{{{name}}}", f"\\end{{{name}}}", at)
+            self.emit("END_MATRIX" if is_matrix else "END_LINES", name, at)
+            return
+        in_brace = self.is_open("\\left\\{")
+        undecided = name == "array" or (name == "matrix" and in_brace)
+        is_matrix = self.ends("OPEN") if undecided else name in MATRICES
+        if name == "vmatrix":
+            self.emit("FUNCTION", "\\det", at)
+        in_cases = self.ends("RELATION") and (name == "cases" or in_brace)
+        self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else "cases" if in_cases else "lines")
+        self.emit("BEGIN_MATRIX" if is_matrix else "BEGIN_LINES", name, at)
+
+    def push(self, what: str, at: int, contents: str = "") -> None:
+        if len(self.open) >= DEEPEST:
+            raise Fault(SyntaxCode.BRACKETS_NESTED_DEEPER_THAN(DEEPEST=DEEPEST), at)
+        self.open.append(_Open(what, at, contents))
+
+    def pop(self, what: str, text: str, at: int) -> None:
+        if not self.open:
+            raise Fault(SyntaxCode.CLOSES_NOTHING(text=text), at)
+        opened = self.open.pop()
+        if opened.what != what:
+            raise Fault(SyntaxCode.CANNOT_CLOSE_OPENED_BEFORE(text=text, what=opened.what), at)
+
+    def is_open(self, what: str) -> bool:
+        """Whether it is the innermost bracket or environment."""
+        return any(each.what == what for each in self.open[-1:])
+
+    def inside(self, *contents: str) -> bool:
+        """Whether that holds one of these: "matrix", "lines", "cases", "script"."""
+        return any(each.contents in contents for each in self.open[-1:])

@@ -1,0 +1,91 @@
+"""All that is wrong in a file at once: what is at fault is set aside, and the rest is looked at."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from difflib import get_close_matches
+from typing import TypeVar
+
+from workbench.core.codes.model_codes import ModelCode
+from workbench.core.paper_errors import PaperError, PaperErrors
+from workbench.core.reasons import code_of
+
+T = TypeVar("T")
+
+#: More than these are not gathered.
+MOST = 100
+#: Without one of these, other keys of a claim are not what its author meant.
+_GROUNDS = frozenset({"orders", "reading", "theorem", "goal", "hypothesis", "fault", "formula", "statement"})
+_NOTATION = ("symbols", "definitions", "notation", "frames", "points")
+_LETTERS = re.compile(r"\\[A-Za-z]+|[^\W_]")
+
+
+class Faults(list[PaperError]):
+    """Each told once, and none that only follows from another."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._aside: list[PaperError] = []
+
+    def past(self, make: Callable[[], T], whole: bool = False) -> T | None:
+        """What `make` gives without the entries at fault; None where it cannot do without them, or is
+        wanted whole."""
+        put_back: list[Callable[[], None]] = []
+        met: set[str] = set()
+        try:
+            while len(put_back) < MOST:
+                try:
+                    made = make()
+                    return None if whole and put_back else made
+                except PaperError as error:
+                    self.tell(error)
+                    if error.toml is None or str(error) in met:
+                        return None
+                    met.add(str(error))
+                    undo = error.toml.set_aside(error.path)
+                    if undo is None:
+                        return None
+                    put_back.append(undo)
+                    self._aside.append(error)
+            return None
+        finally:
+            for undo in reversed(put_back):
+                undo()
+
+    def tell(self, error: PaperError) -> None:
+        for each in error.faults:
+            is_told = any(str(each) == str(known) for known in self)
+            if not is_told and len(self) < MOST and not self._follows(each):
+                self.append(each)
+
+    def stop(self) -> None:
+        """Raises PaperError with all of them, if there are any."""
+        if self:
+            raise self[0] if len(self) == 1 else PaperErrors(sorted(self, key=_place))
+
+    def _follows(self, error: PaperError) -> bool:
+        return any(_follows(error, known) for known in self._aside)
+
+
+def _follows(error: PaperError, aside: PaperError) -> bool:
+    """Whether it may be a fault only because an entry is set aside: the key that is missing, a key that
+    rests on it, a formula with a symbol that it was to declare."""
+    path = aside.path
+    while isinstance(path[-1], int):
+        path = path[:-1]
+    *table, key = path
+    if error.toml is aside.toml and list(error.path[: len(table)]) == table:
+        is_of_table = len(error.path) == len(table) and isinstance(code_of(error.message), ModelCode)
+        missing = error.message.arguments.values() if is_of_table else ()
+        if key in _GROUNDS or error.message == aside.message or get_close_matches(key, missing, 1):
+            return True
+    is_notation = any(get_close_matches(str(part), _NOTATION, 1, cutoff=0.8) for part in path[:3:2])
+    if error.latex is None or not is_notation:
+        return False
+    declares = table[-1:] and table[-1] in ("symbols", "definitions", "notation")
+    return not declares or set(_LETTERS.findall(key)) <= set(_LETTERS.findall(error.latex))
+
+
+def _place(error: PaperError) -> tuple[str, int, int]:
+    return str(error.file), error.line or 0, error.column or 0

@@ -1,0 +1,65 @@
+"""The edits by which a fault is mended, as a claim gives them: `mend = [['for', 'read'], …]`."""
+
+from __future__ import annotations
+
+import re
+
+from workbench.context.claims import FAULTS, Edit, Mend
+from workbench.core.paper_errors import KeyPath
+from workbench.source.toml.toml_file import TomlFile
+
+MEND_KEYS = ("fault", "mend", "mended_by", "beside", "place", "cause", "add", "example")
+
+
+def fault_of(toml: TomlFile, path: KeyPath) -> str | None:
+    fault = toml.text((*path, "fault"))
+    if fault is not None and fault not in FAULTS:
+        message = f"fault: expected one of {', '.join(FAULTS)}; got {fault!r}"
+        raise toml.error_at_value((*path, "fault"), message)
+    return fault
+
+
+def mend_of(toml: TomlFile, path: KeyPath, printed: str) -> Mend:
+    """What the keys of one claim say; printed: a formula, or a sentence in quotation marks.
+
+    Raises PaperError for a key without `fault`, and for an edit whose `for` is not printed once there."""
+    said = {key: toml.text((*path, key)) for key in ("beside", "place", "cause", "add", "example")}
+    given = [key for key in MEND_KEYS[1:] if key in toml.value(path, dict)]
+    if given and fault_of(toml, path) is None:
+        raise toml.error_at_key((*path, given[0]), f"{given[0]}: only a claim with a fault has it")
+    texts = [text for text in (said["beside"], printed) if text]
+    edits = tuple(
+        _edit(toml, (*path, "mend", place), texts)
+        for place in range(len(toml.value((*path, "mend"), list, [])))
+    )
+    return Mend(edits, by=toml.text((*path, "mended_by")), **said)
+
+
+def mended(printed: str, edits: tuple[Edit, ...]) -> str:
+    """What is printed, with the edits that are about it."""
+    for edit in edits:
+        printed = printed.replace(edit.old, edit.new)
+    return printed
+
+
+def same_formula(one: str, other: str) -> bool:
+    """Whether two formulas are the same but for white space and a final stop."""
+    return _squeezed(one) == _squeezed(other)
+
+
+def _squeezed(latex: str) -> str:
+    return re.sub(r"\\(?:left|right)(?![A-Za-z])|\s|&", "", latex).rstrip(".,")
+
+
+def _edit(toml: TomlFile, path: KeyPath, texts: list[str]) -> Edit:
+    pair = toml.value(path, list)
+    if len(pair) != 2 or not all(isinstance(text, str) for text in pair) or not pair[0].strip():
+        raise toml.error_at_value(path, f"mend: expected ['for', 'read'], got {list(pair)!r}")
+    old, new = pair
+    text = next((text for text in texts if old in text), "")
+    if text.count(old) != 1:
+        found = f"got it {text.count(old)} times"
+        raise toml.error_at_value(path, f"mend: expected {old!r} once in what is printed, {found}")
+    before = text[: text.index(old)].replace("$$", "$")
+    is_math = "$" not in old and (before.count("$") % 2 == 1 or not text.startswith("“"))
+    return Edit(old, new, is_math)

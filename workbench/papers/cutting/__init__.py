@@ -1,1 +1,0 @@
-"""The one cutter of displays: from the tokens of a display to its statements and their steps."""

@@ -1,0 +1,308 @@
+"""Reads a text, infers what its symbols are, and says what it could and could not read."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.paper_errors import PaperError
+from workbench.core.reasons import Reason
+from workbench.papers.drafting.drafted_definitions import (
+    Formula,
+    Proposed,
+    definitions_in,
+    each_once,
+    in_sentences,
+    magnitudes,
+)
+from workbench.papers.drafting.drafted_frames import with_spins
+from workbench.papers.drafting.formula_shapes import columns, components_of, jacobians
+from workbench.papers.drafting.inference.infer import Inference, Source, infer
+from workbench.papers.drafting.marked_text import MarkedText
+from workbench.papers.drafting.missing_features import feature_of
+from workbench.papers.drafting.model_proposal import Proposal, ground_of, words_of
+from workbench.papers.drafting.notation_proposals import proposals_for, unit_tensor
+from workbench.papers.drafting.questions import questions_of
+from workbench.papers.drafting.redefinitions import Scope, scopes_of
+from workbench.papers.drafting.sentence_kinds import Facts, facts_of
+from workbench.papers.drafting.symbol_guesses import guesses_of
+from workbench.papers.drafting.trial_reading import EXPONENTIAL, Outcome, Reader
+from workbench.papers.drafting.typefaces import Guess, by_typeface
+from workbench.papers.drafting.undeclared_macros import letters_in_bold
+from workbench.papers.drafting.words_on_symbols import Prose
+from workbench.source.documents import Display, Text, read_text
+from workbench.source.rows.chains import Step, steps_of
+
+#: A formula within a sentence that is longer is no symbol alone, and says of none what it is.
+_INLINE = 60
+
+
+@dataclass(frozen=True)
+class Ingested:
+    """What was found in a text. formulas: one for each step of a display.   fences: macros that only TeX can
+    follow, each with what it seems to print.   confirmed: names that the author answered for."""
+
+    text: Text
+    macros: Path | None
+    guesses: dict[str, Guess]
+    formulas: list[Formula]
+    definitions: list[Proposed]
+    questions: list[str]
+    proposals: list[Proposal]
+    fences: dict[str, str]
+    inference: Inference
+    scopes: list[Scope]
+    confirmed: frozenset[str] = frozenset()
+
+    @cached_property
+    def _formulas_of(self) -> dict[int, list[Formula]]:
+        found: dict[int, list[Formula]] = {}
+        for formula in self.formulas:
+            found.setdefault(id(formula.display), []).append(formula)
+        return found
+
+    def feature_of(self, display: Display) -> str | None:
+        """Returns what the display needs; None for one that is read as a whole."""
+        own = self._formulas_of.get(id(display))
+        if not own:
+            return "a formula without a relation"
+        unread = (each for each in own if each.outcome.statements is None)
+        return next((feature_of(each.latex, each.outcome.reason) for each in unread), None)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Returns every display: where it is, and whether it is read."""
+        return {
+            "displays": [
+                {
+                    "file": str(display.source.path),
+                    "line": display.line,
+                    "label": next(iter(display.labels), None),
+                    "number": next(iter(display.numbers), None),
+                    "latex": display.latex,
+                    "read": feature is None,
+                    "feature": feature,
+                }
+                for display in self.text.displays
+                for feature in [self.feature_of(display)]
+            ]
+        }
+
+    def missing(self) -> Counter[str]:
+        features = map(self.feature_of, self.text.displays)
+        return Counter(feature for feature in features if feature is not None)
+
+
+def ingest(path: Path, macros: Path | None = None) -> Ingested:
+    """Returns a draft of a model. Raises PaperError for a text that cannot be used, or has no display."""
+    text, fences = _text(path, macros)
+    inline, prose = _words(text)
+    steps = _steps(text.displays, frozenset())
+    inference = _inferred(text, steps, prose)
+    facts = facts_of(MarkedText(text))
+    reading = _Reading.of(steps, [], _Start(_with_facts(guesses_of(inference, prose), facts), prose))
+    spins = facts.spins
+    for proposal in proposals_for(reading.formulas, prose.text, inference):
+        if proposal.table == "frames":
+            proposal, spins = with_spins(proposal, spins), []
+        reading = reading.tried(text, proposal)
+    if spins:
+        reading = reading.tried(text, with_spins(None, spins))
+    for name in facts.units:
+        reading = reading.tried(text, replace(unit_tensor(name), stands=True))
+    made = reading.made()
+    reader = reading.reader
+    lines = _first_lines(made)
+    questions = [
+        *(f"Does {name} print {body}?" for name, body in fences.items()),
+        *(proposal.question for proposal in reading.proposals),
+        *questions_of(text, reading.formulas, reader.guesses),
+    ]
+    in_displays = definitions_in(made)
+    shown = set().union(*(formula.outcome.symbols for formula in made))
+    sentences = [
+        Formula(display, display.latex, reader.read(display.latex))
+        for display in inline
+        if display.latex.count("=") == 1 and not _opaque(display, display.latex)
+    ]
+    said = list(in_sentences(sentences, shown, {each.name for each in in_displays}))
+    rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
+    found = each_once([*rates, *columns(reader.guesses, lines), *in_displays, *said])
+    guesses = dict(reader.guesses)
+    components = {each.name: parts for each in found if (parts := components_of(each.body))}
+    for jacobian, places in jacobians(made, components, {each.name: each for each in found}):
+        found.append(jacobian)
+        guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
+    found = each_once([*found, *magnitudes(made, guesses)])
+    sure = {each.name: each for each in found if each.sure}
+    scopes = scopes_of(text.displays, made, guesses, sure, facts.quaternions)
+    return Ingested(
+        text,
+        macros,
+        {name: guess for name, guess in guesses.items() if name in shown | _used_in(sentences, said)},
+        made,
+        found,
+        list(dict.fromkeys(questions)),
+        reading.proposals,
+        fences,
+        inference,
+        scopes,
+    )
+
+
+def _with_facts(guesses: Mapping[str, Guess], facts: Facts) -> dict[str, Guess]:
+    """The guesses with what sentences say of the symbols beside their kinds."""
+    made = dict(guesses)
+    for name, guess in guesses.items():
+        if name in facts.constants and guess.kind in ("scalar", "vector", "tensor"):
+            made[name] = replace(guess, constant=True)
+        elif name in facts.free:
+            made[name] = replace(guess, free=True)
+    return made
+
+
+def _first_lines(formulas: Sequence[Formula]) -> dict[str, int]:
+    lines: dict[str, int] = {}
+    for formula in formulas:
+        for name in formula.outcome.symbols:
+            lines.setdefault(name, formula.display.line)
+    return lines
+
+
+def _dot(proposals: Sequence[Proposal]) -> str:
+    """The frame in which a dot differentiates; "" where the text has no frames."""
+    return next((each.entries["dot"].strip("'") for each in proposals if "dot" in each.entries), "")
+
+
+def inferred_of(path: Path, macros: Path | None = None) -> Inference:
+    """Returns what is inferred of the symbols of a text. Raises as `ingest`."""
+    text, _ = _text(path, macros)
+    return _inferred(text, _steps(text.displays, frozenset()), _words(text)[1])
+
+
+def _inferred(text: Text, steps: Sequence[tuple[Display, Step]], prose: Prose) -> Inference:
+    return infer([*_sources(steps, False), *_sources(_steps(text.inline, frozenset()), True)], prose)
+
+
+def _words(text: Text) -> tuple[list[Display], Prose]:
+    """The short formulas of sentences, and what the sentences say."""
+    inline = [formula for formula in text.inline if formula.end - formula.start < _INLINE]
+    return inline, Prose("\n".join(source.text for source in text.sources[:1]), inline, text.displays)
+
+
+def _text(path: Path, macros: Path | None) -> tuple[Text, dict[str, str]]:
+    """The text, and what the macros seem to print that only TeX can follow."""
+    text = read_text(path, macros)
+    fences = letters_in_bold(text.displays) | {f"\\{name}": body for name, body in text.fences.items()}
+    if fences:
+        text = read_text(path, macros, bodies=fences)
+    if not text.displays:
+        raise PaperError(path, None, None, "no displayed equation in it")
+    return text, fences
+
+
+def _used_in(sentences: Sequence[Formula], said: Sequence[Proposed]) -> set[str]:
+    """The symbols of the sentences' formulas that define something."""
+    lines = {(each.line, each.name) for each in said}
+    using = (each for each in sentences if any((each.display.line, n) in lines for n in each.outcome.symbols))
+    return set().union(*(each.outcome.symbols for each in using))
+
+
+@dataclass(frozen=True)
+class _Start:
+    """What a text's formulas are read with: its guesses and its words."""
+
+    guesses: dict[str, Guess]
+    prose: Prose
+
+    def reader(self, proposals: Sequence[Proposal], formulas: Sequence[str]) -> Reader:
+        """Raises PaperError for proposals that do not go together."""
+        has_exponentials = any(map(EXPONENTIAL.search, formulas))
+        return Reader(ground_of(proposals), self.guesses, has_exponentials, self.by_face)
+
+    def by_face(self, name: str) -> Guess:
+        return self.prose.guess(name) or by_typeface(name)
+
+
+@dataclass
+class _Reading:
+    """What is read with some proposals. `blocked`: formulas with a macro that could not be expanded."""
+
+    proposals: list[Proposal]
+    steps: list[tuple[Display, Step]]
+    formulas: list[str]
+    blocked: set[int]
+    start: _Start
+    known: dict[str, Outcome] = field(default_factory=dict)
+
+    @staticmethod
+    def of(steps: list[tuple[Display, Step]], proposals: list[Proposal], start: _Start) -> _Reading:
+        formulas = [step.spelled()[0] for _, step in steps]
+        blocked = {place for place, (display, _) in enumerate(steps) if _opaque(display, formulas[place])}
+        return _Reading(proposals, steps, formulas, blocked, start)
+
+    @cached_property
+    def reader(self) -> Reader:
+        return self.start.reader(self.proposals, self.formulas)
+
+    def outcome(self, latex: str) -> Outcome:
+        if latex not in self.known:
+            self.known[latex] = self.reader.read(latex)
+        return self.known[latex]
+
+    def tried(self, text: Text, proposal: Proposal) -> _Reading:
+        """Returns the reading with the proposal, if formulas come further with it and none is lost; one that
+        others stand on may do nothing yet."""
+        readable = [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
+        concerned = [place for place, latex in enumerate(readable) if proposal.trigger.search(latex)]
+        if not concerned:
+            return self
+        proposals = [*self.proposals, proposal]
+        if words_of(proposals) == words_of(self.proposals):
+            new = _Reading(proposals, self.steps, self.formulas, self.blocked, self.start)
+            unconcerned = {*readable} - {readable[place] for place in concerned}
+            new.known = {latex: self.known[latex] for latex in unconcerned & self.known.keys()}
+        else:
+            new = _Reading.of(_steps(text.displays, words_of(proposals)), proposals, self.start)
+        try:
+            now = new.progress(concerned)
+        except PaperError:
+            return self
+        before = self.progress(concerned)
+        lost = any(one[0] > other[0] for one, other in zip(before, now, strict=True))
+        return self if lost or not (proposal.stands or before != now) else new
+
+    def progress(self, places: Sequence[int]) -> list[tuple[bool, Reason | None]]:
+        readable = [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
+        return [self.outcome(readable[place]).progress for place in places]
+
+    def made(self) -> list[Formula]:
+        return [
+            Formula(
+                display, latex, _blocked(display, latex) if place in self.blocked else self.outcome(latex)
+            )
+            for place, ((display, _), latex) in enumerate(zip(self.steps, self.formulas, strict=True))
+        ]
+
+
+def _steps(displays: Sequence[Display], words: frozenset[str]) -> list[tuple[Display, Step]]:
+    return [(display, step) for display in displays for line in steps_of(display, words) for step in line]
+
+
+def _sources(steps: Sequence[tuple[Display, Step]], inline: bool) -> Iterator[Source]:
+    for display, step in steps:
+        yield Source(step.spelled()[0], display.line, inline)
+
+
+def _opaque(display: Display, latex: str) -> list[str]:
+    return [name for name in sorted(display.opaque) if re.search(rf"\\{re.escape(name)}(?![A-Za-z])", latex)]
+
+
+def _blocked(display: Display, latex: str) -> Outcome:
+    names = ", ".join(f"\\{name}" for name in _opaque(display, latex))
+    return Outcome(reason=SyntaxCode.OPAQUE_MACROS(names=names))

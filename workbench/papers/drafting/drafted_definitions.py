@@ -1,0 +1,146 @@
+"""The definitions that a text gives: letters alone on the left where they first occur, and sentences."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.context.formula_acts import stated
+from workbench.context.free_symbols import terms_of
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term
+from workbench.language.printing.printer import to_latex
+from workbench.papers.drafting.trial_reading import Outcome
+from workbench.papers.drafting.typefaces import Guess, without_bold
+from workbench.source.documents import Display
+
+_DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Formula:
+    """One step of a display, and what came of reading it."""
+
+    display: Display
+    latex: str
+    outcome: Outcome
+
+
+@dataclass(frozen=True)
+class Proposed:
+    """A definition: the symbol's LaTeX and what the text says that it is. `sure`: the model takes it."""
+
+    name: str
+    body: str
+    line: int
+    why: str
+    sure: bool
+
+
+def definitions_in(formulas: Sequence[Formula]) -> list[Proposed]:
+    """Returns the definitions of symbols alone on the left where they first occur, or written := ."""
+    found: dict[str, Proposed] = {}
+    seen: set[str] = set()
+    for formula in formulas:
+        statements = [each for each in formula.outcome.statements or () if isinstance(each, Relation)]
+        terms = (term for each in statements for term in terms_of(each))
+        used = {str(term.declaration.name) for term in terms if isinstance(term, Symbol)}
+        new = used - seen
+        seen |= used
+        for said in statements:
+            for each in _defined(formula, said, new, is_only=len(statements) == 1):
+                found.setdefault(each.name, each)
+    return list(found.values())
+
+
+def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> Iterator[Proposed]:
+    if (spin := _spin(said)) is not None:
+        yield Proposed(*spin, formula.display.line, "what the rate of a rotation says", True)
+        return
+    name, is_assigned = _lone_left(said), ":=" in formula.latex and is_only
+    if name is None or stated(said) is None or not (is_assigned or name in new):
+        return
+    _, sign, written = re.split("(:=|=|$)", formula.latex, maxsplit=1)
+    body = written.strip() if sign and is_only else to_latex(said.right)
+    words = _DEFINES.search(formula.display.before)
+    why = f'the text says "{words[0]}" before it' if words else "alone on the left where it comes first"
+    yield Proposed(name, body, formula.display.line, "written :=" if is_assigned else why, True)
+
+
+def _lone_left(statement: Statement) -> str | None:
+    match statement:
+        case Relation(left=Symbol(declaration=declaration, index=(), arguments=())):
+            return str(declaration.name)
+    return None
+
+
+def _spin(said: Relation) -> tuple[str, str] | None:
+    """ω, and vect(Ṙ Rᵀ) or vect(Rᵀ Ṙ), of Ṙ = ω̃ R, Ṙ = R ω̃, ω̃ = Ṙ Rᵀ and ω̃ = Rᵀ Ṙ."""
+    match said:
+        case Relation(
+            left=Apply(head="skew", arguments=(Symbol() as spin,)),
+            right=Apply(head="mul", arguments=(one, other)),
+        ):
+            return _of_rate(str(spin.declaration.name), one, other)
+        case Relation(
+            left=Derivative(body=Symbol(declaration=turning), order=order),
+            right=Apply(head="mul", arguments=(one, other)),
+        ) if turning.rotation and order == Linear(1):
+            name = str(turning.name)
+        case _:
+            return None
+    match one, other:
+        case Apply(head="skew", arguments=(Symbol() as spin,)), Symbol(declaration=turned) if (
+            turned == turning
+        ):
+            return str(spin.declaration.name), rf"\operatorname{{vect}}(\dot{{{name}}} {name}^T)"
+        case Symbol(declaration=turned), Apply(head="skew", arguments=(Symbol() as spin,)) if (
+            turned == turning
+        ):
+            return str(spin.declaration.name), rf"\operatorname{{vect}}({name}^T \dot{{{name}}})"
+    return None
+
+
+def _of_rate(name: str, one: Term, other: Term) -> tuple[str, str] | None:
+    match one, other:
+        case Derivative(body=Symbol() as turned), Apply(head="transpose", arguments=(Symbol() as turning,)):
+            form = r"\operatorname{vect}(\dot{%s} %s^T)"
+        case Apply(head="transpose", arguments=(Symbol() as turning,)), Derivative(body=Symbol() as turned):
+            form = r"\operatorname{vect}(%s^T \dot{%s})"
+        case _:
+            return None
+    turn = turning.declaration
+    is_one = turned == turning and turn.rotation
+    return (name, form % (turn.name, turn.name)) if is_one else None
+
+
+def magnitudes(formulas: Sequence[Formula], guesses: Mapping[str, Guess]) -> Iterator[Proposed]:
+    """Yields ω as ‖𝛚‖, where both occur."""
+    for name, guess in guesses.items():
+        vector = vector_of(name, guesses) if guess.kind == "scalar" else None
+        users = [each.display.line for each in formulas if name in each.outcome.symbols]
+        if vector is not None and users:
+            yield Proposed(name, rf"\|{vector}\|", users[0], f"{vector} has the same letter", False)
+
+
+def vector_of(name: str, guesses: Mapping[str, Guess]) -> str | None:
+    """Returns the vector in bold or under an arrow that has the same letter."""
+    vectors = (each.name for each in guesses.values() if each.kind == "vector" and each.name != name)
+    return next((each for each in vectors if without_bold(each) == name), None)
+
+
+def each_once(proposed: Iterable[Proposed]) -> list[Proposed]:
+    """Returns what is proposed first of each symbol."""
+    first: dict[str, Proposed] = {}
+    for each in proposed:
+        first.setdefault(each.name, each)
+    return list(first.values())
+
+
+def in_sentences(formulas: Iterable[Formula], shown: set[str], defined: set[str]) -> Iterator[Proposed]:
+    """Yields what sentences say of symbols of the displays: "where $L = J \\omega$"."""
+    for formula in formulas:
+        for each in definitions_in([formula]):
+            if each.name in shown and each.name not in defined:
+                yield replace(each, why="a sentence says so")

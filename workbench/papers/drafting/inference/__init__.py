@@ -1,0 +1,1 @@
+"""Kinds of symbols, inferred from the formulas that they stand in."""

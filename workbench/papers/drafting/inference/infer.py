@@ -1,0 +1,247 @@
+"""The kinds of a text's symbols: all formulas are read together, marks and functions as one choice."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from workbench.papers.drafting.inference.kind_operations import SYMBOL, Operation
+from workbench.papers.drafting.inference.kind_search import Formula, Search
+from workbench.papers.drafting.inference.kind_signatures import QUATERNION, SCALAR, TENSOR, VECTOR, Kind
+from workbench.papers.drafting.inference.notation_marks import (
+    Rewriter,
+    applied_letters,
+    said_to_be_skew,
+    skew_marks,
+)
+from workbench.papers.drafting.inference.pieces import operations_of
+from workbench.papers.drafting.inference.priors import Priors
+from workbench.papers.drafting.inference.walker import Walker
+from workbench.papers.drafting.words_on_symbols import Prose
+
+#: Sizes that any text may use, and the largest that a literal matrix gives.
+_USUAL, _LARGEST = (1, 2, 3, 4), 12
+#: A kind is in doubt that costs so little less than the next.
+_CLOSE = 3
+#: Operations on twists.
+_OF_TWISTS = re.compile(
+    r"\btwist|\bwrench|spatial (?:velocit|acceleration|force|vector)|\bscrew", re.IGNORECASE
+)
+#: What a text with joint spaces says, whose dimension n no formula tells.
+_OF_JOINTS = re.compile(
+    r"\bjoint|generali[sz]ed (?:coordinate|velocit|force)|degrees? of freedom|manipulator|\bJacobian"
+)
+#: M(q) q̈: a matrix of the joints, and their accelerations.
+_JOINT_SPACE = re.compile(r"[A-Z]\s*\}?\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\\ddot\s*\{?\s*\1(?![A-Za-z])")
+#: i j k = -1, and the sum of a quaternion's parts.
+_UNITS = re.compile(r"(?<![\\A-Za-z])i\s*j\s*k\s*=|i\s*j\s*=\s*k|\bi\s*\+[^=+]*j\s*\+[^=+]*k(?![A-Za-z])")
+
+
+@dataclass(frozen=True)
+class Source:
+    """A formula of a text: its LaTeX, where it stands, and whether it stands in a sentence."""
+
+    latex: str
+    line: int = 0
+    inline: bool = False
+
+
+@dataclass(frozen=True)
+class Inferred:
+    """The kind of one symbol. margin: how much more all costs with the next best kind, in tenths.
+    because: the lines of the formulas that cost more with it."""
+
+    kind: Kind
+    margin: int
+    others: tuple[tuple[Kind, int], ...]
+    because: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """A formula with an operation that fits with no likely kinds. names: the symbols of the operation."""
+
+    latex: str
+    names: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Thin:
+    """A symbol whose kind only one formula needs, and its kind without that formula."""
+
+    name: str
+    latex: str
+    kind: Kind
+    other: Kind
+
+
+@dataclass(frozen=True)
+class Inference:
+    """What is inferred of a text.
+
+    skew_marks: \\hat and \\tilde, where they make skew tensors.   thin: kinds that only one formula needs.
+    orthogonal: matrices with A Aᵀ = 1, det A = 1 or in a set of such.   moving: symbols with a rate.
+    """
+
+    kinds: Mapping[str, Inferred]
+    skew_marks: tuple[str, ...]
+    misfits: tuple[Misfit, ...]
+    thin: tuple[Thin, ...]
+    orthogonal: frozenset[str]
+    moving: frozenset[str]
+
+    def doubtful(self, latex: str) -> set[str]:
+        """Returns the symbols whose kinds are in doubt beside a formula: those of other formulas that do not
+        fit, and those that another kind would suit as well."""
+        spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
+        return spoilt | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
+
+    def is_square(self, name: str) -> bool:
+        """Returns whether a symbol is a square matrix."""
+        kind = self.kinds[name].kind
+        return isinstance(kind, tuple) and kind[0] == kind[1] != 1
+
+
+def infer(sources: Sequence[Source], prose: Prose) -> Inference:
+    """Returns the kinds of all symbols of the formulas. Those of sentences count where a display has one of
+    their symbols."""
+    walker = Walker()
+    read = [(each, operations_of(each.latex, walker)) for each in sources]
+    if labels := walker.labelled & walker.transposed:
+        walker = Walker(labels)
+        read = [(each, operations_of(each.latex, walker)) for each in sources]
+    shown = {name for each, trees in read if not each.inline for tree in trees for name in tree.names}
+    read = [(each, trees) for each, trees in read if not each.inline or _counts(trees, shown)]
+    skews = said_to_be_skew(tree for _, trees in read for tree in trees)
+    sure_marks = walker.marks_over_several
+    rewriter = Rewriter(walker, skews=skews, skew_marks=sure_marks)
+    formulas = [Formula(rewriter.all(trees), each.line, each.inline) for each, trees in read]
+    has_units = any(_UNITS.search(each.latex) for each in sources)
+    has_joints = bool(_OF_JOINTS.search(prose.text)) or any(
+        _JOINT_SPACE.search(each.latex) for each in sources
+    )
+    search = _search(formulas, prose, has_units, has_joints)
+    search.run()
+    votes, (functions, products) = skew_marks(search), applied_letters(search)
+    marks = sure_marks | {mark for mark, is_skew in votes.items() if is_skew}
+    if votes or functions or products:
+        names = {mark for mark, is_skew in votes.items() if not is_skew}
+        rewriter = Rewriter(
+            walker, frozenset(marks), frozenset(names), functions=functions, products=products
+        )
+        formulas = [Formula(rewriter.all(each.trees), each.line, each.inline) for each in formulas]
+        search = _search(formulas, prose, has_units, has_joints, search)
+        search.run()
+    sources = [each for (each, _), formula in zip(read, formulas, strict=True) if formula.trees]
+    thin = tuple(
+        Thin(name, sources[place].latex, search.kinds[name], other)
+        for name, place, other in search.needed_once()
+    )
+    misfits = tuple(
+        Misfit(each.latex, operation.names)
+        for (each, _), formula in zip(read, formulas, strict=True)
+        for operation in _misfits(search, formula)
+    )
+    kinds = {name: _inferred(search, name) for name in search.users}
+    trees = [tree for formula in search.formulas for tree in formula.trees]
+    return Inference(
+        kinds,
+        tuple(sorted(marks)),
+        misfits,
+        thin,
+        frozenset(_orthogonal(trees)),
+        frozenset(_moving(trees)),
+    )
+
+
+def _orthogonal(trees: Iterable[Operation]) -> Iterable[str]:
+    for tree in trees:
+        if tree.op == "member" and re.search(r"S[OE]", tree.text):
+            yield from tree.names
+        if tree.op == "equal" and len(set(tree.names) - {"I"}) == 1:
+            left, right = tree.parts
+            is_product = left.op == "mul" and right.op in ("identity", "unit")
+            if is_product or (left.op == "det" and (right.op, right.text) == ("number", "1")):
+                yield from tree.names
+
+
+def _moving(trees: Iterable[Operation]) -> Iterable[str]:
+    for tree in trees:
+        for each in tree.walk():
+            if each.op in ("rate", "operator", "partial"):
+                yield from each.names
+
+
+def _counts(trees: Sequence[Operation], shown: set[str]) -> bool:
+    return any(not shown.isdisjoint(tree.names) and tree.op != "said" for tree in trees)
+
+
+def _search(
+    formulas: Sequence[Formula],
+    prose: Prose,
+    has_units: bool,
+    has_joints: bool,
+    before: Search | None = None,
+) -> Search:
+    trees = [each for formula in formulas for tree in formula.trees for each in tree.walk()]
+    heads = {each.parts[0].text for each in trees if each.op == "apply" and each.parts[0].op == SYMBOL}
+    units = ("i", "j", "k") if has_units else ()
+    sizes = _sizes(trees, prose, has_joints) + ([QUATERNION] if prose.has_quaternions or units else [])
+    priors = Priors(prose, sizes, heads, units)
+    if before is None:
+        return Search(formulas, priors)
+    return Search(formulas, priors, before.kinds, before.costs)
+
+
+def _sizes(trees: Iterable[Operation], prose: Prose, has_joints: bool) -> list[Kind]:
+    """The sizes that symbols may have: columns, rows and squares of the usual extents and of those that
+    literal matrices have or make; other matrices where the text has one."""
+    extents, has_blocks = {*_USUAL}, False
+    if _OF_TWISTS.search(prose.text):
+        extents.add(6)
+    for tree in trees:
+        if tree.op == SYMBOL and re.search(r"\\operatorname\{[aA]d\b", tree.text):
+            extents.add(6)
+        if tree.op == "matrix":
+            own = [*map(int, tree.text.split())]
+            has_blocks = has_blocks or min(own) > 1
+            extents.update(extent for extent in own if extent <= _LARGEST)
+            extents.update((6,) if 2 in own else (6, 8) if 3 in own else ())
+        if tree.op == "tuple" and len(tree.parts) <= _LARGEST:
+            extents.add(len(tree.parts))
+    found: list[Kind] = [
+        (rows, columns)
+        for rows in sorted(extents)
+        for columns in sorted(extents)
+        if has_blocks or rows == columns or 1 in (rows, columns)
+    ]
+    if has_joints:
+        found += [(0, 1), (0, 0), *((rows, 0) for rows in sorted(extents) if rows in (1, 2, 3, 6))]
+    return found
+
+
+def _misfits(search: Search, formula: Formula) -> Iterable[Operation]:
+    return [each for tree in formula.trees for each in search.costs.misfits(tree, search.kinds)]
+
+
+def _inferred(search: Search, name: str) -> Inferred:
+    others = search.others(name)
+    margin = others[0][1] if others else 1000
+    because: list[int] = []
+    if others:
+        change = {name: others[0][0]}
+        because = [
+            search.formulas[place].line
+            for place in search.users[name]
+            if search.cost(place, change) > search.cost(place)
+        ]
+    return Inferred(search.kinds[name], margin, tuple(others), tuple(dict.fromkeys(because)))
+
+
+def kind_name(kind: Kind) -> str:
+    """Returns what a model calls a kind."""
+    if isinstance(kind, str):
+        return "hamilton quaternion"
+    usual = {SCALAR: "scalar", VECTOR: "vector", TENSOR: "tensor"}
+    return usual.get(kind) or f"matrix {kind[0] or 'n'}×{kind[1] or 'n'}"

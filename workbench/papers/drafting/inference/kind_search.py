@@ -1,0 +1,243 @@
+"""The kinds of all symbols of a text together: those under which its formulas and symbols cost least."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from workbench.papers.drafting.inference.beams import Beams
+from workbench.papers.drafting.inference.kind_operations import Operation
+from workbench.papers.drafting.inference.kind_signatures import MISFIT, Kind
+from workbench.papers.drafting.inference.priors import Priors, face, likeness
+from workbench.papers.drafting.inference.tables import Costs
+
+#: In tenths: what it costs that two symbols that are written alike differ; what a formula of a sentence costs
+#: beside one of a display.
+_UNLIKE, _INLINE = 12, 4
+#: How much dearer than its likeliest kind the kind of a symbol is that calls its formulas into question.
+_STRANGE = 12
+_ROUNDS, _MOST_OPTIONS, _MOST_MENDED = 12, 10, 3
+#: How many readings of operations are looked at; the kinds that are found by then are kept.
+_MOST_READINGS = 400_000
+
+
+@dataclass(frozen=True, eq=False)
+class Formula:
+    """A formula as operations; where it stands, and whether it stands in a sentence."""
+
+    trees: tuple[Operation, ...]
+    line: int = 0
+    inline: bool = False
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(sorted({name for tree in self.trees for name in tree.names}))
+
+
+Change = Mapping[str, Kind]
+
+
+class Search:
+    """Kinds of the symbols, and what they cost together."""
+
+    def __init__(
+        self,
+        formulas: Sequence[Formula],
+        priors: Priors,
+        start: Mapping[str, Kind] | None = None,
+        costs: Costs | None = None,
+    ) -> None:
+        self.formulas, self.costs = [each for each in formulas if each.trees], costs or Costs()
+        self.names = [each.names for each in self.formulas]
+        self.users: dict[str, list[int]] = defaultdict(list)
+        for place, names in enumerate(self.names):
+            for name in names:
+                self.users[name].append(place)
+        self.prior = {name: priors.of(name) for name in self.users}
+        self.kinds: dict[str, Kind] = {name: next(iter(own)) for name, own in self.prior.items()}
+        self.kinds |= {name: kind for name, kind in (start or {}).items() if name in self.kinds}
+        self.alike: dict[str, list[str]] = defaultdict(list)
+        for name in self.users:
+            if face(name) != "component":
+                self.alike[likeness(name)].append(name)
+        self._known: dict[tuple[int, tuple[Kind, ...]], int] = {}
+        self._hopeless: dict[int, tuple[Kind, ...]] = {}
+        self._beams = Beams(self.costs)
+        self._now = [self._cost(place, None) for place in range(len(self.formulas))]
+        self._settled: set[str] = set()
+
+    # --------------------------------------------------------------------------------------- the cost
+
+    def cost(self, place: int, change: Change | None = None) -> int:
+        """Returns what a formula costs, after a change of kinds."""
+        return self._cost(place, change) if change else self._now[place]
+
+    def _cost(self, place: int, change: Change | None) -> int:
+        names, now = self.names[place], self.kinds
+        own = tuple([change.get(n) or now[n] for n in names] if change else [now[n] for n in names])
+        known = self._known.get(key := (place, own))
+        if known is None:
+            formula, kinds = self.formulas[place], dict(zip(names, own, strict=True))
+            total = sum(self.costs.least(tree, kinds) for tree in formula.trees)
+            known = self._known[key] = total * _INLINE // 10 if formula.inline else total
+        return known
+
+    def own(self, names: Collection[str], change: Change) -> int:
+        """Returns what the symbols cost by themselves, and beside those that are written alike."""
+
+        def at(name: str) -> Kind:
+            return change.get(name) or self.kinds[name]
+
+        total = sum(self.prior[name][at(name)] for name in names)
+        for group in {likeness(name) for name in names}:
+            if len(members := self.alike.get(group, ())) > 1:
+                usual = Counter(map(at, members))
+                total += _UNLIKE * (len(members) - max(usual.values()))
+        return total
+
+    def gain(self, change: Change) -> int:
+        """Returns how much less all costs after the change; a bound, where it is no gain."""
+        change = {name: kind for name, kind in change.items() if self.kinds[name] != kind}
+        places = {place for name in change for place in self.users[name]}
+        best = self.own(change, {}) - self.own(change, change) + sum([self._now[p] for p in places])
+        for place in places:
+            if best <= 0:
+                return best
+            best -= self._cost(place, change)
+        return best
+
+    def total(self) -> int:
+        return self.own(self.users, {}) + sum(map(self.cost, range(len(self.formulas))))
+
+    # ------------------------------------------------------------------------------------- the search
+
+    def run(self) -> None:
+        """Changes kinds as long as all costs less."""
+        for _ in range(_ROUNDS):
+            changed = self._singles(self.users)
+            changed |= self._groups()
+            changed |= self._repairs()
+            if not changed or self._is_late():
+                return
+
+    def _is_late(self) -> bool:
+        return self.costs.count > _MOST_READINGS
+
+    def _take(self, changes: Iterable[Change]) -> bool:
+        """Makes the best of the changes, if it gains anything."""
+        best, chosen = 0, None
+        for change in changes:
+            if change and (gain := self.gain(change)) > best:
+                best, chosen = gain, change
+        if chosen is not None:
+            self._change(chosen)
+        return chosen is not None
+
+    def _change(self, change: Change) -> None:
+        changed = {name for name, kind in change.items() if self.kinds[name] != kind}
+        self.kinds |= change
+        for place in {place for name in changed for place in self.users[name]}:
+            self._now[place] = self._cost(place, None)
+            self._settled.difference_update(self.names[place])
+        for name in changed:
+            self._settled.difference_update(self.alike.get(likeness(name), ()))
+
+    def _singles(self, names: Iterable[str]) -> bool:
+        changed = False
+        for name in names:
+            if name not in self._settled:
+                changed |= self._take({name: kind} for kind in self._options(name))
+                self._settled.add(name)
+        return changed
+
+    def _options(self, name: str) -> list[Kind]:
+        """The kinds of a symbol that may cost less than its kind now."""
+        most = sum(map(self.cost, self.users[name])) + _UNLIKE + self.prior[name][self.kinds[name]]
+        return [kind for kind, own in self.prior[name].items() if own < most]
+
+    def _groups(self) -> bool:
+        changed = False
+        hatted = [name for name in self.users if "\\hat{" in name]
+        for names in [*self.alike.values(), hatted]:
+            if len(names) > 1 and any(self.cost(place) for name in names for place in self.users[name]):
+                kinds = self.prior[names[0]]
+                changed |= self._take(
+                    {name: kind for name in names if kind in self.prior[name]} for kind in kinds
+                )
+        return changed
+
+    def _repairs(self) -> bool:
+        """Changes several symbols at once of a formula that does not fit; then mends what that breaks."""
+        changed = False
+        for place in sorted(range(len(self.formulas)), key=self.cost, reverse=True):
+            names = self.names[place]
+            strange = (self.prior[name][self.kinds[name]] - min(self.prior[name].values()) for name in names)
+            is_wrong = self.cost(place) >= MISFIT * (_INLINE if self.formulas[place].inline else 10) // 20
+            if not (is_wrong or max(strange, default=0) >= _STRANGE) or self._is_late():
+                continue
+            state = tuple(self.kinds[name] for name in names)
+            if self._hopeless.get(place) == state:
+                continue
+            if self._take(self._together(place)) or (is_wrong and self._chain(place)):
+                changed = True
+            else:
+                self._hopeless[place] = state
+        return changed
+
+    def _together(self, place: int) -> Iterator[Change]:
+        """Yields changes of any number of the formula's symbols under which it costs less."""
+        names = self.names[place]
+        now = self.cost(place) + sum(self.prior[name][self.kinds[name]] for name in names)
+        own = {name: self._own_of(name) for name in names}
+        for kinds in self._beams.joint(self.formulas[place].trees, own):
+            change = {name: kind for name, kind in kinds.items() if self.kinds[name] != kind}
+            cost = sum(self.prior[name][kind] for name, kind in kinds.items())
+            if change and self.cost(place, change) + cost < now:
+                yield change
+
+    def _own_of(self, name: str) -> Mapping[Kind, int]:
+        """What each kind costs the symbol alone, and what it costs to give up what other formulas settled."""
+        given_up, now = 3 * min(len(self.users[name]), 5), self.kinds[name]
+        costs = {kind: own + (given_up if kind != now else 0) for kind, own in self.prior[name].items()}
+        return dict(sorted(costs.items(), key=lambda item: item[1]))
+
+    def _chain(self, place: int) -> bool:
+        """Makes a change that mends the formula and breaks others, with changes that mend these."""
+        before, total = dict(self.kinds), self.total()
+        options = sorted(self._together(place), key=self.gain, reverse=True)[:_MOST_OPTIONS]
+        for change in options:
+            self._change(change)
+            for _ in range(_MOST_MENDED):
+                broken = {p for name in change for p in self.users[name] if self.cost(p) >= MISFIT // 2}
+                names = {name for p in broken for name in self.names[p]} - change.keys()
+                if not any(self._take({n: kind} for kind in self._options(n)) for n in sorted(names)):
+                    break
+            if self.total() < total:
+                return True
+            self._change(before)
+        return False
+
+    # ------------------------------------------------------------------------------------ the outcome
+
+    def others(self, name: str) -> list[tuple[Kind, int]]:
+        """Returns the next best kinds of a symbol and how much more all would cost, the cheapest first."""
+        now = self.kinds[name]
+        dearer = [(kind, -self.gain({name: kind})) for kind in self.prior[name] if kind != now]
+        return sorted(dearer, key=lambda each: (each[1], str(each[0])))[:3]
+
+    def needed_once(self) -> Iterator[tuple[str, int, Kind]]:
+        """Yields symbols whose kind only one display needs, its place, and the kind without it."""
+        for name, places in self.users.items():
+            for kind in list(self.prior[name])[:_MOST_OPTIONS]:
+                change = {name: kind}
+                dearer = {p: self._cost(p, change) - self._now[p] for p in places}
+                more = self.own(change, change) - self.own(change, {}) + sum(dearer.values())
+                alone = (p for p, own in dearer.items() if own > more and not self.formulas[p].inline)
+                if kind != self.kinds[name] and (place := next(alone, None)) is not None:
+                    yield name, place, kind
+                    break
+
+    def operations(self) -> Iterator[Operation]:
+        """Yields all operations of the formulas."""
+        return (each for formula in self.formulas for tree in formula.trees for each in tree.walk())

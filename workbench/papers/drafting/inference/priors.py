@@ -1,0 +1,170 @@
+"""What each kind costs a symbol by itself: by its typeface, its letter, and the words beside it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from functools import cache
+
+from workbench.core.types import type_of_kind
+from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, VECTOR, Kind
+from workbench.papers.drafting.typefaces import Guess
+from workbench.papers.drafting.words_on_symbols import Prose
+
+#: By typeface: the cost to be a scalar, a 3-vector, a tensor 3×3, another column, another square matrix, any
+#: other matrix, a quaternion.
+FACES = {
+    "bold small": (30, 0, 25, 9, 32, 35, 20),
+    "bold capital": (35, 14, 0, 18, 8, 12, 40),
+    "marked capital": (20, 2, 8, 18, 16, 20, 35),
+    "tilde": (14, 5, 5, 16, 20, 25, 25),
+    "turn": (25, 18, 0, 25, 8, 14, 35),
+    "hat": (14, 0, 18, 14, 30, 35, 14),
+    "marked": (9, 0, 25, 11, 30, 35, 12),
+    "capital": (13, 16, 4, 18, 8, 12, 35),
+    "energy": (6, 20, 9, 22, 10, 20, 40),
+    "identity": (10, 40, 0, 50, 4, 60, 60),
+    "unit": (14, 8, 30, 30, 40, 40, 0),
+    "component": (0, 45, 50, 50, 60, 60, 60),
+    "omega": (4, 0, 20, 12, 30, 30, 25),
+    "greek": (0, 14, 30, 18, 36, 38, 30),
+    "small": (0, 16, 32, 18, 36, 38, 22),
+    "mass": (0, 35, 45, 40, 50, 50, 45),
+    "position": (3, 4, 32, 14, 36, 38, 18),
+    "coordinate": (0, 12, 32, 7, 36, 38, 22),
+    "framed small": (10, 0, 25, 12, 30, 35, 20),
+    "framed capital": (30, 6, 0, 15, 5, 10, 35),
+    "script capital": (25, 14, 8, 6, 10, 16, 35),
+    "word": (10, 20, 15, 20, 10, 12, 30),
+}
+#: By what the words beside it say.
+SAID = {
+    "scalar": (0, 40, 45, 45, 50, 50, 45),
+    "vector": (35, 0, 35, 4, 40, 40, 10),
+    "unit vector": (45, 0, 45, 10, 50, 50, 20),
+    "tensor": (40, 35, 0, 25, 3, 4, 40),
+    "rotation": (50, 45, 0, 45, 25, 40, 12),
+    "transform": (50, 45, 25, 45, 0, 40, 40),
+    "quaternion": (30, 14, 45, 2, 50, 50, 0),
+    "hamilton quaternion": (25, 18, 40, 25, 45, 50, 0),
+}
+#: Words that tell no size.
+KINDS_BY_WORDS = frozenset(SAID) - {"transform"}
+#: The bonus of a kind that the text says outright.
+_SURE = 40
+#: The letters of joint spaces, and the bonus of a kind whose size is the number of joints.
+_OF_JOINTS = re.compile(
+    r"(?:\\(?:mathbf|boldsymbol)\{)?(?:[quJ]|\\theta|\\tau|\\boldsymbol\{\\(?:theta|tau))\}?(?:_\{.*)?|[MCBDHGg](?:_\{.*)?"
+)
+_OPEN = 9
+#: A text that says nothing of quaternions has none; a row that is no column is rare.
+_NO_QUATERNIONS, _ROW = 60, 14
+
+_ADJOINT = re.compile(r"\\operatorname\{[aA]d\b")
+_LEFT = re.compile(r"^\{\}(?:[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
+_PREFIX = re.compile(r"^\\[Dd]elta[\s{]")
+_COMPONENT = re.compile(
+    r"_\{(?:[^{}]*_\{)?[ijkl][ ,]*[ijkl]\}+$|"
+    r"_\{(?:[xyz]{1,2}|[0-9] ?[0-9]|[0-9],[0-9])\}$|^\\(?:Delta|delta)[\s{]"
+)
+_LIKENESS = re.compile(r"[_^]\{\\?[A-Za-z0-9]+(?:[ /,]*\\?[A-Za-z0-9]+)?\}|'+")
+
+
+@cache
+def face(name: str) -> str:
+    """Returns the typeface of a name, as `FACES` has it."""
+    inner = _LEFT.sub("", name)
+    found = re.match(r"((?:\\[a-z]+\{)*)(\\?[A-Za-z]+)", _PREFIX.sub("", inner))
+    marks, letter = (found[1], found[2]) if found else ("", inner)
+    is_capital = letter.lstrip("\\")[:1].isupper()
+    if "operatorname" in marks + letter:
+        return "word"
+    if not marks and _COMPONENT.search(inner):
+        return "component"
+    if "tilde" in marks:
+        return "tilde"
+    if re.search(r"mathbf|boldsymbol|mathsf", marks) and not re.search(r"hat|vec|bar|underline", marks):
+        return "bold capital" if is_capital else "bold small"
+    if re.search(r"vec|underline|overline|hat|bar", marks):
+        return "marked capital" if is_capital else "hat" if "hat" in marks else "marked"
+    if "mathcal" in marks and is_capital:
+        return "script capital"
+    if inner != name:
+        return "framed capital" if is_capital else "framed small"
+    return _plain_face(inner, letter, is_capital)
+
+
+def _plain_face(inner: str, letter: str, is_capital: bool) -> str:
+    if inner == "I":
+        return "identity"
+    if letter == "R":
+        return "turn"
+    if is_capital:
+        return "energy" if re.match(r"[TVULHKEWP](?![A-Za-z])", letter) else "capital"
+    if letter in ("\\omega", "\\alpha"):
+        return "omega"
+    if inner in ("q", "\\tau", "\\xi", "\\eta"):
+        return "coordinate"
+    if letter in ("p", "m"):
+        return "position" if letter == "p" else "mass"
+    return "greek" if letter.startswith("\\") else "small"
+
+
+@cache
+def likeness(name: str) -> str:
+    """Returns what names that are written alike share: all but indices and labels."""
+    return _LIKENESS.sub("", name)
+
+
+class Priors:
+    """What each kind costs the symbols of a text. functions: letters before brackets; units: i, j and k,
+    where they are those of quaternions."""
+
+    def __init__(
+        self, prose: Prose, kinds: Sequence[Kind], functions: Collection[str], units: Collection[str] = ()
+    ) -> None:
+        self.prose, self.kinds, self.functions, self.units = prose, kinds, functions, units
+
+    def of(self, name: str) -> dict[Kind, int]:
+        """Returns the cost of each kind, the cheapest kind first."""
+        has_quaternions = self.prose.has_quaternions or name in self.units
+        written = "unit" if name in self.units else face(name)
+        by_shape, said = list(FACES[written]), self.prose.guess(name)
+        if name in self.functions and written in ("capital", "energy"):
+            by_shape[0], by_shape[1] = by_shape[0] + 12, by_shape[1] + 8
+        sure: Kind | None = (6, 6) if _ADJOINT.match(name) else None
+        if said is not None and (said.is_said or said.why.endswith("quaternions")):
+            words = _words(said)
+            if words in SAID:
+                by_shape = [cost // 4 + own for cost, own in zip(by_shape, SAID[words], strict=True)]
+            exact = type_of_kind(words)
+            if exact is not None and words not in KINDS_BY_WORDS:
+                sure = (exact.rows, exact.columns)
+        by_shape[6] += 0 if has_quaternions else _NO_QUATERNIONS
+        kinds = {*self.kinds, *([] if sure is None else [sure])}
+        bonus = _OPEN if _OF_JOINTS.fullmatch(_LEFT.sub("", name)) else 0
+        costs = {
+            kind: cost_of(kind, by_shape) - (_SURE if kind == sure else 0) - (bonus if is_open(kind) else 0)
+            for kind in kinds
+        }
+        return dict(sorted(costs.items(), key=lambda item: (item[1], str(item[0]))))
+
+
+def is_open(kind: Kind) -> bool:
+    """Returns whether a size of the kind is a number that no formula tells."""
+    return isinstance(kind, tuple) and 0 in kind
+
+
+def _words(said: Guess) -> str:
+    return "unit vector" if said.unit and said.kind == "vector" else said.kind
+
+
+def cost_of(kind: Kind, by_shape: Sequence[int]) -> int:
+    """Returns the cost of a kind for a symbol with these costs by shape."""
+    if isinstance(kind, str):
+        return by_shape[6]
+    usual = {SCALAR: 0, VECTOR: 1, TENSOR: 2}
+    rows, columns = kind
+    shape = usual.get(kind, 3 if columns == 1 else 4 if rows == columns else 5)
+    size = 0 if kind in usual or not (rows and columns) else rows + columns - 2
+    return by_shape[shape] + size + (_ROW if rows == 1 < columns else 0)

@@ -1,0 +1,173 @@
+"""From factors in a row to operations: functions and what they take, products, and the signs between them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from workbench.core.names import PREFIXES
+from workbench.core.operations import FUNCTIONS, OF_ANGLES
+from workbench.language.grammar.syntax import (
+    Bracket,
+    Extremal,
+    Infix,
+    Leaf,
+    Node,
+    Scripted,
+    Sum,
+    Summation,
+    core,
+    is_function,
+    is_left_script,
+)
+from workbench.language.naming.spelling import in_bracket, prefixed
+from workbench.papers.drafting.inference.kind_operations import SYMBOL, Forest, Operation
+
+#: The operations that words are, beside those that the language knows.
+_WORDS = {
+    **{"trace": "trace", "Exp": "exp", "Log": "log", "ln": "log", "log": "log", "vex": "vect"},
+    **dict.fromkeys(("sgn", "sign", "sinc"), "function"),
+    "diag": "diag",
+}
+#: The operations that infix signs are.
+_SIGNS = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "compose", "∧": "wedge", "∨": "wedge", "*": "compose"}
+#: The signs that bind more than the others.
+_TIGHT = frozenset("×⊗∧∨")
+_TIMES = frozenset(("t", "\\tau"))
+
+
+class RowWalker:
+    """Factors in a row; `Walker` says what each of them is."""
+
+    def __init__(self, forest: Forest) -> None:
+        self.forest, self.make = forest, forest.make
+
+    def term(self, node: Node | None) -> Operation:
+        raise NotImplementedError
+
+    def prefixed(self, left: Scripted, node: Node) -> Operation | None:
+        raise NotImplementedError
+
+    def row(self, items: Sequence[Node]) -> Operation:
+        """Returns the product of the items; a function takes what stands behind it."""
+        parts: list[Operation | str] = []
+        place = 0
+        while place < len(items):
+            part, place = self._part(items, place)
+            parts.append(part)
+        return self._joined(parts)
+
+    def _part(self, items: Sequence[Node], place: int) -> tuple[Operation | str, int]:
+        """Returns the part of a product that begins at a place, and where the next begins."""
+        node, behind = items[place], items[place + 1] if place + 1 < len(items) else None
+        inner = core(node)
+        if isinstance(node, Infix):
+            return node.operator, place + 1
+        if isinstance(node, Summation | Extremal):
+            rest = self.row(items[place + 1 :]) if behind is not None else self.forest.anything()
+            return rest, len(items)
+        if inner is not None and is_function(inner):
+            return self._function(inner, behind), place + 1 + (behind is not None)
+        if behind is not None and (pair := self._with_next(node, behind)) is not None:
+            return pair, place + 2
+        return self._alone(node), place + 1
+
+    def _with_next(self, node: Node, behind: Node) -> Operation | None:
+        """Returns what two items are together: a letter with scripts on its left, a function of a bracket."""
+        if is_left_script(node) and isinstance(node, Scripted):
+            return self.prefixed(node, behind) or self.term(behind)
+        inner, bracket = core(node), core(behind)
+        if isinstance(inner, Leaf) and inner.text in PREFIXES and (both := prefixed(inner, behind)):
+            return self.term(both)
+        if isinstance(bracket, Bracket) and bracket.kind in ("(", "["):
+            return self._applied(node, bracket)
+        return None
+
+    def _alone(self, node: Node) -> Operation:
+        inner = core(node)
+        if isinstance(inner, Bracket) and inner.kind == "[" and len(inner.parts) == 1:
+            if (pair := in_bracket(inner)) is not None:
+                return self.make("either", self.forest.symbol(str(pair.name)), self.term(inner))
+            return self.term(inner)
+        return self.term(node)
+
+    def _function(self, node: Node, behind: Node | None) -> Operation:
+        """Returns the value of a function at what stands behind it."""
+        leaf = node.nucleus if isinstance(node, Scripted) else node
+        assert isinstance(leaf, Leaf)
+        name, inner = leaf.name, self.term(behind)
+        head = _WORDS.get(name) or FUNCTIONS.get(name)
+        if head in OF_ANGLES or head == "function":
+            return self.make("function", inner)
+        if head is not None:
+            return self.make(head, *(inner.parts if head == "quaternion" else (inner,)))
+        word = self.term(
+            replace(node, nucleus=_letter(leaf)) if isinstance(node, Scripted) else _letter(leaf)
+        )
+        return self.make("apply", word, inner, text="sure")
+
+    def _applied(self, node: Node, bracket: Bracket) -> Operation | None:
+        """Returns a letter before a bracket, where it may be a function of what is inside; None for a
+        product."""
+        head = self.term(node)
+        letter = head
+        while letter.op in ("rate", "transpose", "inverse", "power", "star"):
+            letter = letter.parts[0]
+        if letter.op != SYMBOL:
+            return None
+        parts = tuple(map(self.term, bracket.parts))
+        how = _how(parts, bracket)
+        inner = parts[0] if len(parts) == 1 else self.make("tuple", *parts)
+        return None if how == "product" else self.make("apply", head, inner, text=how)
+
+    def _joined(self, parts: list[Operation | str]) -> Operation:
+        """Returns the product: juxtaposition joins first, then × and its like, then the other signs."""
+        groups: list[Operation | str] = []
+        for part in parts:
+            if isinstance(part, str) or not groups or isinstance(groups[-1], str):
+                groups.append(part)
+            else:
+                groups[-1] = self._times(groups[-1], part)
+        for signs in (_TIGHT, None):
+            done: list[Operation | str] = []
+            for part in groups:
+                sign = done[-1] if len(done) > 1 else None
+                left = done[-2] if len(done) > 1 else None
+                is_pair = isinstance(part, Operation) and isinstance(left, Operation)
+                if is_pair and isinstance(sign, str) and (signs is None or sign in signs):
+                    done[-2:] = [self._signed(sign, left, part)]  # type: ignore[arg-type]
+                else:
+                    done.append(part)
+            groups = done
+        found = [part for part in groups if isinstance(part, Operation)]
+        return found[0] if len(found) == 1 else self.forest.anything(*found)
+
+    def _signed(self, sign: str, left: Operation, right: Operation) -> Operation:
+        is_of_numbers = sign == "×" and "number" in (left.op, right.op)  # 2 × 3
+        return self.make("mul" if is_of_numbers else _SIGNS.get(sign, "any"), left, right)
+
+    def _times(self, left: Operation, right: Operation) -> Operation:
+        """Returns a product; q p q⁻¹ is one operation."""
+        if left.op == "mul" and right.op in ("inverse", "star") and right.parts[0] is left.parts[0]:
+            return self.make("sandwich", *left.parts)
+        return self.make("mul", left, right)
+
+
+def _letter(leaf: Leaf) -> Leaf:
+    return Leaf(leaf.at, "LETTER", f"\\operatorname{{{leaf.name}}}")
+
+
+def _how(parts: Sequence[Operation], bracket: Bracket) -> str:
+    """Returns what a bracket behind a letter looks like: how likely it holds arguments."""
+    is_lone = all(_is_symbol(part) for part in parts)
+    if len(parts) > 1:
+        return "sure" if is_lone and bracket.kind == "(" else "tuple"
+    if bracket.kind == "[":
+        return "skewed" if is_lone else "product"
+    if is_lone:
+        return "time" if parts[0].text in _TIMES else "lone"
+    return "product" if isinstance(core(bracket.parts[0]), Sum) else "unclear"
+
+
+def _is_symbol(part: Operation) -> bool:
+    return part.op == SYMBOL or (part.op == "rate" and part.parts[0].op == SYMBOL)

@@ -1,0 +1,229 @@
+"""The cost of the readings of a formula, with given kinds of its symbols."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from workbench.papers.drafting.inference.kind_operations import Operation
+from workbench.papers.drafting.inference.kind_signatures import (
+    MISFIT,
+    QUATERNION,
+    SCALAR,
+    SIGNATURES,
+    TENSOR,
+    VECTOR,
+    Kind,
+    Size,
+    Table,
+    cheapest,
+    combined,
+)
+from workbench.papers.drafting.inference.walker import IDENTITY, ZERO
+from workbench.papers.drafting.typefaces import flat
+
+#: What it costs to read a bracket behind a letter as a product, and as arguments, by how it looks.
+BRACKETS = {"time": (60, 0), "lone": (8, 0), "tuple": (0, 4), "skewed": (0, 5), "unclear": (0, 6)}
+#: What 1 costs as a unit tensor.
+_ONE = 15
+#: The sizes of a unit tensor.
+_UNITS: Table = {TENSOR: 0, (0, 0): 2, (2, 2): 5, (4, 4): 5, (6, 6): 5}
+_SETS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak)|operatorname)")
+
+
+class Costs:
+    """The cheapest readings of operations, remembered by the kinds of the symbols in them."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[Operation, tuple[Kind, ...]], Table] = {}
+
+    def table(self, tree: Operation, kinds: Mapping[str, Kind]) -> Table:
+        """Returns what each kind of the value costs."""
+        key = (tree, tuple([kinds[name] for name in tree.names]))
+        known = self._known.get(key)
+        if known is None:
+            known = self._known[key] = self._fresh(tree, kinds)
+        return known
+
+    @property
+    def count(self) -> int:
+        """The number of readings of operations that were looked at."""
+        return len(self._known)
+
+    def least(self, tree: Operation, kinds: Mapping[str, Kind]) -> int:
+        return min(self.table(tree, kinds).values())
+
+    def misfits(self, tree: Operation, kinds: Mapping[str, Kind]) -> list[Operation]:
+        """Returns the innermost operations that do not fit."""
+        if self.least(tree, kinds) < MISFIT // 2:
+            return []
+        return [found for part in tree.parts for found in self.misfits(part, kinds)] or [tree]
+
+    def _fresh(self, tree: Operation, kinds: Mapping[str, Kind]) -> Table:
+        op = tree.op
+        if not tree.parts:
+            return self._leaf(tree, kinds)
+        if op == "matrix":
+            return self._matrix(tree, kinds)
+        parts = [self.table(each, kinds) for each in tree.parts]
+        match op:
+            case "rate" | "said":
+                return parts[0]
+            case "marked":
+                return combined(op, [*parts, {kinds[tree.text]: 0}])
+            case "member":
+                return _member(tree, parts[0])
+            case "add" | "equal":
+                table = parts[0]
+                for other in parts[1:]:
+                    table = combined(op, (table, other))
+                return table
+            case "tuple":
+                return _stacked(parts)
+            case "apply":
+                return _applied(tree, parts)
+            case "either":
+                return {
+                    kind: min(each.get(kind, 10**6) for each in parts) for kind in {**parts[0], **parts[1]}
+                }
+        if op in SIGNATURES:
+            return combined(op, parts)
+        return {None: sum(min(part.values()) for part in parts)}
+
+    def _leaf(self, tree: Operation, kinds: Mapping[str, Kind]) -> Table:
+        text = flat(tree.text)
+        match tree.op:
+            case "symbol":
+                return {SCALAR if text == "\\pi" else kinds[tree.text]: 0}
+            case "number":
+                if re.fullmatch(r"0+\.?0*", tree.text):
+                    return {None: 0}
+                return {SCALAR: 0, **{(n, n): _ONE for n in (2, 3, 4, 6)}} if text == "1" else {SCALAR: 0}
+            case "zero" if found := ZERO.fullmatch(text):
+                return {(int(found[1]), int(found[2] or 1)) if found[1] else None: 0}
+            case "identity" if found := IDENTITY.fullmatch(text):
+                size = found[1] or found[2]
+                return {(int(size), int(size)): 0} if size else dict(_UNITS)
+            case "unit":
+                kind = kinds[tree.text]
+                is_square = isinstance(kind, tuple) and kind[0] == kind[1] != 1
+                return (
+                    {own: cost + 1 for own, cost in _UNITS.items() if own != kind} | {kind: 0}
+                    if is_square
+                    else {kind: 0}
+                )
+        return {None: 0}
+
+    def _matrix(self, tree: Operation, kinds: Mapping[str, Kind]) -> Table:
+        """Blocks: those of a row have its height, those of a column its width."""
+        height, width = map(int, tree.text.split())
+        blocks = _Blocks(height, width)
+        for place, cell in enumerate(tree.parts):
+            blocks.put(*divmod(place, width), cell, self.table(cell, kinds))
+        return blocks.table()
+
+
+class _Blocks:
+    """The cells of a matrix; the rows and columns that each has, as far as they are known."""
+
+    def __init__(self, height: int, width: int) -> None:
+        self.heights: list[int | None] = [None] * height
+        self.widths: list[int | None] = [None] * width
+        self.cost = 0
+        self.firm: list[tuple[int, int, Size]] = []
+        self.units: list[tuple[int, int]] = []
+
+    def put(self, i: int, j: int, cell: Operation, table: Table) -> None:
+        kind = min(table, key=lambda each: (table[each], each == QUATERNION))
+        self.cost += table[kind]
+        is_unit = cell.op in ("identity", "unit")
+        is_free = kind is None or is_unit or cell.op == "zero" or (cell.op, cell.text) == ("number", "1")
+        size: Size | None = (4, 1) if isinstance(kind, str) else kind
+        if not is_free and size is not None:
+            self.firm.append((i, j, size))
+        elif is_unit:
+            self.units.append((i, j))
+        if size is not None and (not is_free or len(table) == 1):
+            self.heights[i] = _larger(self.heights[i], size[0])
+            self.widths[j] = _larger(self.widths[j], size[1])
+
+    def table(self) -> Table:
+        heights, widths = self.heights, self.widths
+        is_blocks = any(extent not in (None, 1) for extent in (*heights, *widths))
+        for i, j in self.units:  # a unit tensor in a block of which nothing else tells the size
+            if heights[i] is None or widths[j] is None:
+                size = 3 if is_blocks or not self.firm else 1
+                size = max(heights[i] or 0, widths[j] or 0) or size
+                heights[i], widths[j] = heights[i] or size, widths[j] or size
+        is_triad = len(widths) == 1 and len(heights) > 1 and len(self.firm) == len(heights)
+        if is_triad and all(size == VECTOR for _, _, size in self.firm):
+            blocks: Table = {(3 * len(heights), 1): self.cost + 6}
+            return blocks | ({VECTOR: self.cost + 3} if len(heights) == 3 else {})
+        wrong = sum(size != (heights[i], widths[j]) for i, j, size in self.firm)
+        total = (_summed(heights), _summed(widths))
+        cost = self.cost + MISFIT // 2 * min(wrong, 3) + (6 if is_blocks else 0)
+        return {total: cost, QUATERNION: cost + 6} if total == (4, 1) else {total: cost}
+
+
+def _larger(known: int | None, extent: int) -> int:
+    return extent if known is None else max(known, extent)
+
+
+def _summed(extents: Sequence[int | None]) -> int:
+    """The sum of extents, 1 for each that is not known; 0, an open number, where one of them is open."""
+    return 0 if 0 in extents else sum(extent or 1 for extent in extents)
+
+
+def _applied(tree: Operation, parts: Sequence[Table]) -> Table:
+    """f(x): a value of f's own kind, or the product of f and x."""
+    value = combined("value", parts)
+    if tree.text == "sure":
+        return value
+    as_product, as_value = BRACKETS[tree.text]
+    found = {kind: cost + as_value for kind, cost in value.items()}
+    for kind, cost in combined("mul", parts).items():
+        found[kind] = min(cost + as_product, found.get(kind, 10**6))
+    return cheapest(found)
+
+
+def _stacked(parts: Sequence[Table]) -> Table:
+    """(a, b, c): a column, a row, or a quaternion, of scalars and columns one below the other."""
+    rows, cost, free, is_open = 0, 0, 0, False
+    for part in parts:
+        if part == {None: 0}:  # a zero of any size
+            free += 1
+            continue
+        columns = {kind: own for kind, own in part.items() if isinstance(kind, tuple) and kind[1] == 1}
+        if not columns:
+            return {None: 20 + sum(min(each.values()) for each in parts)}
+        kind = min(columns, key=lambda each: columns[each])
+        rows, cost, is_open = rows + kind[0], cost + columns[kind], is_open or not kind[0]
+    if is_open:
+        return {(0, 1): cost + 1, (1, 0): cost + 1}
+    rows = 4 if free == 1 and rows in (1, 3) and len(parts) == 2 else rows + free
+    found: Table = {(rows, 1): cost + 1, (1, rows): cost + 1}
+    return found | ({QUATERNION: cost} if rows == 4 else {})
+
+
+def sizes_of_set(text: str) -> set[Kind]:
+    """Returns the kinds that the members of a set have, by what it is called: SO(3), R^3; none if unknown."""
+    name = _SETS.sub("", text)
+    if re.match(r"S?O\(?3|so\(?3", name):
+        return {TENSOR}
+    if re.match(r"SE\(?3|se\(?3", name):
+        return {(4, 4)}
+    if re.match(r"H(?![a-z])|S\^\(?3", name):
+        return {QUATERNION}
+    if re.match(r"S\^\(?2", name):
+        return {VECTOR}
+    if found := re.fullmatch(r"\(?R\)?(?:\^\(?([\dn])(?:\\times([\dnm]))?\)?)?", name):
+        rows, columns = (0 if each in ("n", "m") else int(each or 1) for each in found.groups())
+        return {(rows, columns), QUATERNION} if (rows, columns) == (4, 1) else {(rows, columns)}
+    return set()
+
+
+def _member(tree: Operation, table: Table) -> Table:
+    """x ∈ SO(3): costs a misfit if x is something else."""
+    sizes = sizes_of_set(tree.text)
+    wrong = {kind for kind in table if sizes and kind is not None and kind not in sizes}
+    return {kind: cost + (MISFIT if kind in wrong else 0) for kind, cost in table.items()}

@@ -1,0 +1,313 @@
+"""From the bracket tree of a formula to its operations: symbols, scripts, brackets and fractions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from workbench.core.names import Name
+from workbench.language.grammar.syntax import (
+    Accented,
+    Binomial,
+    Bracket,
+    Chain,
+    Conditional,
+    Fraction,
+    Given,
+    Group,
+    Joined,
+    Leaf,
+    Lines,
+    Matrix,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    both_below,
+    core,
+    is_left_script,
+)
+from workbench.language.naming.spelling import Scripts, spell, spell_label, under_accent
+from workbench.papers.drafting.inference.kind_operations import MARKED, SYMBOL, UNIT, Forest, Operation
+from workbench.papers.drafting.inference.rows import RowWalker
+from workbench.papers.drafting.typefaces import flat
+
+_FACE = r"(?:\\(?:math(?:bf|bb|ds|rm|cal|sf)|boldsymbol))"
+IDENTITY = re.compile(rf"{_FACE}(?:I|1|Id)_?(?:(\d)(?:\\times\d)?)?|[IE]_(\d)(?:\\times\d)?|I")
+ZERO = re.compile(rf"{_FACE}?[0O]_?(?:(\d)(?:\\times(\d))?)?")
+_TRANSPOSES = frozenset(("T", "\\mathrmT", "\\mathsfT", "\\mathttT", "-T", "t"))
+#: Superscripts that are labels, and no powers.
+_LABEL = re.compile(
+    r"\\math(?:scr|cal|frak|rm|sf|bf)|[A-SU-Z]|\\dagger|[+\-](?![\d\w])"
+    r"|\\(?:ominus|oplus|star|prime|flat|sharp)|\("
+)
+#: Superscripts that are operations, by what they look like.
+_OPERATIONS = {
+    **dict.fromkeys(_TRANSPOSES, "transpose"),
+    "-1": "inverse",
+    **dict.fromkeys(("\\wedge", "∧", "\\times", "×", "\\land"), "skew"),
+    **dict.fromkeys(("\\vee", "∨", "\\lor"), "vect"),
+    **dict.fromkeys(("*", "\\ast", "\\star"), "star"),
+}
+#: Marks over two letters that are one name: the arrow from A to B.
+_OVER_POINTS = ("\\vec", "\\overline", "\\underline")
+_CROSSES = ("\\times", "×", "\\wedge", "∧", "x")
+#: Relations, and what they say of their two sides.
+_RELATIONS = {
+    **dict.fromkeys(("=", "≈", "≠", ":="), "equal"),
+    **dict.fromkeys((">", "≥", "<", "≤"), "compare"),
+    **dict.fromkeys(("\\perp", "\\parallel"), "directions"),
+}
+
+
+class Walker(RowWalker):
+    """Formulas as operations of one forest.
+
+    marks_over_several: those over more than a letter, which are no part of a name.   labels: letters with a
+    frame on their left whose superscript T is a label.   labelled, transposed: letters with a frame on their
+    left that have another label, and those that have T.
+    """
+
+    def __init__(self, labels: Collection[str] = ()) -> None:
+        super().__init__(Forest())
+        self.marks_over_several: set[str] = set()
+        self.labels = labels
+        self.labelled: set[str] = set()
+        self.transposed: set[str] = set()
+
+    def statement(self, node: Node) -> list[Operation]:
+        """Returns what the relations of a formula say, or its expressions."""
+        match node:
+            case Lines():
+                return [each for line in node.lines for clause in line for each in self.statement(clause)]
+            case Conditional() | Joined():
+                return [each for part in node.statements for each in self.statement(part)]
+            case Given():
+                return [each for part in node.conditions for each in self.statement(part)]
+            case Chain():
+                pairs = zip(node.relations, node.sides, node.sides[1:], strict=False)
+                return [made for (sign, _), *sides in pairs for made in self._related(sign, *sides)]
+        return [self.make("said", self.term(node))]
+
+    def _related(self, sign: str, left: Node, right: Node) -> list[Operation]:
+        if sign == "∈":
+            return [self.make("member", self.term(left), text=flat(plain(right)))]
+        relation = _RELATIONS.get(sign)
+        return [self.make(relation, self.term(left), self.term(right))] if relation else []
+
+    def term(self, node: Node | None) -> Operation:
+        """Returns the operation that a node is."""
+        inner = core(node)
+        if inner is None:
+            return self.forest.anything()
+        if (lettered := self._lettered(inner)) is not None:
+            return lettered
+        match inner:
+            case Leaf(kind="NUMBER"):
+                return self.make("number", text=inner.text)
+            case Leaf(kind="FUNCTION"):
+                return self.forest.symbol(f"\\operatorname{{{inner.name}}}")
+            case Sum():
+                return self.make("add", *(self.term(each) for _, _, each in inner.addends))
+            case Product():
+                return self.row(inner.items)
+            case Fraction():
+                return self._fraction(inner)
+            case Binomial():
+                return self.make("number", text="n")
+            case Matrix():
+                return self._matrix(inner)
+            case Bracket():
+                return self._bracket(inner)
+            case Styled() | Accented():
+                return self._over_several(inner)
+            case Scripted():
+                return self._raised(self.term(inner.nucleus), inner)
+            case Group(parts=parts) if len(parts) > 1:
+                return self.make("tuple", *map(self.term, parts))
+        return self.forest.anything()
+
+    def symbol(self, name: str) -> Operation:
+        """Returns the symbol of this name: the unit tensor and zero tensors by their letters."""
+        bare = flat(name)
+        if bare == "I":
+            return self.make(UNIT, text=name)
+        if IDENTITY.fullmatch(bare):
+            return self.make("identity", text=name)
+        if ZERO.fullmatch(bare):
+            return self.make("zero", text=bare)
+        return self.forest.symbol(name)
+
+    # ------------------------------------------------------------------------------------- one letter
+
+    def _lettered(self, node: Node, left: Scripts | None = None) -> Operation | None:
+        """Returns a letter under its marks and scripts as operations on a symbol; None if it is no letter."""
+        styles: list[str] = []
+        scripts, powers, has_dots = left or Scripts(), [], False
+        while not isinstance(node, Leaf):
+            match node:
+                case Group(parts=(part,)):
+                    node = part
+                case Styled():
+                    if node.style in _OVER_POINTS and (pair := under_accent(node)) is not None:
+                        return self.forest.symbol(str(pair.name))
+                    styles.append(node.style)
+                    node = node.body
+                case Accented():
+                    styles += ["\\tilde"] if node.accent == "~" else []
+                    has_dots = has_dots or node.accent != "~"
+                    node = node.body
+                case Scripted(factorial=False):
+                    power = self._power_of(node)
+                    powers += [(power, node)] if power else []
+                    sup = None if power else node.sup
+                    scripts = replace(
+                        scripts,
+                        sub=both_below(node.sub, scripts.sub),
+                        sup=scripts.sup if sup is None else sup,
+                        primes=scripts.primes + node.primes,
+                    )
+                    node = node.nucleus
+                case _:
+                    return None
+        if node.kind not in ("LETTER", "MARK") and not (node.kind == "NUMBER" and styles):
+            return None
+        return self._marked(node, styles, scripts, powers, has_dots)
+
+    def _marked(
+        self,
+        letter: Leaf,
+        styles: Sequence[str],
+        scripts: Scripts,
+        powers: Sequence[tuple[str, Scripted]],
+        has_dots: bool,
+    ) -> Operation:
+        if letter.text == "e" and not styles and powers and scripts == Scripts() and powers[0][0] == "power":
+            return self.make("exp", self.term(powers[0][1].sup))
+        made = self._named(letter.text, styles, scripts)
+        if scripts.left_sup is not None:
+            bare = str(self._named(letter.text, styles, scripts.without_sup()))
+            if scripts.sup is not None:
+                self.labelled.add(bare)
+            for place, (power, node) in enumerate(powers):
+                if power == "transpose" and letter.text.islower():
+                    self.transposed.add(bare)
+                    if bare in self.labels:
+                        rest = [*powers[:place], *powers[place + 1 :]]
+                        return self._marked(letter, styles, replace(scripts, sup=node.sup), rest, has_dots)
+        mark = next((style for style in styles if style in ("\\tilde", "\\hat")), None)
+        if mark is not None and made.op == SYMBOL:
+            inner = self._named(letter.text, [style for style in styles if style != mark], scripts)
+            made = self.make(MARKED, inner, text=made.text)
+        made = self.make("rate", made) if has_dots else made
+        for power, node in reversed(powers):
+            made = self._powered(made, power, node)
+        return made
+
+    def _named(self, letter: str, styles: Sequence[str], scripts: Scripts) -> Operation:
+        spelled = spell(Name.styled(styles, letter), scripts, ())
+        return self.forest.anything() if spelled is None else self.symbol(str(spelled.exact))
+
+    def prefixed(self, left: Scripted, node: Node) -> Operation | None:
+        """Returns the letter with the scripts on its left as part of its name."""
+        return self._lettered(node, Scripts(left_sub=left.sub, left_sup=left.sup))
+
+    # ---------------------------------------------------------------------------------------- scripts
+
+    def _power_of(self, node: Scripted) -> str | None:
+        """Returns the operation that a superscript is; None for a label, which is part of a name."""
+        if node.sup is None:
+            return None
+        sup = flat(plain(node.sup))
+        if sup in _OPERATIONS:
+            return _OPERATIONS[sup]
+        if re.fullmatch(r"-?\d+(?:/\d+)?", sup):
+            return "power"
+        is_e = isinstance(node.nucleus, Leaf) and node.nucleus.text == "e"
+        if not is_e and (_LABEL.match(sup) or isinstance(core(node.sup), Leaf)):
+            return None
+        return "power"
+
+    def _raised(self, inner: Operation, node: Scripted) -> Operation:
+        """Returns a bracket or a function with the operations that its scripts are."""
+        sub = flat(plain(node.sub))
+        if isinstance(node.nucleus, Bracket):
+            if sub in _CROSSES:
+                inner = self.make("skew", self.term(node.nucleus.parts[0]))
+            elif re.fullmatch(r"[1-3xyz]{1,2}", sub):
+                return self.make("component", inner)
+        power = self._power_of(node)
+        return inner if power is None else self._powered(inner, power, node)
+
+    def _powered(self, inner: Operation, power: str, node: Scripted) -> Operation:
+        text = flat(plain(node.sup)) if power == "power" else ""
+        return self.make(power, inner, text=text)
+
+    # ----------------------------------------------------------------------------- brackets, fractions
+
+    def _over_several(self, node: Styled | Accented) -> Operation:
+        """Returns what a mark over several letters makes of them."""
+        body = self.term(node.body)
+        mark = ("\\tilde" if node.accent == "~" else "") if isinstance(node, Accented) else node.style
+        if mark not in ("\\tilde", "\\hat"):
+            return self.make("rate", body) if isinstance(node, Accented) else body
+        self.marks_over_several.add(mark)
+        return self.make("skew", body)
+
+    def _bracket(self, node: Bracket) -> Operation:
+        parts = tuple(map(self.term, node.parts))
+        if node.kind in ("|", "\\|"):
+            return self.make("norm", *parts)
+        if node.kind == "\\langle":
+            return self.make("inner", *parts)
+        if node.kind == "\\{":
+            return self.forest.anything(*parts)
+        if node.kind == "[" and len(parts) == 1 and parts[0].op in (SYMBOL, MARKED):
+            return self.make("bracketed", *parts)
+        return parts[0] if len(parts) == 1 else self.make("tuple", *parts)
+
+    def _matrix(self, node: Matrix) -> Operation:
+        width = max(map(len, node.rows))
+        cells = [
+            self.term(row[place]) if place < len(row) else self.make("zero", text="0")
+            for row in node.rows
+            for place in range(width)
+        ]
+        return self.make("matrix", *cells, text=f"{len(node.rows)} {width}")
+
+    def _fraction(self, node: Fraction) -> Operation:
+        top, bottom = _factors(node.numerator), _factors(node.denominator)
+        while top and is_left_script(top[0]):
+            top = top[1:]
+        if top and len(bottom) > 1 and _is_differential(top[0]) and _is_differential(bottom[0]):
+            place = self.row(bottom[1:2])
+            if len(top) == 1:
+                return self.make("operator", place)
+            return self.make("partial", self.row(top[1:]), place)
+        return self.make("div", self.term(node.numerator), self.term(node.denominator))
+
+
+def plain(node: Node | None) -> str:
+    """Returns a script as it is written, without blanks; "?" for what no label has."""
+    if node is None:
+        return ""
+    inner = core(node)
+    if isinstance(inner, Fraction):
+        return f"{plain(inner.numerator)}/{plain(inner.denominator)}"
+    if isinstance(inner, Sum):
+        return "".join(sign + plain(each) for sign, _, each in inner.addends)
+    return spell_label(node) or "?"
+
+
+def _factors(node: Node) -> list[Node]:
+    inner = core(node)
+    return list(inner.items) if isinstance(inner, Product) else [] if inner is None else [inner]
+
+
+def _is_differential(node: Node) -> bool:
+    inner = core(node)
+    while isinstance(inner, Scripted | Styled):
+        inner = core(inner.nucleus if isinstance(inner, Scripted) else inner.body)
+    return isinstance(inner, Leaf) and inner.text in ("d", "\\partial", "\\delta", "D")

@@ -1,0 +1,119 @@
+"""A text without a model, judged under the model that is drafted for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from workbench.context.claims import Claim, Paper
+from workbench.context.free_symbols import terms_of
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.names import Name
+from workbench.core.reasons import Reason
+from workbench.core.terms import Symbol
+from workbench.core.verdict import Outcome, Strength, Verdict
+from workbench.papers.drafting.draft_model import Ingested, ingest
+from workbench.papers.drafting.inference.infer import Thin, kind_name
+from workbench.papers.drafting.model_file import loaded_model
+from workbench.papers.drafting.typefaces import flat
+from workbench.papers.texts.text_paper import TextPaper, text_paper
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.source.documents.titles import own_title
+
+_RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
+
+
+@dataclass(frozen=True)
+class Draft:
+    """A text under a drafted model."""
+
+    ingested: Ingested
+    paper: TextPaper
+
+    @property
+    def summary(self) -> str:
+        """One line that says that a model was drafted, and how to keep it."""
+        found, path = self.ingested, self.ingested.text.path
+        definitions = sum(proposed.sure for proposed in found.definitions)
+        counts = [(len(found.guesses), "symbol"), (definitions, "definition")]
+        told = ", ".join(f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts)
+        return f"drafted a model of {path.name} ({told}); `workbench draft {path}` writes it"
+
+
+def needs_draft(paper: Paper) -> bool:
+    """Returns whether a paper is a text that has no model, and no comments that declare anything."""
+    return (
+        isinstance(paper, TextPaper) and len(paper.paths) == 1 and not (paper.text and paper.text.directives)
+    )
+
+
+def draft_of(path: Path) -> Draft:
+    """Returns a text under the model that is drafted for it. Raises PaperError."""
+    return draft_from(ingest(path))
+
+
+def draft_from(ingested: Ingested) -> Draft:
+    """Returns a text under the model that was found for it. Raises PaperError."""
+    path = ingested.text.path
+    _, model = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
+    return Draft(
+        ingested, text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))
+    )
+
+
+def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:
+    """Returns the results with the basis that drafted kinds have. A falsehood that rests on a kind that only
+    its own formula needs is not decided."""
+    return [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
+
+
+def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
+    verdict, claim = result.verdict, result.claim
+    if verdict.outcome not in _RESTS_ON_KINDS:
+        return verdict
+    inference, latex = draft.ingested.inference, claim.printed.latex
+    confirmed, names = draft.ingested.confirmed, _names(claim)
+    if names and confirmed.issuperset(names):
+        return verdict
+    thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
+    misfits = {each.latex for each in inference.misfits}
+    reason: Reason | None = None
+    if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
+        reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
+    elif thin and latex not in misfits:
+        reason = _asked(verdict, thin)
+    elif _has_frames(draft, claim):
+        reason = VerdictCode.OF_FRAMES(outcome=verdict.outcome)
+    if reason is not None:
+        return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
+    known = confirmed | {each.name for each in draft.ingested.definitions if each.sure}
+    doubts = [name for name in names if name in inference.doubtful(latex) - known]
+    unless = ("the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3]))
+    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*verdict.unless, *unless))
+
+
+def _symbols(claim: Claim) -> list[Name]:
+    statement = claim.printed.statement
+    terms = terms_of(statement) if statement is not None else ()
+    return [term.declaration.name for term in terms if isinstance(term, Symbol)]
+
+
+def _names(claim: Claim) -> list[str]:
+    return list(dict.fromkeys(map(str, _symbols(claim))))
+
+
+def _has_frames(draft: Draft, claim: Claim) -> bool:
+    """Whether a claim has axes or points, of which a draft does not know how they move."""
+    made = [name for name in _symbols(claim) if name in claim.notation.framed]
+    tables = (each.entries for each in draft.ingested.proposals if each.table == "frames")
+    spins = [flat(key) for table in tables for key, phrase in table.items() if "angular" in phrase]
+    return any(not any(flat(name.base) in key for key in spins) for name in made)
+
+
+def _asked(verdict: Verdict, thin: Sequence[Thin]) -> Reason:
+    kinds = " and ".join(f"{each.name} is a {kind_name(each.kind)}" for each in thin[:2])
+    other = thin[0]
+    return VerdictCode.NEEDED_ONCE(
+        outcome=verdict.outcome, kinds=kinds, name=other.name, other=kind_name(other.other)
+    )

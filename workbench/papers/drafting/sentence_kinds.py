@@ -1,0 +1,167 @@
+"""What sentences say of symbols: angular velocities, rates, constants, quaternions, any vectors."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+from workbench.papers.drafting.drafted_definitions import Proposed
+from workbench.papers.drafting.marked_text import MARK, MarkedText, Sentence
+
+_LABEL = re.compile(r"(?:\\(?:math\w+|boldsymbol)\s*\{?\s*)*\{?[A-Z](?:\s*_\s*\{?\w+\}?)?\s*\}*|\{\w\}|\d")
+_LIST = r"(?:⟦\d+⟧(?:,? and |, )?)+"
+_ARTICLE = r"(?:the )?(?:frame |body |link |base )?"
+_IN = r" (?:in|relative to|with respect to|seen from|measured in|as seen from|observed from|w\.r\.t\.) "
+_DERIVATIVE = r"(?:time )?(?:derivative|rate of change|rate)s?"
+_IS = r"(?: is| are| be| denotes?| denoting| stands for| represents?|,)(?: simply)? (?:the )?"
+
+
+@dataclass(frozen=True)
+class Spin:
+    """That a symbol is the angular velocity (or acceleration) of one frame in another."""
+
+    name: str
+    what: str
+    frame: str
+    base: str
+
+
+@dataclass(frozen=True)
+class Quaternion:
+    """A unit quaternion and its parts, in the order in which the sentence has them."""
+
+    name: str
+    parts: tuple[str, ...]
+    line: int
+
+
+@dataclass
+class Facts:
+    """What the sentences of a text say. rates: name → of which symbol, in which frame ("" for none), and the
+    line.   constants, free, units: symbols that are constant, any, or unit tensors."""
+
+    spins: list[Spin] = field(default_factory=list)
+    rates: dict[str, tuple[str, str, int]] = field(default_factory=dict)
+    constants: dict[str, None] = field(default_factory=dict)
+    free: dict[str, None] = field(default_factory=dict)
+    quaternions: list[Quaternion] = field(default_factory=list)
+    units: dict[str, None] = field(default_factory=dict)
+
+    def definitions(self, dot: str) -> Iterator[Proposed]:
+        """Yields the definitions of rates. dot: the frame in which a dot differentiates; "" if none is
+        known."""
+        for name, (of, frame, line) in self.rates.items():
+            is_plain = frame in ("", dot)
+            body = rf"\frac{{d {of}}}{{dt}}" if is_plain else rf"\frac{{{{}}^{{{frame}}} d {of}}}{{dt}}"
+            yield Proposed(name, body, line, "a sentence says so", True)
+
+
+def facts_of(text: MarkedText) -> Facts:
+    """Returns what the sentences of a text say."""
+    facts = Facts()
+    for sentence in text.sentences:
+        for pattern, take in _RULES:
+            for match in pattern.finditer(sentence.words):
+                take(facts, text, sentence, match)
+    return facts
+
+
+def _spin(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+    (name, *_), frame, base = text.names(match["name"]) or [""], match["frame"], match["base"]
+    labels = [" ".join(text.latex(mark).split()) for mark in (frame, base)]
+    if name and all(map(_is_label, labels)):
+        what = f"angular {match['what']}"
+        facts.spins.append(Spin(name, what, labels[0], labels[1]))
+
+
+def _is_label(latex: str) -> bool:
+    """Whether a formula is the label of a frame or a point: a capital, or a figure."""
+    return _LABEL.fullmatch(latex) is not None
+
+
+def _rate(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+    names, of = text.names(match["name"]), text.names(match["of"])
+    if len(names) == len(of) == 1 and names[0] != of[0]:
+        facts.rates.setdefault(names[0], (of[0], _frame(text, match), sentence.line))
+
+
+def _frame(text: MarkedText, match: re.Match[str]) -> str:
+    mark = match.groupdict().get("frame")
+    label = " ".join(text.latex(mark).split()) if mark else ""
+    return label if _is_label(label) else ""
+
+
+def _two_rates(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+    """v and a be the first and second derivative of r in B; "its" is of the symbol that the sentence begins
+    with."""
+    names = [name for mark in re.findall(MARK, match["names"]) for name in text.names(mark)]
+    mark = match["of"]
+    if mark is None:
+        before = re.findall(MARK, sentence.words[: match.start()])
+        mark = next((each for each in before if not _is_label(text.latex(each))), None)
+    of = text.names(mark) if mark is not None else []
+    if len(names) == 2 and of:
+        frame = _frame(text, match)
+        facts.rates.setdefault(names[0], (of[0], frame, sentence.line))
+        facts.rates.setdefault(names[1], (names[0], frame, sentence.line))
+
+
+def _listed(key: str) -> Callable[[Facts, MarkedText, Sentence, re.Match[str]], None]:
+    def take(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+        for mark in re.findall(MARK, match["names"]):
+            for name in text.names(mark):
+                getattr(facts, key).setdefault(name)
+
+    return take
+
+
+def _quaternion(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+    tree = text.tree(match["name"])
+    if tree is None:
+        return
+    if tree.op == "equal" and tree.parts[1].op in ("tuple", "matrix") and tree.parts[0].op == "symbol":
+        parts = tuple(part.text for part in tree.parts[1].parts if part.op == "symbol")
+        facts.quaternions.append(Quaternion(tree.parts[0].text, parts, sentence.line))
+
+
+Rule = tuple[re.Pattern[str], Callable[[Facts, MarkedText, Sentence, re.Match[str]], None]]
+
+
+def _mark(group: str) -> str:
+    return rf"⟦(?P<{group}>\d+)⟧"
+
+
+def _rule(pattern: str, take: Callable[[Facts, MarkedText, Sentence, re.Match[str]], None]) -> Rule:
+    return re.compile(pattern, re.IGNORECASE), take
+
+
+_ANGULAR = r"angular (?P<what>velocity|acceleration)(?: vector)?"
+_OF_IN = rf" of {_ARTICLE}{_mark('frame')}{_IN}{_ARTICLE}{_mark('base')}"
+_IN_FRAME = rf"(?:{_IN}{_ARTICLE}{_mark('frame')})?"
+_RULES: tuple[Rule, ...] = (
+    _rule(rf"{_mark('name')}{_IS}{_ANGULAR}{_OF_IN}", _spin),
+    _rule(rf"{_ANGULAR} {_mark('name')}{_OF_IN}", _spin),
+    _rule(rf"{_ANGULAR}{_OF_IN}(?: is|,| by| as)*(?: denoted by| written)? {_mark('name')}", _spin),
+    _rule(rf"{_mark('name')}{_IS}(?:first )?{_DERIVATIVE} of {_mark('of')}{_IN_FRAME}", _rate),
+    _rule(rf"{_DERIVATIVE} {_mark('name')} of {_mark('of')}{_IN_FRAME}", _rate),
+    _rule(
+        rf"(?P<names>{_LIST})(?: be| are| denote)? (?:its|the|their) first and second {_DERIVATIVE}"
+        rf"(?: of {_mark('of')})?{_IN_FRAME}",
+        _two_rates,
+    ),
+    _rule(rf"\b(?:constants?|constant \w+|lengths?|masses|mass) (?P<names>{_LIST})", _listed("constants")),
+    _rule(
+        rf"(?P<names>{_LIST}) ?(?:is|are|be|being) (?:a |the |all |both )?constants?\b", _listed("constants")
+    ),
+    _rule(
+        r"\b(?:any|all|arbitrary|every)(?: (?:two|three|other))? (?:vectors?|scalars?|tensors?|points?)"
+        rf" (?P<names>{_LIST})",
+        _listed("free"),
+    ),
+    _rule(rf"\bunit quaternion {_mark('name')}", _quaternion),
+    _rule(
+        rf"(?P<names>⟦\d+⟧){_IS}(?:\S+ )?(?:identity(?: (?:matrix|tensor))?|unit (?:matrix|tensor))\b",
+        _listed("units"),
+    ),
+)

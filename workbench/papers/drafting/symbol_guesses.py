@@ -1,0 +1,55 @@
+"""What a model says of each symbol: its inferred kind with what the text says of it beside its size."""
+
+from __future__ import annotations
+
+import re
+
+from workbench.papers.drafting.inference.infer import Inference, Inferred, kind_name
+from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, VECTOR, Kind
+from workbench.papers.drafting.inference.priors import face, is_open
+from workbench.papers.drafting.typefaces import Guess, by_typeface
+from workbench.papers.drafting.words_on_symbols import Prose
+
+#: The number that stands for a size that no formula tells.
+_OPEN = "2"
+_TURN = re.compile(r"(?:\{\}.*\})?(?:\\[a-z]+\{)*[RC]\}?(?![a-z])")
+_LENGTHS = re.compile(r"[lLmabdc](?:_\{.*\})?")
+
+
+def guesses_of(inference: Inference, prose: Prose) -> dict[str, Guess]:
+    """Returns what is guessed of each symbol of a text."""
+    return {name: _guess(name, found, inference, prose) for name, found in inference.kinds.items()}
+
+
+def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Guess:
+    said = prose.guess(name)
+    kind, size = kind_name(found.kind), found.kind
+    is_said = said is not None and said.kind in (kind, "rotation" if size == TENSOR else kind)
+    kind = kind_of_model(size)
+    why = said.why if said is not None and is_said else _why(name, found)
+    if size == TENSOR and _is_rotation(name, inference, said):
+        kind = "rotation"
+    elif size == (4, 4) and ((said is not None and said.kind == "transform") or name in inference.orthogonal):
+        kind = "transform"
+    unit = size == VECTOR and said is not None and said.unit
+    constant = size == SCALAR and name not in inference.moving and bool(_LENGTHS.fullmatch(name))
+    return Guess(name, kind, why, unit, constant)
+
+
+def kind_of_model(kind: Kind) -> str:
+    """Returns what a model calls a kind, with a number for a size that is open."""
+    return re.sub(r"n(?=×|$)", _OPEN, kind_name(kind)) if is_open(kind) else kind_name(kind)
+
+
+def _is_rotation(name: str, inference: Inference, said: Guess | None) -> bool:
+    is_said = said is not None and said.kind == "rotation"
+    return is_said or name in inference.orthogonal or bool(_TURN.match(name))
+
+
+def _why(name: str, found: Inferred) -> str:
+    """What a kind rests on: the formulas that would cost more with another, or the typeface."""
+    if found.because:
+        lines = ", ".join(map(str, found.because[:3]))
+        more = ", …" if len(found.because) > 3 else ""
+        return f"fits the formulas of line {lines}{more}"
+    return by_typeface(name).why or face(name)

@@ -1,0 +1,141 @@
+"""A text's formulas read with the kinds that were inferred: what comes of each, and what it needs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from itertools import chain
+
+from workbench.context.free_symbols import terms_of
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
+from workbench.core.reasons import Reason
+from workbench.core.terms import Statement, Symbol
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.reader import read, unclaimed
+from workbench.papers.drafting.typefaces import ADJOINT, LABELLED, Guess, bare_name, flat
+
+#: e with an exponent, which is no transpose and no number.
+EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")
+_MOST_SYMBOLS = 60
+
+
+@dataclass
+class Outcome:
+    """What came of reading one formula: statements, or a reason, and whether its kinds do not fit."""
+
+    statements: tuple[Statement, ...] | None = None
+    reason: Reason | None = None
+    ill_formed: bool = False
+    symbols: set[str] = field(default_factory=set)
+
+    @property
+    def progress(self) -> tuple[bool, Reason | None]:
+        """Whether the formula is read, and what keeps it from it."""
+        return self.statements is not None, self.reason
+
+
+class Reader:
+    """Reads formulas with guessed symbols. A symbol that was not guessed is declared when it is met, as its
+    typeface has it. `has_exponentials`: e is a number."""
+
+    def __init__(
+        self,
+        ground: SymbolTable,
+        guesses: Mapping[str, Guess],
+        has_exponentials: bool,
+        by_face: Callable[[str], Guess],
+    ) -> None:
+        self.ground, self.has_exponentials, self._by_face = ground, has_exponentials, by_face
+        self.guesses: dict[str, Guess] = {}
+        self.refused: dict[str, Reason] = {}
+        self._table = replace(ground, names_close=False)
+        self._declare(guesses.values())
+
+    def read(self, latex: str) -> Outcome:
+        """Returns what comes of the formula; symbols that it needs and nobody guessed are declared."""
+        for _ in range(_MOST_SYMBOLS):
+            outcome = self._attempt(latex)
+            if outcome.statements is not None or outcome.ill_formed:
+                break
+            unknown = _unknown_symbol(outcome.reason)
+            name = self._labelled(latex) if unknown is None else bare_name(unknown)
+            if name is None or (name == "e" and self.has_exponentials):
+                break
+            name = self._without_accent(name)
+            if name in self.refused:
+                outcome = Outcome(reason=self.refused[name])
+                break
+            if name in self.guesses:  # declared, and unknown still
+                break
+            self._declare([self._by_face(name)])
+        outcome.symbols = self._used(latex, outcome.statements)
+        return outcome
+
+    def _declare(self, guesses: Iterable[Guess]) -> None:
+        """Declares the symbols that the notation does not spell. What the table refuses is left out."""
+        specs: dict[str, Mapping[str, object]] = {}
+        for guess in guesses:
+            if guess.name == "e" and self.has_exponentials:
+                continue
+            with suppress(SpecError, ReadError):
+                if read_key(guess.name)[0] not in self.ground.constants:
+                    specs[guess.name] = guess.spec
+                    self.guesses[guess.name] = guess
+        while specs:
+            try:
+                self._table = self._table.with_specs(specs)
+                return
+            except SpecError as refused:
+                key = refused.key if refused.key in specs else next(reversed(specs))
+                self.refused[key] = refused.reason
+                del specs[key], self.guesses[key]
+
+    def _used(self, latex: str, statements: tuple[Statement, ...] | None) -> set[str]:
+        if statements:
+            terms = (term for each in statements for term in terms_of(each))
+            used = {str(term.declaration.name) for term in terms if isinstance(term, Symbol)}
+            return used & self.guesses.keys()
+        formula = flat(latex)
+        return {name for name in self.guesses if flat(name) in formula}
+
+    def _without_accent(self, name: str) -> str:
+        """The symbol under an accent that the notation explains."""
+        with suppress(SpecError):
+            key, _ = read_key(name)
+            if key.styles and self.ground.notations.accents(key.styles[0]):
+                return str(replace(key, styles=key.styles[1:]))
+        return name
+
+    def _labelled(self, latex: str) -> str | None:
+        """A symbol with a capital or a script letter as a superscript, which is no power, and which is not
+        known yet."""
+        for match in chain(LABELLED.finditer(latex), ADJOINT.finditer(latex)):
+            with suppress(SpecError):
+                key, places = read_key(match[0])
+                if not places and key not in self.ground.symbols and str(key) not in self.guesses:
+                    return str(key)
+        return None
+
+    def _attempt(self, latex: str) -> Outcome:
+        try:
+            try:
+                return Outcome(read(latex, self._table))
+            except ReadError as error:
+                unclaimed(error, latex, self._table)
+                return Outcome(())
+        except IllFormedAt as error:
+            return Outcome(reason=error.message, ill_formed=True)
+        except ReadError as error:
+            return Outcome(reason=error.message)
+
+
+def _unknown_symbol(reason: Reason | None) -> str | None:
+    """The symbol that the reader does not know, if that is what keeps it from reading."""
+    for part in reason.parts() if reason is not None else ():
+        if part.code is SyntaxCode.UNKNOWN_SYMBOL:
+            return part.arguments["text"]
+    return None

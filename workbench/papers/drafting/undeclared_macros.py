@@ -1,0 +1,35 @@
+"""Macros that a text uses and declares nowhere, \\bq for \\mathbf{q}: a letter in bold, by their name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from workbench.language.grammar.parser import parses
+from workbench.source.documents import Display
+
+_PREFIXED = re.compile(r"\\(?:bf|bs|bm|bold|vect|vec|mat|vc|b|v|m)([A-Za-z]|[a-z]{2,7}|[A-Z][a-z]{1,6})")
+#: What a font is called before or without a letter.
+_FONTS = frozenset({"\\bf", "\\bm", "\\mit", "\\bfseries"})
+_COMMAND = re.compile(r"\\([A-Za-z]+)(?![A-Za-z])\s*(\{?)")
+
+
+def letters_in_bold(displays: Iterable[Display]) -> dict[str, str]:
+    """The command → what it seems to print, for those that never take an argument."""
+    found: dict[str, bool] = {}
+    for display in displays:
+        for match in _COMMAND.finditer(display.latex):
+            name = f"\\{match[1]}"
+            found[name] = found.get(name, True) and not match[2]
+    return dict(_bold(name for name, is_bare in found.items() if is_bare))
+
+
+def _bold(names: Iterable[str]) -> Iterator[tuple[str, str]]:
+    for name in names:
+        letter = _PREFIXED.fullmatch(name)
+        if letter is None or name in _FONTS or parses(name) or parses(f"{name} x"):
+            continue
+        if len(letter[1]) == 1:
+            yield name, rf"\mathbf{{{letter[1]}}}"
+        elif parses(f"\\{letter[1]}"):
+            yield name, rf"\boldsymbol{{\{letter[1]}}}"

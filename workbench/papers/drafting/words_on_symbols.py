@@ -1,0 +1,126 @@
+"""What a text says of its symbols in words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from workbench.papers.drafting.typefaces import Guess, flat
+from workbench.source.documents import Display
+
+_WORDS = (
+    (
+        re.compile(r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine"),
+        "rotation",
+    ),
+    (re.compile(r"quaternion"), "quaternion"),
+    (re.compile(r"homogeneous|transformation matri|rigid[- ](?:body )?transform"), "transform"),
+    (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
+    (re.compile(r"\bvectors?\b|velocit|position\b|displacement|angular momentum|torque"), "vector"),
+    (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
+    (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
+)
+#: What the members of a set are, by its name without fonts and blanks.
+_SETS = {
+    r"SO(?:\(3\)|_?3)": "rotation",
+    r"SE(?:\(3\)|_?3)": "transform",
+    r"\\?R+\^3\\times3": "tensor",
+    r"\\?R+\^3(?![\d\\n])": "vector",
+    r"\\?R+\^(\d+)\\times(\d+)": r"matrix \1×\2",
+    r"\\?R+\^(\d+)(?![\d\\n])": r"matrix \1×1",
+    r"\\?R+(?![\^A-Za-z(_])": "scalar",
+}
+_FONTS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak|ds)|boldsymbol|operatorname|text)")
+_NEAR = 40
+#: How much farther words behind a symbol count than words before it.
+_BEHIND = 4
+#: The length of a noun phrase, in which the first of the table wins: a unit vector is a vector.
+_PHRASE = 16
+#: Where the words behind a symbol begin to speak of others.
+_OF_OTHERS = re.compile(r"[.;,$]|\b(?:and|with|where|about|by|from|to)\b")
+#: A q in any font; the parts of one have names of their own.
+_QUATERNION = re.compile(
+    r"(?:\\(?:mathbf|boldsymbol|mathsf|bar|vec|hat|underline)\{)?q\}?(?:_\{(?P<part>[^{}]*)\})?(?:\^\{(?![+\\])[^{}]*\})?"
+)
+_PARTS = {"v": "vector", **dict.fromkeys("swxyz", "scalar")}
+
+
+def _nearest(before: str, after: str) -> tuple[int, int, str] | None:
+    """The words nearest to a symbol that say what it is: how far they are, their place in the table, and they
+    themselves."""
+    found = []
+    for place, (pattern, _) in enumerate(_WORDS):
+        near = [(len(before) - match.end(), match[0]) for match in pattern.finditer(before)]
+        near += [(match.start() + _BEHIND, match[0]) for match in pattern.finditer(after)]
+        found += [(distance // _PHRASE, place, words) for distance, words in near]
+    return min(found, default=None)
+
+
+def speaks_of_quaternions(text: str) -> bool:
+    """Returns whether a text has to do with quaternions."""
+    return len(re.findall(r"quaternion", text, re.IGNORECASE)) > 2
+
+
+class Prose:
+    """What a text says of its symbols in words."""
+
+    def __init__(self, text: str, inline: Sequence[Display] = (), displays: Sequence[Display] = ()) -> None:
+        self.text = text
+        self.has_quaternions = speaks_of_quaternions(text)
+        self._numbers_parts = all(re.search(rf"q_\{{?{part}", text) for part in "0123")
+        self._inline, self._displays = inline, displays
+        self._flat = flat(text)
+        self._alone: dict[str, list[tuple[str, str]]] | None = None
+
+    def guess(self, name: str) -> Guess | None:
+        """Returns what the text says of a symbol in words or by a set that it is in; None for nothing."""
+        if (kind := self._in_a_set(flat(name))) is not None:
+            return Guess(name, kind, "the text says what set it is in")
+        said = [each for near in self._near(flat(name)) if (each := _nearest(*near)) is not None]
+        if said:
+            _, place, words = min(said, key=lambda each: each[:2])
+            kind = _WORDS[place][1]
+            if kind == "quaternion" and self.has_quaternions:
+                return self._of_quaternions(name)
+            plain = kind.removeprefix("unit ")
+            why = f'the text says "{" ".join(words.split())}" near it'
+            return Guess(name, plain, why, unit=plain != kind)
+        return self._of_quaternions(name)
+
+    def _of_quaternions(self, name: str) -> Guess | None:
+        """A q in any font of a text on quaternions, and the parts of one."""
+        if not self.has_quaternions or (quaternion := _QUATERNION.fullmatch(name)) is None:
+            return None
+        part = quaternion["part"] or ""
+        is_number = bool(part) and part in "0123" and self._numbers_parts
+        kind = "scalar" if is_number else _PARTS.get(part, "hamilton quaternion")
+        return Guess(name, kind, "the text speaks of quaternions")
+
+    def _in_a_set(self, name: str) -> str | None:
+        """The kind of what the text says to be in a set."""
+        said = re.search(
+            rf"(?<![A-Za-z\\_^]){re.escape(name)}(?:,[^=$]{{1,12}}?|=[^=$]{{1,300}}?)?\\in(?![tf])([^$=,.;&]{{1,40}})",
+            self._flat,
+        )
+        plain = _FONTS.sub("", said[1]) if said else ""
+        found = ((re.match(pattern, plain), kind) for pattern, kind in _SETS.items())
+        return next((match.expand(kind) for match, kind in found if match), None)
+
+    def _near(self, name: str) -> list[tuple[str, str]]:
+        """The words before and behind each formula in the text that is the symbol alone, or says what it
+        is."""
+        if self._alone is None:
+            self._alone = {}
+            for formula in self._inline:
+                key, text = flat(formula.latex.partition("=")[0]), formula.source.text
+                before = re.sub(
+                    r"(?:\$|\\\(|:math:`)\s*$", "", text[max(0, formula.start - _NEAR) : formula.start]
+                )
+                after = re.sub(r"^\s*(?:\$|\\\)|`)", "", text[formula.end : formula.end + _NEAR])
+                before, after = re.split(r"[.;$]", before)[-1], _OF_OTHERS.split(after)[0]
+                self._alone.setdefault(key, []).append((before.lower(), after.lower()))
+            for display in self._displays:
+                left, _, right = display.latex.partition("=")
+                if right and not display.before.endswith((".", ";")):
+                    self._alone.setdefault(flat(left), []).append((display.before[-_NEAR:].lower(), ""))
+        return self._alone.get(name, [])

@@ -1,0 +1,97 @@
+"""Texts by their files: with the model that lies beside them, or with the comments in them alone."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from workbench.context.claims import CITATION_KEYS
+from workbench.papers.collected_errors import Faults
+from workbench.papers.notation_files import budget_of, nearest, notation_chain
+from workbench.papers.texts.text_model import (
+    MODEL_KEYS,
+    TextModel,
+    read_directives,
+    read_entries,
+    read_scopes,
+)
+from workbench.papers.texts.text_paper import TextPaper, text_paper
+from workbench.source.documents import Text, read_text
+from workbench.source.documents.titles import own_title
+from workbench.source.toml.toml_file import TomlFile
+
+
+def load_text(path: Path) -> TextPaper:
+    """A text with the model beside it, where there is one. Raises PaperError."""
+    beside = model_beside(path)
+    if beside is not None:
+        return load_model(TomlFile(beside))
+    text = read_text(path)
+    model = TextModel()
+    read_directives(text.directives, text.displays, model)
+    title = next((toml.text(("title",)) for toml in model.chain if "title" in toml.data), None)
+    return text_paper(text, model, title or own_title(text) or text.path.name, None, (path,))
+
+
+def load_model(toml: TomlFile) -> TextPaper:
+    """A model and the text that it names. Raises PaperError."""
+    path, faults = _beside(toml, "source"), Faults()
+    text = faults.past(lambda: _with_macros(toml, path))
+    if text is None:
+        faults.stop()
+    model, past = model_of(toml, text, faults), faults.past
+    title, doi = past(lambda: toml.text(("title",))), past(lambda: toml.text(("doi",)))
+    past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
+    told = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
+    citation = {key: text for key, text in told.items() if text}
+    budget = past(partial(nearest, model.chain, budget_of))
+    paper = text_paper(
+        text, model, title or own_title(text) or text.path.name, doi, (toml.path, text.path), citation
+    )
+    return replace(paper, budget=budget)
+
+
+def _with_macros(toml: TomlFile, path: Path) -> Text:
+    if not isinstance(toml.data.get("macros"), dict):
+        return read_text(path, _beside(toml, "macros"))
+    bodies = {name: toml.text(("macros", name)) for name in toml.value(("macros",), dict)}
+    bodies.pop("from", None)
+    return read_text(path, _beside(toml, "macros", "from"), bodies=bodies)
+
+
+def model_of(toml: TomlFile, text: Text, faults: Faults) -> TextModel:
+    """What the model and the comments in its text say. Raises PaperError if it names no notation."""
+    faults.past(lambda: toml.allow_keys((), MODEL_KEYS))
+    chain = faults.past(lambda: notation_chain(toml))
+    guessed = faults.past(lambda: toml.texts(("guessed",)))
+    if chain is None:
+        faults.stop()
+    model = TextModel(chain, guessed=guessed or (), faults=faults)
+    read_scopes(toml, text, model)
+    read_directives(text.directives, text.displays, model)
+    model.entries[:0] = read_entries(toml, faults)
+    return model
+
+
+def model_beside(text: Path) -> Path | None:
+    """`paper.toml` beside `paper.tex`, if it says that this is its source."""
+    path = text.with_suffix(".toml")
+    try:
+        source = tomllib.loads(path.read_text("utf-8")).get("source")
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, RecursionError):
+        return path  # its fault is told when it is read
+    return path if source == text.name else None
+
+
+def _beside(toml: TomlFile, *key: str) -> Path | None:
+    name = toml.text(key)
+    if name is None:
+        return None
+    path = toml.path.parent / name
+    if not path.is_file():
+        raise toml.error_at_value(key, f"{key[-1]}: no file {name!r} beside this one")
+    return path

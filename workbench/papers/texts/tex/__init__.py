@@ -1,1 +1,0 @@
-"""TeX itself: tokens with their origin, macros expanded, counters, and the displays of a document."""

@@ -1,0 +1,233 @@
+"""What a model says beside a text: `paper.toml` with `source = "paper.tex"`, or comments in the text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from workbench.context.claims import Notation
+from workbench.core.codes.model_codes import ModelCode
+from workbench.core.names import Name
+from workbench.core.paper_errors import KeyPath, PaperError
+from workbench.core.schema import key_names
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import INDEX_LETTERS
+from workbench.papers.collected_errors import Faults
+from workbench.papers.notation_tables import notation_of
+from workbench.source.documents import Directive, Display, Text
+from workbench.source.documents.surrounding_words import headings
+from workbench.source.toml.toml_file import TomlFile
+
+MODEL_KEYS = key_names("model")
+CLAIM_KEYS = key_names("claim of a model")
+_SCOPE_KEYS = key_names("scope")
+_CLAIM_KEY = re.compile(rf"\s*({'|'.join(CLAIM_KEYS)})\s*=")
+_LINE = re.compile(r"line\s+(\d+)")
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table inside of a TOML file, read as if it were a file of its own."""
+
+    toml: TomlFile
+    prefix: KeyPath
+
+    @property
+    def path(self) -> Path:
+        return self.toml.path
+
+    def value(self, path: KeyPath, expected: type, default: Any = None) -> Any:
+        return self.toml.value((*self.prefix, *path), expected, default)
+
+    def text(self, path: KeyPath) -> str | None:
+        return self.toml.text((*self.prefix, *path))
+
+    def texts(self, path: KeyPath) -> tuple[str, ...]:
+        return self.toml.texts((*self.prefix, *path))
+
+    def error_at_key(self, path: KeyPath, message: str) -> PaperError:
+        return self.toml.error_at_key((*self.prefix, *path), message)
+
+    def error_at_value(self, path: KeyPath, message: str) -> PaperError:
+        return self.toml.error_at_value((*self.prefix, *path), message)
+
+    def error_in_string(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
+        return self.toml.error_in_string((*self.prefix, *path), line, column, message)
+
+    def error_in_key(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
+        return self.toml.error_in_key((*self.prefix, *path), line, column, message)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What the model says of one claim or display. `at`: label, number, id, or "line N"; of a comment in the
+    text, the display that it stands before or in."""
+
+    table: Table
+    at: str | Display
+
+
+@dataclass
+class TextModel:
+    """`chain`: the files that the notation stands on. `scopes`: what is declared anew from a display on (its
+    place in reading order, and the file and line where that begins). `guessed`: symbols whose kinds nobody
+    has confirmed. `faults`: what of the model cannot be used."""
+
+    chain: list[TomlFile] = field(default_factory=list)
+    scopes: list[tuple[int, Table, tuple[Path, int]]] = field(default_factory=list)
+    guessed: tuple[str, ...] = ()
+    entries: list[Entry] = field(default_factory=list)
+    faults: Faults = field(default_factory=Faults)
+    _made: list[tuple[int, Notation]] | None = None
+
+    def notations(self) -> list[tuple[int, Notation]]:
+        """From which display on each notation holds. Raises PaperError."""
+        if self._made is None:
+            self._made = self._notations()
+        return self._made
+
+    def _notations(self) -> list[tuple[int, Notation]]:
+        made = []
+        for count in range(len(self.scopes) + 1):
+            start = self.scopes[count - 1][0] if count else 0
+            tables = [table for _, table, _ in self.scopes[:count]]
+            notation = self.faults.past(partial(notation_of, self.chain, tables))
+            made.append((start, notation and self._with_places(notation, count)))
+        if any(notation is None for _, notation in made):
+            self.faults.stop()
+        return made
+
+    def _with_places(self, notation: Notation, count: int) -> Notation:
+        """The notation of so many scopes, with the places where they declare symbols anew."""
+        since: dict[Name, tuple[Path, int]] = {}
+        for _, table, place in self.scopes[:count]:
+            keys = [key for part in ("symbols", "definitions") for key in table.value((part,), dict, {})]
+            names = {read_key(key, letters)[0] for key in keys for letters in (INDEX_LETTERS, frozenset())}
+            since |= dict.fromkeys(names, place)
+        return replace(notation, since=since)
+
+
+def read_entries(toml: TomlFile, faults: Faults) -> list[Entry]:
+    """The [[claim]] tables that say where they belong."""
+    entries = []
+    for index in range(len(faults.past(lambda: toml.tables(("claim",))) or ())):
+        path = ("claim", index)
+        faults.past(partial(toml.allow_keys, path, CLAIM_KEYS))
+        entries += [Entry(Table(toml, path), at) for at in faults.past(partial(_places, toml, path)) or ()]
+    return entries
+
+
+def _places(toml: TomlFile, path: KeyPath) -> Sequence[str]:
+    at = toml.value(path, dict).get("at")
+    if at is None:
+        raise toml.error_at_key(path, ModelCode.MISSING_PLACE(key="at"))
+    places = toml.texts((*path, "at")) if isinstance(at, list) else (toml.text((*path, "at")),)
+    if not places:
+        raise toml.error_at_value((*path, "at"), "at: expected a place, or a list of places, got none")
+    return places
+
+
+def read_scopes(toml: TomlFile, text: Text, model: TextModel) -> None:
+    """The [[scope]] tables, each from its place on."""
+    for index in range(len(model.faults.past(lambda: toml.tables(("scope",))) or ())):
+        path = ("scope", index)
+        model.faults.past(partial(toml.allow_keys, path, _SCOPE_KEYS))
+        place = model.faults.past(partial(_start, toml, path, text))
+        if place is not None:
+            model.scopes.append((place, Table(toml, path), _beginning(place, text.displays)))
+    model.scopes.sort(key=lambda scope: scope[0])
+
+
+def _start(toml: TomlFile, path: KeyPath, text: Text) -> int:
+    start = toml.text((*path, "from"))
+    if start is None:
+        raise toml.error_at_key(path, ModelCode.MISSING_START(key="from"))
+    place = place_of(start, text.displays)
+    place = text.starts.get(start) if place is None else place
+    place = _behind_line(start, text.displays) if place is None else place
+    if place is None or place >= len(text.displays):
+        raise toml.error_at_value((*path, "from"), f"from: the text has no {start!r}")
+    return place
+
+
+def _beginning(place: int, displays: Sequence[Display]) -> tuple[Path, int]:
+    """The file and line from which a scope that begins with this display is in force: behind the display
+    before it, or from the last heading between them."""
+    first = displays[place]
+    source = first.source
+    before = [each.end for each in displays[:place] if each.source.path == source.path]
+    starts = [start for start, _ in headings(source.prose) if start < first.start]
+    at = max([0, *before, *starts])
+    return source.path, source.place(at)[0] + (at in before)
+
+
+def _behind_line(name: str, displays: Sequence[Display]) -> int | None:
+    """The first display that ends behind the line, of those in the file of the first."""
+    if (match := _LINE.fullmatch(name)) is None or not displays:
+        return None
+    path, line = displays[0].source.path, int(match[1])
+    ends = ((p, d.source.place(d.end)[0]) for p, d in enumerate(displays) if d.source.path == path)
+    return next((place for place, end in ends if end > line), None)
+
+
+def place_of(name: str, displays: Sequence[Display]) -> int | None:
+    """The first display that the name means: by label, number, section or line."""
+    tests: tuple[Callable[[Display], bool], ...] = (
+        lambda display: name in display.labels,
+        lambda display: name.strip("()") in display.numbers,
+        lambda display: bool(name) and name in (display.section, display.heading),
+    )
+    if match := _LINE.fullmatch(name):
+        line = int(match[1])
+        return next((place for place, display in enumerate(displays) if _covers(display, line)), None)
+    for test in tests:
+        if (found := next((p for p, d in enumerate(displays) if test(d)), None)) is not None:
+            return found
+    return None
+
+
+def _covers(display: Display, line: int) -> bool:
+    return display.line <= line <= display.source.place(display.end)[0]
+
+
+def read_directives(directives: Sequence[Directive], displays: Sequence[Display], model: TextModel) -> None:
+    """Comments `%! workbench: key = value`: of the notation, or of the display that follows."""
+    notation: dict[Path, dict[int, str]] = {}
+    for directive in directives:
+        line, column = directive.source.place(directive.start)
+        text = directive.source.line(line)
+        at = text.find(directive.text, column - 1)
+        payload = " " * at + directive.text
+        if _CLAIM_KEY.match(directive.text):
+            toml = model.faults.past(partial(TomlFile, directive.source.path, "\n" * (line - 1) + payload))
+            display = _following(directive, displays)
+            if display is None:
+                message = "no display follows this comment"
+                model.faults.tell(PaperError(directive.source.path, line, column, message))
+            elif toml is not None:
+                model.faults.past(partial(toml.allow_keys, (), CLAIM_KEYS))
+                model.entries.append(Entry(Table(toml, ()), display))
+        else:
+            notation.setdefault(directive.source.path, {})[line] = payload
+    for path, lines in notation.items():
+        text = "\n".join(lines.get(number, "") for number in range(1, max(lines) + 1))
+        toml = TomlFile(path, text)
+        known = key_names("directive")
+        model.faults.past(partial(toml.allow_keys, (), known))
+        model.chain.append(toml)
+
+
+def _following(directive: Directive, displays: Sequence[Display]) -> Display | None:
+    behind = (d for d in displays if d.source.path == directive.source.path and d.end > directive.start)
+    return next(iter(sorted(behind, key=lambda display: display.start)), None)
+
+
+def names_of(displays: Sequence[Display]) -> Iterator[str]:
+    """Everything by which a display of the text can be meant, for messages."""
+    for display in displays:
+        yield from display.labels
+        yield from display.numbers

@@ -1,0 +1,424 @@
+"""A text and what its model says: one claim for each step of each display, each fault in its own place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+from workbench.context.claims import Claim, Formula, Notation, Paper
+from workbench.context.condition_facts import InlineFormulas, conditions_of, opaque, range_facts
+from workbench.context.facts import Act, Fact, Origin, Provider
+from workbench.context.formula_acts import act_of, declared_anew
+from workbench.context.formula_facts import with_acts, with_formula_facts, with_laws
+from workbench.context.free_symbols import names_in, terms_of
+from workbench.context.index_values import Orders, orders_within
+from workbench.context.read_formulas import WORDS, FormulaReader, read_statement, with_intent
+from workbench.context.sentence_facts import TextSentences
+from workbench.context.unread_facts import Unread, said_unread, unread_facts
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.codes.type_codes import TypeCode
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.names import Name
+from workbench.core.paper_errors import PaperError
+from workbench.core.reasons import Reason, reason_of
+from workbench.core.spans import Span
+from workbench.core.terms import Apply, Statement, Symbol
+from workbench.core.verdict import Strength
+from workbench.language.reader import unclaimed
+from workbench.papers.corrections import MEND_KEYS, fault_of, mend_of
+from workbench.papers.numbered_symbols import written_out
+from workbench.papers.texts.model_assignments import Placed, assigned, means, unknown_ids
+from workbench.papers.texts.text_model import Entry, TextModel
+from workbench.source.documents import Display, Text, Token, spelled
+from workbench.source.rows.chains import Step, steps_of
+from workbench.source.rows.display_vocabulary import RELATIONS
+from workbench.source.toml.toml_file import TomlFile
+
+_IN_WORDS = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*(?:is|are|denotes?|represents?)\b")
+_FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
+_TILDE = re.compile(r"\\(?:wide)?tilde(?![A-Za-z])")
+_ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
+_STAR = "^* as the adjugate, of which the text does not speak ([notation] can say what it is)"
+_NO_ID = re.compile(r"[^\w.+*'-]+")
+
+
+@dataclass(frozen=True)
+class TextPaper(Paper):
+    """`warnings`: what of the text could not be read as TeX would read it."""
+
+    text: Text | None = None
+    warnings: tuple[PaperError, ...] = ()
+
+
+def text_paper(
+    text: Text,
+    model: TextModel,
+    title: str,
+    doi: str | None,
+    paths: tuple[Path, ...],
+    citation: Mapping[str, str] | None = None,
+) -> TextPaper:
+    """Raises PaperError where the notation cannot be used; any other fault is one of the paper's `faults`."""
+    notations, faults = model.notations(), model.faults
+    spoilt = any(_spoils(fault, model.chain) for fault in faults)
+    placed = list(placed_steps(text.displays, notations))
+    if not placed:
+        raise PaperError(text.path, None, None, "no displayed equation in it")
+    entries = assigned(model, placed, text.displays)
+    claims = [_usable_claim(each, entries.get(each.id, ()), model) for each in placed]
+    claims = [
+        model.faults.past(
+            partial(_with_given, claim, placed[: at + 1], entries.get(claim.id, ())), whole=True
+        )
+        or _unusable(claim)
+        for at, claim in enumerate(claims)
+    ]
+    if any(fault.path[:1] == ("scope",) for fault in faults):  # what is in force anywhere is not known
+        claims = [replace(claim, guessed=(*claim.guessed, "[[scope]]")) for claim in claims]
+    functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
+    claims = [_perhaps_of(claim, functions) for claim in claims]
+    for fault in unknown_ids(entries, {claim.id for claim in claims}):
+        faults.tell(fault)
+    if spoilt:
+        faults.stop()
+    return TextPaper(
+        title,
+        doi,
+        paths,
+        notations[0][1],
+        tuple(_with_facts(claims, placed, text)),
+        citation=citation or {},
+        text=text,
+        faults=tuple(faults),
+        warnings=tuple(text.warnings),
+    )
+
+
+def _flat(latex: str) -> str:
+    return re.sub(r"[\s{}]|\\(?:left|right)(?![A-Za-z])", "", latex)
+
+
+def _perhaps_of(claim: Claim, functions: Collection[str]) -> Claim:
+    """A vector beside a vector in brackets, x (y), where a sentence speaks of x(z), is no product."""
+    printed = claim.printed
+    if printed.ill_formed is None or TypeCode.JUXTAPOSITION not in printed.ill_formed.codes:
+        return claim
+    is_one = any(f"{name}(" in _flat(printed.latex) for name in functions)
+    unread = replace(
+        printed, ill_formed=None, unread=SyntaxCode.CANNOT_BE_READ(why=SyntaxCode.OR_A_PRODUCT())
+    )
+    return replace(claim, printed=unread) if is_one else claim
+
+
+def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]) -> Claim:
+    """With the formulas before it that it is to follow from, read in its own notation; `placed` ends with it.
+    Raises PaperError."""
+    given: list[Formula] = []
+    tables = [entry.table for entry in entries]
+    for table in tables:
+        for at in table.texts(("given",)):
+            found = [each for each in placed[:-1] if means(at, each)]
+            if not found:
+                raise table.error_at_value(("given",), f"given: no formula {at!r} before {claim.id}")
+            for latex in (each.step.spelled()[0] for each in found):
+                try:
+                    statement, _ = read_statement(latex, claim.notation, claim.orders, as_condition=True)
+                    _refuse_other_meaning(table, at, statement, found[0].notation, claim.notation)
+                    given.append(Formula(latex, statement))
+                except (ReadError, IllFormedAt) as error:
+                    raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
+    says_none = any(table.value(("given",), list, None) == [] for table in tables)
+    return replace(claim, given=tuple(given), alone=says_none and not given)
+
+
+def _refuse_other_meaning(
+    table: TomlFile, at: str, statement: Statement, there: Notation, here: Notation
+) -> None:
+    """Raises PaperError for a formula that speaks of a symbol that a scope behind it declares anew."""
+    if (name := declared_anew(names_in(statement), there, here)) is not None:
+        message = f"given: {at!r} speaks of another {name}: a [[scope]] behind it declares {name} anew"
+        raise table.error_at_value(("given",), f"{message}; expected a formula of this scope")
+
+
+def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> Iterator[Claim]:
+    """Yields the claims with all that the text says of their symbols; nothing for one that stands alone."""
+    unread = said_unread(claims, text.inline)
+    words = placed[0].notation.words
+    sentences, spoken = TextSentences(text.inline, words), InlineFormulas(text.inline)
+    claims = [
+        replace(claim, facts=tuple(dict.fromkeys((*claim.facts, *own))))
+        for claim, each in zip(claims, placed, strict=True)
+        for own in [_own_facts(claim, each, text, unread, sentences, spoken)]
+    ]
+    for claim in with_laws(with_formula_facts(with_acts(claims))):
+        yield replace(claim, act=(Act.ASSERT, None), facts=()) if claim.alone else claim
+
+
+def _own_facts(
+    claim: Claim,
+    placed: Placed,
+    text: Text,
+    unread: Mapping[str, list[Unread]],
+    sentences: TextSentences,
+    spoken: InlineFormulas,
+) -> Iterator[Fact]:
+    """Yields facts beside the formula, in its sentence, before it, and in formulas that are not read."""
+    statement, names = claim.printed.statement, _names_of(claim.printed)
+    if statement is None or not names:
+        return
+    for words in placed.step.limits:
+        yield opaque(words, claim.line, names)
+    if placed.step.ranges and claim.printed.latex != placed.step.spelled()[0]:
+        yield from range_facts(placed.step, placed.notation, names)
+    yield from conditions_of(placed.display, statement, placed.notation, spoken)
+    yield from sentences.facts(placed.display, statement, placed.notation)
+    yield from unread_facts(claim, unread)
+    has_adjugate = any(isinstance(term, Apply) and term.head == "adjugate" for term in terms_of(statement))
+    if has_adjugate and not any(_ADJUGATE.search(source.text) for source in text.sources):
+        yield Fact(None, names, Origin(Provider.CONVENTION, _STAR), Strength.HINTED)
+
+
+def _names_of(formula: Formula) -> frozenset[Name]:
+    return frozenset() if formula.statement is None else frozenset(names_in(formula.statement))
+
+
+def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:
+    taken: set[str] = set()
+    for place, display in enumerate(displays):
+        notation = [known for start, known in notations if start <= place][-1]
+        lines = steps_of(display, notation.words)
+        bases = [_base(display, step) for line in lines for step in line]
+        numbering: dict[str, int] = {}
+        for line in lines:
+            before: list[str] = []
+            for step in line:
+                base = _base(display, step)
+                numbering[base] = numbering.get(base, 0) + 1
+                name = f"{base}.{numbering[base]}" if bases.count(base) > 1 else base
+                while name in taken:
+                    name += "'"
+                taken.add(name)
+                yield Placed(name, display, step, notation, tuple(before))
+                before.append(name)
+
+
+def _base(display: Display, step: Step) -> str:
+    """The label, or the number, or the line."""
+    name = next(iter(step.labels), None) or step.number or next(iter(display.labels), None)
+    cleaned = _NO_ID.sub("-", name or "").strip("-")[:60]
+    return cleaned or f"L{display.line}"
+
+
+def _spoils(fault: PaperError, chain: Sequence[TomlFile]) -> bool:
+    """Whether no formula may be judged: what they are written in is not what the author meant."""
+    return fault.toml in chain and fault.path[:1] != ("claim",) and fault.path[2:] != ("from",)
+
+
+def _usable_claim(placed: Placed, entries: Sequence[Entry], model: TextModel) -> Claim:
+    claim = model.faults.past(partial(_claim, placed, entries, model.guessed), whole=True)
+    if claim is not None:
+        return claim
+    return _unusable(_claim(placed, (), model.guessed))
+
+
+def _unusable(claim: Claim) -> Claim:
+    why = SyntaxCode.MODEL_UNUSABLE()
+    return replace(claim, printed=replace(claim.printed, statement=None, ill_formed=None, unread=why))
+
+
+def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> Claim:
+    """Raises PaperError for a key of the model that cannot be used."""
+    tables = [entry.table for entry in entries]
+    display, step = placed.display, placed.step
+    orders = _orders(tables)
+    has_reading = any(table.text(("reading",)) for table in tables)
+    printed, within = _printed(placed, orders, has_reading)
+    assume, printed = _assumed(placed, printed)
+    reasons, unread_reasons = _reasons(placed, _names_of(printed))
+    span = span_of(step.own, display)
+    claim = Claim(
+        placed.id,
+        printed,
+        placed.notation,
+        equation=step.number,
+        section=f"{display.section} {display.heading}".strip() or None,
+        assume=(*assume, *reasons),
+        orders=within,
+        file=display.source.path,
+        line=span.line,
+        span=span,
+        chain=placed.chain,
+        guessed=_used(printed, step.tokens, guessed),
+        act=act_of(printed, placed.notation),
+        facts=unread_reasons,
+        perhaps=tuple(_side_formula(tokens, placed) for tokens in step.perhaps),
+        serves=tuple(_side_formula(tokens, placed) for tokens in step.serves),
+        otherwise=tuple(_side_formula(tokens, placed) for tokens in step.otherwise),
+        question=step.question,
+    )
+    for table in tables:
+        claim = _with_keys(claim, table)
+    return claim
+
+
+def _with_keys(claim: Claim, table) -> Claim:
+    reader = FormulaReader(table, (), claim.notation, claim.orders)
+    changes: dict[str, object] = {}
+    for key in ("reading", "corrected", "hypothesis"):
+        if (text := table.text((key,))) is not None:
+            if key != "hypothesis":
+                changes[key] = reader.intended(key)
+            else:
+                changes[key] = Formula(text) if WORDS.fullmatch(text) else reader.hypothesis(claim.printed)
+    assume = reader.conditions(claim.printed)
+    if assume:
+        changes["assume"] = (*claim.assume, *assume)
+    for key in ("skip", "unread", "note"):
+        if (text := table.text((key,))) is not None:
+            changes[key] = text
+    if fault := fault_of(table, ()):
+        changes |= {"fault": fault, "mend": mend_of(table, (), claim.printed.latex)}
+    elif any(key in table.value((), dict) for key in MEND_KEYS):
+        mend_of(table, (), "")
+    if inherits := table.texts(("inherits",)):
+        changes["inherits"] = inherits
+    if "reading" in changes and claim.printed.unread is not None:
+        unread = claim.printed.unread
+        changes["printed"] = replace(claim.printed, unread=None, ill_formed=_unreadable(unread))
+    return replace(claim, **changes)
+
+
+def _used(printed: Formula, tokens: Sequence[Token], guessed: Sequence[str]) -> tuple[str, ...]:
+    """Of what is guessed, the symbols and macros that the formula uses, and the tables, such as [notation],
+    which any formula may rest on; all, where it does not fit together."""
+    if printed.statement is None or not guessed:
+        return tuple(guessed)
+    used = {str(term.declaration.name) for term in terms_of(printed.statement) if isinstance(term, Symbol)}
+    used |= {f"\\{call.name}" for token in tokens if token.call for call in token.call.chain()}
+    return tuple(name for name in guessed if name in used or name.startswith("["))
+
+
+def _orders(tables: Sequence) -> Orders | None:
+    for table in tables:
+        if (text := table.text(("orders",))) is not None:
+            try:
+                return Orders.parse(text)
+            except ValueError as error:
+                raise table.error_at_value(("orders",), str(error)) from None
+    return None
+
+
+def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Formula, Orders | None]:
+    latex, owners = placed.step.spelled()
+    if placed.step.denied is not None:
+        return Formula(latex, unread=SyntaxCode.DENIED(words=placed.step.denied)), orders
+    opaque = sorted(
+        name for name in placed.display.opaque if re.search(rf"\\{re.escape(name)}(?![A-Za-z])", latex)
+    )
+    if opaque:
+        names = ", ".join(f"\\{name}" for name in opaque)
+        return Formula(latex, unread=SyntaxCode.OPAQUE_MACROS(names=names)), orders
+    try:
+        statement, ranges = read_statement(latex, placed.notation, orders)
+        return Formula(latex, statement), orders_within(orders, ranges)
+    except IllFormedAt as error:
+        at = _at(latex, owners, error.line, error.column)
+        if _TILDE.search(latex):
+            return Formula(
+                latex, unread=SyntaxCode.CANNOT_BE_READ(why=SyntaxCode.TILDE_DOES_NOT_FIT()), at=at
+            ), orders
+        return Formula(latex, ill_formed=_message(error), at=at), orders
+    except ReadError as error:
+        if placed.step.ranges:
+            bare = replace(placed, step=placed.step.without_ranges())
+            if (found := _printed(bare, orders, excused))[0].statement is not None:
+                return found
+        if (said := written_out(latex, placed.notation)) is not None:
+            return Formula(latex, said), orders
+        if _IN_WORDS.search(latex) and not any(token.text in RELATIONS for token in placed.step.tokens):
+            return Formula(latex, unread=SyntaxCode.SAYS_IN_WORDS()), orders
+        at = _at(latex, owners, error.line, error.column)
+        return Formula(latex, unread=_why_unread(error, latex, placed.notation), at=at), orders
+    except ValueError as error:
+        return Formula(latex, unread=SyntaxCode.UNUSABLE_ORDERS(orders_fault=error)), orders
+
+
+def _why_unread(error: ReadError, latex: str, notation: Notation) -> Reason:
+    with suppress(ReadError, IllFormedAt):
+        return unclaimed(error, latex, notation.symbols)
+    return _unreadable(error.message)
+
+
+def _unreadable(why: Reason) -> Reason:
+    return why if why.code is SyntaxCode.CANNOT_BE_READ else SyntaxCode.CANNOT_BE_READ(why=why)
+
+
+def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:
+    """The conditions beside the formula; where one cannot be read, the formula is unread."""
+    made: list[Formula] = []
+    for tokens in placed.step.assumed:
+        latex, owners = spelled(tokens)
+        try:
+            made.append(Formula(latex, read_statement(latex, placed.notation, None)[0]))
+        except (ReadError, IllFormedAt) as error:
+            why = SyntaxCode.CONDITION_UNREAD(formula=latex, why=error.message)
+            return (), replace(
+                printed, statement=None, unread=why, at=_at(latex, owners, error.line, error.column)
+            )
+    return tuple(made), printed
+
+
+def _reasons(placed: Placed, about: frozenset[Name]) -> tuple[list[Formula], tuple[Fact, ...]]:
+    """The reasons that the author gives for the step, and those that cannot be read, which limit it."""
+    made: list[Formula] = []
+    unread: list[Fact] = []
+    for tokens in placed.step.reasons:
+        formula = _side_formula(tokens, placed)
+        if formula.statement is not None:
+            made.append(formula)
+        elif about:
+            unread.append(opaque(formula.latex, placed.display.source.place(tokens[0].start)[0], about))
+    return made, tuple(unread)
+
+
+def _side_formula(tokens: Sequence[Token], placed: Placed) -> Formula:
+    """The formula of the tokens, which stand beside a step or in its place; with why it cannot be read."""
+    latex, _ = spelled(tokens)
+    try:
+        return Formula(latex, read_statement(latex, placed.notation, None)[0])
+    except IllFormedAt as error:
+        return Formula(latex, ill_formed=_message(error))
+    except (ReadError, ValueError) as error:
+        return Formula(latex, unread=_unreadable(reason_of(error)))
+
+
+def _message(error: IllFormedAt) -> Reason:
+    """Why it is ill-formed, without the place, which is that of the claim."""
+    return with_intent(error.message, error)
+
+
+def _at(latex: str, owners: Sequence[Token], line: int, column: int) -> Span:
+    """The author's characters at a place of the formula."""
+    offset = sum(len(text) + 1 for text in latex.split("\n")[: line - 1]) + column - 1
+    token = owners[min(max(offset, 0), len(owners) - 1)]
+    return _span([token])
+
+
+def span_of(tokens: Sequence[Token], display: Display) -> Span:
+    """From the first to the last of the author's characters; macros stand where they are called."""
+    own = [token for token in tokens if token.source is display.source]
+    own = [token for token in own if display.start <= token.start and token.end <= display.end]
+    if own:
+        return _span(own)
+    source = display.source
+    return Span(source.path, *source.place(display.start), *source.place(display.end))
+
+
+def _span(tokens: Sequence[Token]) -> Span:
+    first = min(tokens, key=lambda token: token.start)
+    last = max(tokens, key=lambda token: token.end)
+    return Span(first.source.path, *first.source.place(first.start), *last.source.place(last.end))

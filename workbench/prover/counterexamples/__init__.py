@@ -1,0 +1,1 @@
+"""Points at which a statement fails and its assumptions hold."""

@@ -1,0 +1,85 @@
+"""Points at which angles are real numbers, beside their sines and cosines: evaluated in balls, by Arb.
+
+Rational points of a circle are those of no rational angle but 0. Where an angle also stands outside of its
+sine, or is a product such as ω t, a claim is refuted at rational values by a ball that excludes 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from random import Random
+from typing import Any, cast
+
+from flint import arb, ctx, fmpq
+
+from workbench.core.terms import Relation, Term
+from workbench.engines.inventory import Lookup, NotExact
+from workbench.engines.inventory.inventory import Inventory
+from workbench.engines.inventory.parameters import Parameter
+from workbench.engines.jet.jets import JetEngine
+from workbench.engines.jet.rings import PointSource, RationalRing, sample
+from workbench.prover.counterexamples.rational_points import Trial
+
+PRECISION = 200
+_STAGES = (((-1, 0, 1), 20), ((-2, -1, 1, 2, 3), 20))
+
+
+class BallRing:
+    """Real numbers as balls that are sure to hold them."""
+
+    def constant(self, numerator: int, denominator: int) -> arb:
+        return arb(fmpq(numerator, denominator))
+
+    def divide(self, a: Any, b: Any) -> arb:
+        if arb(b).contains(0):
+            raise ZeroDivisionError("division by what may be zero")
+        return arb(a) / arb(b)
+
+    def root(self, square: Any) -> arb:
+        if not arb(square) >= 0:
+            raise NotExact("the root of what may be negative")
+        return arb(square).sqrt()
+
+
+def real_trials(inventory: Inventory, definitions: Lookup) -> Iterator[Trial]:
+    """Small rational points with the real sines and cosines of their angles."""
+    random = Random(0)
+    for entries, count in _STAGES:
+        for _ in range(count):
+            point = sample(inventory, RationalRing(entries), random, lambda _: random.random() < 0.8)
+            with ctx.workprec(PRECISION):
+                try:
+                    yield _trial(point, inventory, definitions)
+                except (NotExact, ZeroDivisionError):
+                    continue
+
+
+def _trial(point: dict[Parameter, Fraction], inventory: Inventory, definitions: Lookup) -> Trial:
+    balls = {p: arb(fmpq(v.numerator, v.denominator)) for p, v in point.items()}
+    engine = JetEngine(PointSource(BallRing(), balls), definitions)
+    waiting: list[Term] = [*inventory.angles, *inventory.circles.values()]
+    known = {p: v for p, v in balls.items() if p.part != "circle"}
+    while waiting:
+        later = []
+        for angle in waiting:
+            try:
+                value = JetEngine(PointSource(BallRing(), known), definitions).value(angle, 0)
+            except (KeyError, NotExact):
+                later.append(angle)
+                continue
+            x = arb(value.re[0].item())
+            known[Parameter(angle, "circle", 0, 0)] = x.cos()
+            known[Parameter(angle, "circle", 0, 1)] = x.sin()
+        if len(later) == len(waiting):
+            raise NotExact("angles of angles")
+        waiting = later
+    engine = JetEngine(PointSource(BallRing(), known), definitions)
+    return Trial(cast("dict[Parameter, Fraction]", known), engine, real=True)
+
+
+def surely_differ(trial: Trial, relation: Relation) -> bool:
+    """Whether some component of left − right is sure not to be 0."""
+    with ctx.workprec(PRECISION):
+        differences = trial.differences(relation)
+    return differences is not None and any(not arb(cast(arb, d)).contains(0) for d in differences)

@@ -1,0 +1,1 @@
+"""Decides one statement: both engines, families in n, extrema, inequations, branches, zero sets."""

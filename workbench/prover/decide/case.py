@@ -1,0 +1,208 @@
+"""One claim made ready for the engines: what it is about, what it supposes, where a point can be found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from itertools import chain, islice
+from typing import TYPE_CHECKING
+
+from workbench.algebra.differential_ring import Polynomial
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.names import Name
+from workbench.core.terms import Relation, Statement, Symbol, Term
+from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.engines.inventory.angle_combinations import with_parts_of_angles
+from workbench.engines.inventory.assumptions import Assumptions, Unsatisfiable
+from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact, take_inventory
+from workbench.engines.inventory.parameters import Parameter
+from workbench.engines.jet.number_field import NumberFieldRing
+from workbench.engines.polynomial.polynomial_engine import ExactEngine
+from workbench.prover.counterexamples.rational_points import (
+    Trial,
+    accepted,
+    counterexample,
+    first_trial,
+    trial_at,
+    trials,
+)
+from workbench.prover.counterexamples.real_angles import real_trials, surely_differ
+from workbench.prover.counterexamples.solution_points import solved_points
+from workbench.prover.decide.both_engines import Engines
+from workbench.prover.decide.ideals import impossible, square_of
+from workbench.prover.decide.zero_sets import Equations, solve
+
+if TYPE_CHECKING:
+    from workbench.engines.jet.sympy_engine import SympyEngine
+
+#: So many random points are cheaper to try than points to solve for.
+_FEW = 40
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all claims of a paper share.
+
+    second_engine: whether proofs are rechecked by SymPy. Without it no outcome is `proved`, since one engine
+    alone proves nothing here: it is `probable`.
+    laws: whether an equation may be a law; in a family each member is to follow from the definitions.
+    bound: the names of the symbols that stand for quantities of a motion, and so are not free.
+    """
+
+    definitions: Lookup
+    second_engine: bool = True
+    bound: frozenset[Name] = frozenset()
+    laws: bool = True
+    engines: Engines = field(default_factory=Engines, compare=False, repr=False)
+
+
+class NoDefinitions:
+    """Every symbol is free. What holds for any tensor at the place of Φ₄ holds for Φ₄."""
+
+    def lookup(self, symbol: Symbol) -> None:
+        return None
+
+
+class Case:
+    """The engines over the inventory of some relations and their assumptions."""
+
+    def __init__(
+        self,
+        setting: Setting,
+        relations: Sequence[Relation],
+        assume: tuple[Statement, ...],
+        definitions: Lookup | None = None,
+    ) -> None:
+        self.setting = setting
+        self.assumptions = Assumptions(assume)
+        self.sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
+        known = setting.definitions if definitions is None else definitions
+        self.definitions = with_parts_of_angles(self.sides, known)
+        self.inventory: Inventory = take_inventory(self.sides, self.definitions)
+
+    @property
+    def exact(self) -> ExactEngine:
+        """The first engine."""
+        return self._supposing[0]
+
+    @property
+    def second(self) -> SympyEngine:
+        """The second engine over SymPy's polynomials."""
+        from workbench.engines.jet.sympy_engine import SympyEngine
+
+        make = SympyEngine if self.assumptions.equations else self.setting.engines.second
+        return make(self.inventory, self.definitions)
+
+    @cached_property
+    def _supposing(self) -> tuple[ExactEngine, list[Polynomial]]:
+        """The first engine, and what is supposed not to be 0: all that the assumptions divide by, too."""
+        supposed = self.assumptions.relations
+        engine = (ExactEngine if supposed else self.setting.engines.first)(self.inventory, self.definitions)
+        for relation in supposed:
+            engine.residuals(relation)
+        apart = [square_of(engine, relation) for relation in self.assumptions.nonzero]
+        return engine, [*engine.ring.denominators, *apart]
+
+    def require_satisfiable(self) -> None:
+        """Raises Unsatisfiable if it is proved that no point satisfies the assumptions: under them anything
+        would be proved; NotExact where none is found and that is not proved."""
+        admitted = self._admitted(lambda trial: True)
+        points = trials(self.inventory, self.definitions, self._completed)
+        first = islice(points, _FEW)
+        if not self.assumptions.relations or any(
+            accepted(t, admitted) for t in chain(first, self._solved(), points)
+        ):
+            return
+        if impossible(self.exact, self.assumptions):
+            raise Unsatisfiable(VerdictCode.UNSATISFIABLE())
+        if self.find_real(lambda trial: True):
+            return
+        if not self.measured_angles:
+            raise NotExact("no point was found where the assumptions hold, and it is not proved that none is")
+        if self.assumptions.equations:
+            raise NotExact("an equation under which an angle stands beside its sine or cosine")
+
+    def find(self, accept: Callable[[Trial], bool], positive_nowhere: Term | None = None) -> Trial | None:
+        """A small point that satisfies the assumptions and is accepted; see also `first_trial`."""
+        admitted = self._admitted(accept)
+        found = first_trial(self.inventory, self.definitions, admitted, self._completed, positive_nowhere)
+        return found or next((trial for trial in self._solved() if accepted(trial, admitted)), None)
+
+    def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:
+        """The same among points at which angles are real numbers beside their sines, in balls."""
+        if self.assumptions.equations or not (self.inventory.circles or self.measured_angles):
+            return None
+        supposed = self.assumptions.nonzero
+        for trial in real_trials(self.inventory, self.definitions):
+            try:
+                if all(surely_differ(trial, r) for r in supposed) and accept(trial):
+                    return trial
+            except NotExact:
+                continue
+        return None
+
+    def _solved(self) -> Iterator[Trial]:
+        """Points at which the equations are solved for coordinates, rational or algebraic ones."""
+        if not self.assumptions.equations:
+            return
+        for point in solved_points(self.exact, self.assumptions.equations, self.inventory):
+            yield trial_at(point, self.definitions, NumberFieldRing())
+
+    def _admitted(self, accept: Callable[[Trial], bool]) -> Callable[[Trial], bool]:
+        supposed = self.assumptions.relations
+        return lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t)
+
+    def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
+        """The point with the parameters for which the equations are solved put to their values."""
+        if not self.assumptions.equations:
+            return point
+        point = dict(point)
+        with suppress(NotExact):  # the point is not on the equations then, and is not taken
+            for pivot in reversed(self.solved.solved):
+                point[self.exact.parameter_of(pivot.generator)] = self.exact.at(pivot.value, point)
+        return point
+
+    @cached_property
+    def measured_angles(self) -> list[Symbol]:
+        """The angles that stand beside their sines and cosines, as in sin α = α: no rational point but
+        α = 0 is one of theirs."""
+        return [a for a in self.inventory.angles if self._uses(a, "value", 1) and self._uses(a, "circle", 2)]
+
+    def _uses(self, angle: Symbol, part: str, count: int) -> bool:
+        parameters = [Parameter(angle, part, 0, component) for component in range(count)]
+        try:
+            return any(self.exact.depends(self.sides, p) for p in parameters)
+        except ZeroDivisionError:
+            return True
+
+    def _is_real(self, trial: Trial) -> bool:
+        circles = self.inventory.circles.values()
+        angles = self.inventory.angles if circles else self.measured_angles
+        try:
+            return all(
+                not trial.engine.value(angle, 0).re[0][()] and trial.engine.circle(angle)[0] == 1
+                for angle in (*angles, *circles)
+            )
+        except ZeroDivisionError:  # an angle that is a quotient, undefined there
+            return False
+
+    @cached_property
+    def solved(self) -> Equations:
+        engine, nonzero = self._supposing
+        return solve(engine, self.assumptions.equations, nonzero)
+
+    def counterexample(self, trial: Trial, relation: Relation) -> Counterexample:
+        """The trial's point, an angle told by what of it occurs: its value, or its cosine and sine."""
+        angles = self.inventory.angles
+        turned = [a for a in angles if not trial.real and not self._uses(a, "value", 1)]
+        return counterexample(trial, relation, self.inventory, turned)
+
+    def refuted(self, trial: Trial, relation: Relation) -> Verdict:
+        """The verdict that the relation, or the statement it is part of, fails at the trial's point."""
+        example = self.counterexample(trial, relation)
+        method = "real balls (Arb)" if trial.real else "rational point, exact arithmetic"
+        evidence = Evidence(method, "the two sides differ")
+        return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))

@@ -1,0 +1,313 @@
+"""From a statement to its verdict: for each kind of statement, its judge."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import cast
+
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import apply, zero
+from workbench.core.construct import relation as equated
+from workbench.core.terms import (
+    Conjunction,
+    Equivalence,
+    Extremum,
+    IllFormed,
+    Implication,
+    Naming,
+    Relation,
+    Statement,
+    Symbol,
+    sides_of,
+)
+from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
+from workbench.engines.inventory import Without
+from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
+from workbench.engines.inventory.exponentials import holds_exponentials, without_exponentials
+from workbench.engines.inventory.first_order import to_first_order
+from workbench.engines.inventory.inventory import NotExact, has_gradient
+from workbench.engines.inventory.partial_derivatives import positive_coordinates
+from workbench.language.printing.printer import to_latex
+from workbench.prover.decide.case import Case, Setting
+from workbench.prover.decide.closed_formulas import judge_closed
+from workbench.prover.decide.disequation import judge_inequation
+from workbench.prover.decide.equation import IN_FORCE, Equation
+from workbench.prover.decide.extrema import judge_extremum
+from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
+from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
+from workbench.prover.decide.orders_past_literals import OrderRanges
+from workbench.prover.decide.premise_consequences import equal_turns, put_in
+
+
+@dataclass(frozen=True)
+class Judge(Setting):
+    """Judges statements under one set of definitions; `Setting` says what it can be given."""
+
+    #: The verdicts on instances, by the setting and all that is asked: claims share steps of their proofs.
+    _known: dict[tuple[Judge, Statement, tuple[Statement, ...], Statement | None], Verdict] = field(
+        default_factory=dict, compare=False, repr=False
+    )
+
+    def by_one_engine(self) -> Judge:
+        return replace(self, second_engine=False)
+
+    def judge(
+        self,
+        statement: Statement,
+        assume: Sequence[Statement] = (),
+        hypothesis: Statement | None = None,
+        orders: OrderRanges | None = None,
+    ) -> Verdict:
+        """The verdict on a statement under the stated assumptions.
+
+        hypothesis: a condition that the text does not state; the outcome is `conditional` if the statement
+        needs it. orders: the integer variables of a family.
+        Raises Unsatisfiable if nothing satisfies the assumptions, EngineDisagreement if the engines differ.
+        """
+        judge = replace(self, laws=False) if orders else self
+        judged = judge_family(cast(InstanceJudge, judge), statement, tuple(assume), hypothesis, orders)
+        is_idle = judged.code is VerdictCode.SAME_TERM
+        if is_idle and isinstance(statement, Relation) and statement.left != statement.right:
+            judged = judge_closed(statement, tuple(assume), self.definitions, self.second_engine) or judged
+        return replace(judged, read_back=to_latex(statement))
+
+    def judge_instance(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict:
+        """The verdict where no integer variable is left to bind. Raises NotExact outside the exact world."""
+        asked = self, statement, assume, hypothesis
+        if asked not in self._known:
+            try:
+                self._known[asked] = self._judge_under(statement, assume, hypothesis)
+            except NotExact:
+                coordinates = positive_coordinates(sides_of(statement), self.definitions)
+                if not coordinates:
+                    raise
+                self._known[asked] = self._of_any_sign(coordinates, statement, assume, hypothesis)
+        return self._known[asked]
+
+    def _of_any_sign(
+        self,
+        coordinates: frozenset[Symbol],
+        statement: Statement,
+        assume: tuple[Statement, ...],
+        hypothesis: Statement | None,
+    ) -> Verdict:
+        """What is found if the positive numbers by which is differentiated may be negative, too."""
+        judge = replace(self, definitions=Without(self.definitions, coordinates))
+        verdict = judge.judge_instance(statement, assume, hypothesis)
+        if verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
+            return verdict
+        values = {} if verdict.counterexample is None else verdict.counterexample.values
+        for name in map(to_latex, coordinates):
+            if name in values and Fraction(*values[name]) <= 0:
+                return Verdict(Outcome.UNCHECKED, reason=VerdictCode.OPEN_WHERE_POSITIVE(name=name))
+        return verdict
+
+    def _judge_under(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict:
+        verdict = self._supposing(assume, statement, ())
+        if hypothesis is None or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
+            return verdict
+        under = self._supposing((*assume, hypothesis), statement, ())
+        if under.outcome != Outcome.PROVED:
+            return under
+        if verdict.counterexample is None:
+            return replace(under, outcome=Outcome.UNCHECKED, reason=VerdictCode.NO_WITNESS())
+        witness = Evidence("witness against the bare statement", verdict.reason or "a point where it fails")
+        return Verdict(
+            Outcome.CONDITIONAL,
+            reason=VerdictCode.UNDER_HYPOTHESIS(),
+            hypothesis=to_latex(hypothesis),
+            counterexample=verdict.counterexample,
+            evidence=(*under.evidence, witness),
+            basis=Strength.HINTED,
+        )
+
+    def _judge(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        try:
+            verdict = self._judge_form(statement, assume)
+        except ZeroDivisionError:
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DENOMINATOR_ZERO())
+        except NotExact:
+            if (closed := judge_closed(statement, assume, self.definitions, self.second_engine)) is None:
+                raise
+            return closed
+        # A counterexample that gives π a value is none.
+        values = verdict.counterexample.values if verdict.counterexample else ()
+        is_refuted = verdict.outcome is Outcome.REFUTED and not values
+        is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
+        if is_settled or verdict.code is VerdictCode.SAME_TERM:
+            return verdict
+        return judge_closed(statement, assume, self.definitions, self.second_engine) or verdict
+
+    def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        match statement:
+            case Conjunction(parts=parts):
+                return self._of_parts(parts, assume)
+            case Relation() if holds_arc(statement):
+                return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
+            case Relation(operator="=") if holds_exponentials(statement, self.definitions):
+                return self._exponential(statement, assume)
+            case Relation(operator="="):
+                return self._equation(statement, assume)
+            case Relation(operator="≈"):
+                return self._approximated(statement, assume)
+            case Relation():
+                return judge_inequation(self, statement, assume)
+            case Equivalence(left=left, right=right):
+                return _together([self._one_way(left, right, assume), self._one_way(right, left, assume)])
+            case Implication(left=left, right=right):
+                return self._implied(left, right, assume)
+            case Extremum():
+                return judge_extremum(self, statement, assume, self._judge)
+            case Naming():
+                return self._named(statement, assume)
+        raise NotExact("a statement of this form")
+
+    def _equation(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        try:
+            verdict = Equation(self, said, assume).verdict()
+        except NotExact:
+            if (found := self._by_premise(said, assume)) is None:
+                raise
+            return found
+        is_open = verdict.outcome is Outcome.UNCHECKED and said.left != said.right
+        return (self._by_premise(said, assume) if is_open else None) or verdict
+
+    def _by_premise(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict | None:
+        """What is found if a premise defines a symbol."""
+        with suppress(NotExact, Unsatisfiable, ZeroDivisionError):
+            if (found := put_in(said, assume, self.definitions, self.bound)) is not None:
+                premise, others, definitions = found
+                verdict = replace(self, definitions=definitions)._judge(said, tuple(others))
+                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
+                    evidence = Evidence("premise", "put in as a definition", {"formula": to_latex(premise)})
+                    return replace(verdict, evidence=(evidence, *verdict.evidence))
+        with suppress(NotExact, IllFormed, Unsatisfiable, ZeroDivisionError):
+            turns = equal_turns(said, assume, self.definitions)
+            if turns and not set(turns) <= set(assume):
+                verdict = self._judge(said, (*assume, *turns))
+                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
+                    formulas = ", ".join(map(to_latex, turns))
+                    evidence = Evidence("premise", "equal angles", {"formula": formulas})
+                    return replace(verdict, evidence=(evidence, *verdict.evidence))
+        return None
+
+    def _exponential(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        found = without_exponentials(said, self.definitions)
+        is_definition = isinstance(said.left, Symbol) and self.definitions.lookup(said.left) == said.right
+        judged = _difference(found.relation) if is_definition else found.relation
+        verdict = self._judge(judged, (*assume, *found.supposed))
+        if is_definition and verdict.outcome is Outcome.PROVED:
+            return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
+        if verdict.outcome is Outcome.REFUTED:
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_EXPONENTIALS())
+        evidence = Evidence("exponentials", "any functions E that are nowhere 0, with the rates of e^x")
+        return replace(verdict, evidence=(*verdict.evidence, evidence))
+
+    def _approximated(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        compared = to_first_order(said, assume, self.definitions)
+        verdict = self._judge(compared.relation, assume)
+        if verdict.outcome is Outcome.REFUTED and compared.has_plain_side:
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DIFFERENT_TO_FIRST_ORDER())
+        order = f"to first order in {compared.names}"
+        evidence = Evidence("dual numbers", f"{order} and their rates, taken together")
+        holds = verdict.outcome not in (Outcome.REFUTED, Outcome.UNCHECKED)
+        return replace(verdict, scope=order if holds else None, evidence=(*verdict.evidence, evidence))
+
+    def _of_parts(self, parts: Sequence[Statement], assume: tuple[Statement, ...]) -> Verdict:
+        """On a chain or a system: that on its parts which say something. Of one whose sides are the same term
+        it is seen that they are defined, and the evidence tells."""
+        judged = [(part, self._judge(part, assume)) for part in parts]
+        if all(verdict.code is VerdictCode.SAME_TERM for _, verdict in judged):
+            return judged[0][1]
+        verdicts, idle = [], []
+        for part, verdict in judged:
+            if verdict.code is VerdictCode.SAME_TERM and isinstance(part, Relation):
+                verdict = self._judge(_difference(part), assume)
+                idle.append(
+                    Evidence("trivial part", VerdictCode.SAME_TERM.template, {"formula": to_latex(part)})
+                )
+            verdicts.append(verdict)
+        verdict = _together(verdicts)
+        return replace(verdict, evidence=(*verdict.evidence, *idle))
+
+    def _named(self, said: Naming, assume: tuple[Statement, ...]) -> Verdict:
+        """On a set or a map: a definition, if what makes it one is proved."""
+        for part in said.parts:
+            verdict = self._judge(part, assume)
+            if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+                return verdict
+        if said.undecided:
+            return Verdict(Outcome.UNCHECKED, reason=said.undecided)
+        terms = [equated("=", term, term) for term in said.terms]
+        try:
+            Case(self, terms, (*assume, *said.given)).require_satisfiable()
+        except Unsatisfiable:
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SET())
+        for term in terms:  # that it is the same everywhere says that it is defined everywhere
+            verdict = self._judge(_difference(term), (*assume, *said.given))
+            if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+                reason = VerdictCode.NOT_DEFINED_FOR_ALL(left=to_latex(term.left), reason=verdict.reason)
+                return replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
+        return Verdict(Outcome.DEFINITION, evidence=(Evidence("sets and maps", "well-formed"),))
+
+    def _one_way(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        try:
+            return self._implied(premise, claim, assume)
+        except Unsatisfiable:
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SIDE())
+
+    def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        """x ≠ 0 ⇒ y ≠ 0 says that x = 0 where y = 0, and that y is defined where x ≠ 0."""
+        if (
+            isinstance(premise, Relation)
+            and isinstance(claim, Relation)
+            and premise.operator == claim.operator == "≠"
+        ):
+            given, said = (equated("=", *[_difference(r).left] * 2) for r in (premise, claim))
+            turned = self._implied(_equation(claim), _equation(premise), (*assume, given))
+            defined = self._judge(_difference(said), (*assume, premise))
+            return turned if defined.outcome is Outcome.PROVED else _together([turned, defined])
+        return self._supposing((premise,), claim, assume)
+
+    def _supposing(
+        self, premises: Sequence[Statement], claim: Statement, assume: tuple[Statement, ...]
+    ) -> Verdict:
+        """The claim under the premises at the instant. One that is false only if they do not last, such as
+        f = 1 ⇒ ḟ = 0, is not refuted: it has to say which is meant."""
+        verdict = self._judge(claim, (*assume, *premises))
+        if verdict.outcome is not Outcome.REFUTED:
+            return verdict
+        with suppress(Unsatisfiable, NotExact, IllFormed):
+            lasting = [r for each in premises for r in derivatives_of(each, claim, self.definitions)]
+            if not lasting:
+                return verdict
+            again = self._judge(claim, (*assume, *premises, *lasting))
+            if again.outcome == Outcome.REFUTED:
+                return again
+        is_field = has_gradient(sides_of(claim))
+        code = VerdictCode.AT_ONE_PLACE if is_field else VerdictCode.AT_ONE_INSTANT
+        return Verdict(Outcome.UNCHECKED, reason=code())
+
+
+def _equation(inequation: Relation) -> Relation:
+    return equated("=", inequation.left, inequation.right)
+
+
+def _difference(same: Relation) -> Relation:
+    nothing = apply("add", same.left, apply("neg", same.right))
+    return equated("=", nothing, zero(same.left.type))
+
+
+def _together(verdicts: list[Verdict]) -> Verdict:
+    """A conjunction is as good as its worst part."""
+    worst = min(verdicts, key=lambda verdict: WORST_FIRST.index(verdict.outcome))
+    if worst.outcome != Outcome.PROVED:
+        return worst
+    return replace(worst, evidence=tuple(e for v in verdicts for e in v.evidence))

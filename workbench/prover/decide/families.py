@@ -1,0 +1,388 @@
+"""Statements about integers n: for every n at once where the recurrences allow it, else for a range.
+
+With Φₙ, aₙ, … left as free functions and Φₙ₊₁, aₙ₊₁, … replaced by their recurrences, an identity between
+them holds whatever the n-th members are; so it holds for every n from which the recurrences are in force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from itertools import pairwise
+from typing import Protocol
+
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import relation
+from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import instantiate
+from workbench.core.operations import GRADIENTS, PARTIALS
+from workbench.core.reasons import Reason, reason_of
+from workbench.core.terms import (
+    Apply,
+    BigSum,
+    Conjunction,
+    Derivative,
+    Equivalence,
+    Extremum,
+    IllFormed,
+    Implication,
+    Naming,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    sides_of,
+)
+from workbench.core.types import Declaration
+from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.engines.inventory.addend_expansion import has_sums
+from workbench.engines.inventory.assumptions import Unsatisfiable
+from workbench.engines.inventory.inventory import NotExact
+from workbench.language.definitions import Definitions, expand
+from workbench.prover.decide.orders_past_literals import OrderRanges, beyond
+from workbench.prover.decide.recurrence_range import exceptions, rewritten, symbolic_members
+from workbench.prover.decide.symbolic_orders import freed, symbolic_orders
+from workbench.prover.decide.unbounded_indices import judge_addends, ranges_apart
+
+
+class InstanceJudge(Protocol):
+    """A judge of statements without integer variables; a frozen dataclass, so that it can be made lighter."""
+
+    definitions: Definitions
+    second_engine: bool
+
+    def judge_instance(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict: ...
+
+    def by_one_engine(self) -> InstanceJudge:
+        """The judge without its second engine."""
+
+
+#: A family is as good as its worst member.
+WORST_FIRST = (
+    Outcome.REFUTED,
+    Outcome.ILL_FORMED,
+    Outcome.UNCHECKED,
+    Outcome.PROBABLE,
+    Outcome.CONDITIONAL,
+    Outcome.PROVED,
+    Outcome.DEFINITION,
+)
+
+
+def judge_family(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges | None,
+) -> Verdict:
+    """The verdict on a statement whose integer variables are those of `orders`: that on its worst member.
+    Of indices that may be any, examples prove nothing, and two that are the same refute nothing."""
+    if orders is None:
+        return _instance_for(judge, statement, assume, hypothesis, {})
+    verdict = _family(judge, statement, assume, hypothesis, orders)
+    if verdict.outcome is Outcome.REFUTED and orders.generic:
+        apart = ranges_apart(orders, statement, list(_terms(statement)), judge.definitions)
+        with suppress(Unsatisfiable):
+            found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
+            if found and all(each.outcome is Outcome.REFUTED for each in found):
+                return found[0]
+        return _open(orders, VerdictCode.FAILS_FOR_SOME_SUMS())
+    may_go_on = not verdict.is_for_all and bool(orders.generic or orders.endless)
+    return _open(orders, VerdictCode.HOLDS_FOR(orders=orders)) if may_go_on else verdict
+
+
+def _open(orders: OrderRanges, seen: Reason) -> Verdict:
+    """What is seen of some members, of as many as there are numbers."""
+    if orders.generic:
+        why = VerdictCode.NO_RANGE(variables=", ".join(orders.generic))
+    else:
+        why = VerdictCode.ENDLESS_RANGE(variables=", ".join(sorted(orders.endless)))
+    return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SEEN_OF_SOME(seen=seen, why=why))
+
+
+def _family(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges,
+) -> Verdict:
+    if exceptions(judge).tangled:
+        return _instances(judge, statement, assume, hypothesis, orders)
+    if _defines(judge, statement):
+        verdict = _instances(judge, statement, assume, hypothesis, orders)
+        if verdict.outcome != Outcome.DEFINITION:
+            return verdict
+        scope = _scope(judge, [statement], {}, statement, orders)
+        return verdict if scope is None else replace(verdict, scope=scope or None)
+    general = _for_all(judge, statement, assume, hypothesis, orders)
+    proves_nothing = bool(orders.endless or orders.generic)
+    if general is not None:
+        proves_nothing = general.outcome == Outcome.PROVED
+    light = judge.by_one_engine() if proves_nothing else judge
+    instances = _instances(light, statement, assume, hypothesis, orders)
+    if general is None:
+        return instances
+    if general.outcome != Outcome.PROVED:
+        same = instances.outcome == general.outcome
+        return replace(general, evidence=_checked(general, orders)) if same else instances
+    if instances.outcome == Outcome.REFUTED:
+        raise EngineDisagreement(f"proved for all n, but refuted {instances.reason}")
+    if instances.outcome not in (Outcome.PROVED, Outcome.PROBABLE, Outcome.DEFINITION):
+        return instances  # such as a member below the first, or a denominator that vanishes
+    return replace(general, evidence=_checked(general, orders))
+
+
+def _checked(general: Verdict, orders: OrderRanges) -> tuple[Evidence, ...]:
+    checked = Evidence("each instance, exact ring", "residual is 0", {"orders": str(orders)})
+    return (*general.evidence, checked)
+
+
+def _defines(judge: InstanceJudge, statement: Statement) -> bool:
+    """Whether the statement is the definition in force of its left side, for every n."""
+    match statement:
+        case Relation(operator="=", left=Symbol() as symbol):
+            return judge.definitions.lookup(symbol) == statement.right
+    return False
+
+
+def _for_all(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges,
+) -> Verdict | None:
+    """The verdict with the lowest member of each family free; None where the statement is not of that form,
+    does not hold in it, or where some definition is not in force for all of `orders`."""
+    statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
+    if any(map(has_sums, _all_terms(statements))):
+        return judge_addends(judge, statement)  # holds without what is supposed
+    try:
+        shift = _shift(_indices(statements))
+        statements = _shifted(statements, shift)
+        method = "the n-th members are free functions, the next ones by recurrence"
+        scope = _scope(judge, statements, shift, statement, orders)
+        if scope is None:
+            return None
+        expanded = tuple(mapped(s, partial(_expanded, judge)) for s in statements)
+        _refuse_hidden_coordinate(judge, expanded)
+        if derivatives := symbolic_orders(_all_terms(expanded)):
+            expanded = _shifted(expanded, _shift(_indices(expanded, derivatives)))
+            statements = tuple(mapped(s, freed) for s in expanded)
+            method = "the n-th derivatives and the n-th members are free functions"
+        shifted, *others = statements
+        supposed = tuple(others[: len(assume)])
+        given = None if hypothesis is None else others[-1]
+        verdict = judge.judge_instance(shifted, supposed, given)
+    except (NotExact, IllFormed):
+        return None
+    if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
+        return None
+    evidence = (*verdict.evidence, Evidence("all n at once", method))
+    return replace(verdict, scope=scope or None, evidence=evidence)
+
+
+def _scope(
+    judge: InstanceJudge,
+    statements: Sequence[Statement],
+    shift: Mapping[str, Linear],
+    original: Statement,
+    orders: OrderRanges,
+) -> str | None:
+    """ "all n ≥ 1", from the least n on for which the definitions that the statements use are in force, or
+    "all n" where that is 0; None unless that holds for each n for which all members in them are of their
+    families, and for all of `orders`; "" without any n. The statements are shifted: their n counts from
+    `shift`."""
+    known = exceptions(judge)
+    terms = list(_all_terms(statements))
+    start, begin = known.start(rewritten(terms, judge.definitions)), known.begin(symbolic_members(terms))
+    variables = sorted(_variables(original))
+    least = {name: shift[name].constant if name in shift else 0 for name in variables}
+    needed = {name: start.get(name, 0) + least[name] for name in variables}
+    if any(start.get(name, 0) > begin.get(name, 0) for name in variables):
+        return None
+    if any(values[name] < needed[name] for values in orders.assignments() for name in variables):
+        return None
+    said = [f"{name} ≥ {needed[name]}" if needed[name] > 0 else name for name in variables]
+    return f"all {', '.join(said)}" if said else ""
+
+
+def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Statement]) -> None:
+    """Raises NotExact where div or curl would be taken of a free function that stands for a field."""
+    for term in _all_terms(statements):
+        for slope in (t for t in term.walk() if isinstance(t, Apply) and t.head in PARTIALS):
+            if not _is_apart(slope, judge.definitions):
+                raise NotExact("a partial derivative with an integer variable in it")
+        for gradient in (t for t in term.walk() if isinstance(t, Apply) and t.head in GRADIENTS):
+            for part in gradient.walk():
+                hidden: list[Term] = []
+                if isinstance(part, Symbol) and not all(i.is_number for i in part.index):
+                    own = judge.definitions.about(part)
+                    hidden = [expand(definition.body, judge.definitions) for definition in own]
+                elif isinstance(part, Derivative) and not part.order.is_number:
+                    hidden = [part.body]
+                if any(isinstance(t, Symbol) and t.declaration.coordinate for h in hidden for t in h.walk()):
+                    raise NotExact(f"the {gradient.head} of a field of every order")
+
+
+def _is_apart(slope: Term, definitions: Definitions) -> bool:
+    """Whether two members of a family in it are two for every n, or one, and none hides a function."""
+    parts = list(slope.walk())
+    symbols = [part for part in parts if isinstance(part, Symbol)]
+    for own in symbols:  # longer with each
+        symbols += own.declaration.of
+    indices: dict[Declaration, list[Linear]] = {}
+    for own in symbols:
+        if len(own.index) > 1 and not all(place.is_number for place in own.index):
+            return False
+        indices.setdefault(own.declaration, []).extend(own.index)
+        if any(not place.is_number for place in own.index) and definitions.about(own):
+            return False
+    steps = [one - other for several in indices.values() for one, other in pairwise(several)]
+    orders = [part.order for part in parts if isinstance(part, Derivative)]
+    return not any(isinstance(part, BigSum) for part in parts) and all(n.is_number for n in (*steps, *orders))
+
+
+def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:
+    """The indices of all symbols that hold an integer variable, and the orders that hold just one."""
+    indices = [
+        index
+        for term in _all_terms(statements)
+        for part in term.walk()
+        if isinstance(part, Symbol)
+        for index in part.index
+        if not index.is_number
+    ]
+    return [*indices, *(order for order in orders if len(order.coefficients) == 1)]
+
+
+def _shift(indices: Sequence[Linear]) -> dict[str, Linear]:
+    """What n is to be replaced by so that no index n + c has a negative c. Raises NotExact for other
+    indices."""
+    shift: dict[str, Linear] = {}
+    for index in indices:
+        ((name, coefficient), *others) = index.coefficients
+        if others or coefficient != 1:
+            raise NotExact(f"the index {index}")
+        least = shift.get(name, Linear.variable(name))
+        shift[name] = max(least, Linear.variable(name) - index.constant, key=lambda s: s.constant)
+    return shift
+
+
+def _shifted(statements: Sequence[Statement], shift: Mapping[str, Linear]) -> tuple[Statement, ...]:
+    return tuple(instantiate(s, shift) for s in statements)
+
+
+def _instances(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges,
+) -> Verdict:
+    """The worst verdict over the range, and of equal ones the first; a member that is refuted ends it. Of one
+    whose condition, such as i ≠ j, nothing meets, nothing is claimed. Raises Unsatisfiable if that is all."""
+    worst, place, count, is_idle, impossible = None, "", 0, False, None
+    for values in orders.assignments():
+        try:
+            current = _instance_for(judge, statement, assume, hypothesis, values)
+        except Unsatisfiable as found:
+            impossible = found
+            continue
+        if current.code is VerdictCode.SAME_TERM:
+            is_idle = True
+            continue
+        count += 1
+        if worst is None or WORST_FIRST.index(current.outcome) < WORST_FIRST.index(worst.outcome):
+            worst, place = current, _shown(values)
+        if current.outcome == Outcome.REFUTED:
+            break
+    if worst is None and impossible is not None and not is_idle:
+        raise impossible
+    if worst is None:
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SAME_TERM())
+    if worst.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
+        reason = VerdictCode.FOR(values=place)
+        if worst.reason:
+            reason = VerdictCode.FOR_BECAUSE(values=place, reason=worst.reason)
+        figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}
+        fails = Evidence("each instance", f"fails for {place}", figures)
+        return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
+    for far in beyond(_terms(statement), judge.definitions, orders):
+        with suppress(Unsatisfiable):  # there, nothing is claimed
+            further = _instance_for(judge, statement, assume, hypothesis, far)
+            if further.outcome == Outcome.REFUTED:
+                return replace(
+                    further, reason=VerdictCode.FOR_THOUGH_HOLDS(values=_shown(far), orders=orders)
+                )
+    evidence = (*worst.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
+    return replace(worst, scope=str(orders), evidence=evidence)
+
+
+def _shown(values: Mapping[str, int]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in values.items())
+
+
+def _instance_for(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    values: Mapping[str, int],
+) -> Verdict:
+    """The verdict with the integer variables put to these values and the sums written out."""
+    try:
+        supposed = tuple(instantiate(a, values) for a in assume)
+        given = None if hypothesis is None else instantiate(hypothesis, values)
+        return judge.judge_instance(instantiate(statement, values), supposed, given)
+    except (NotExact, IllFormed) as outside:
+        return Verdict(Outcome.UNCHECKED, reason=reason_of(outside))
+
+
+def _variables(statement: Statement) -> set[str]:
+    """The integer variables of indices and orders, but for those that a sum binds."""
+    names: set[str] = set()
+    bound: set[str] = set()
+    for term in _terms(statement):
+        for part in term.walk():
+            if isinstance(part, Symbol):
+                names |= {name for index in part.index for name in index.variables}
+            elif isinstance(part, Derivative):
+                names |= part.order.variables
+            elif isinstance(part, BigSum):
+                bound |= set(part.variables)
+    return names - bound
+
+
+def _all_terms(statements: Iterable[Statement]) -> Iterator[Term]:
+    for statement in statements:
+        yield from _terms(statement)
+
+
+def _expanded(judge: InstanceJudge, statement: Relation) -> Relation:
+    left, right = (expand(side, judge.definitions) for side in (statement.left, statement.right))
+    return relation(statement.operator, left, right)
+
+
+def mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Statement:
+    """The statement with each of its relations put to what `of` makes of it."""
+    match statement:
+        case Relation():
+            return of(statement)
+        case Equivalence() | Implication():
+            return type(statement)(mapped(statement.left, of), mapped(statement.right, of))
+        case Extremum() | Naming():
+            raise NotExact("a minimum, a set or a map for all n at once")
+    return Conjunction(tuple(mapped(part, of) for part in statement.parts))
+
+
+def _terms(statement: Statement) -> Iterator[Term]:
+    yield from sides_of(statement)
+    if isinstance(statement, Naming):
+        yield from _all_terms((*statement.parts, *statement.given))

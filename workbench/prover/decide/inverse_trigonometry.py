@@ -1,0 +1,142 @@
+"""θ = arccos x and its kin: proved or refuted without the arc, and true on one branch only.
+
+θ = c arccos x     cos (θ/c) = x              on 0 ≤ θ/c ≤ π
+θ = c arcsin x     sin (θ/c) = x              on −π/2 ≤ θ/c ≤ π/2
+θ = c arctan x     sin (θ/c) = x cos (θ/c)    on −π/2 < θ/c < π/2
+θ = c atan2(y, x)  sin (θ/c) r = y, cos (θ/c) r = x, r = ‖(x, y)‖     on −π < θ/c ≤ π
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from fractions import Fraction
+from typing import NamedTuple
+
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import apply, block, number, relation
+from workbench.core.reasons import Reason
+from workbench.core.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term, heads_in
+from workbench.core.verdict import Counterexample, Evidence, Outcome, Strength, Verdict
+from workbench.engines.inventory import Lookup, NotExact
+from workbench.language.printing.printer import to_latex
+
+Judge = Callable[[Statement], Verdict]
+
+ARCS = frozenset({"arccos", "arcsin", "arctan", "atan2"})
+_BRANCHES = {
+    "arccos": r"0 \leq {} \leq \pi",
+    "arcsin": r"-\frac{{\pi}}{{2}} \leq {} \leq \frac{{\pi}}{{2}}",
+    "arctan": r"-\frac{{\pi}}{{2}} < {} < \frac{{\pi}}{{2}}",
+    "atan2": r"-\pi < {} \leq \pi",
+}
+#: 24π + 0.60…: it, its half, third and quarter have the sines and cosines of an angle on every branch.
+_ELSEWHERE = 76
+
+
+class _Arc(NamedTuple):
+    factor: Fraction
+    head: str
+    arguments: tuple[Term, ...]
+
+
+def holds_arc(statement: Relation) -> bool:
+    return _has_arc(statement.left) or _has_arc(statement.right)
+
+
+def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verdict:
+    """Raises NotExact where the arc does not stand alone on its side."""
+    left, right = _arc(statement.left), _arc(statement.right)
+    others = [s for s, arc in ((statement.left, left), (statement.right, right)) if arc is None]
+    inside = [argument for arc in (left, right) if arc is not None for argument in arc.arguments]
+    if statement.operator != "=" or any(_has_arc(t) for t in (*others, *inside)):
+        raise NotExact("an inverse function of an angle that does not stand alone on its side")
+    if left is not None and right is not None:
+        return _of_two(left, right, judge)
+    arc, angle = (left, statement.right) if left is not None else (right, statement.left)
+    assert arc is not None, "one side holds an arc"
+    verdict = judge(_without(arc, angle))
+    if verdict.outcome == Outcome.REFUTED and arc.head in ("arccos", "arcsin"):
+        return verdict if _in_domain(verdict) else _unchecked(VerdictCode.OUTSIDE_OF_ARC())
+    if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
+        return verdict
+    branch = _BRANCHES[arc.head].format(to_latex(_divided(angle, arc.factor)))
+    if not isinstance(angle, Symbol) or definitions.lookup(angle) is not None:
+        return _unchecked(VerdictCode.UP_TO_BRANCH(branch=branch))
+    value = _ELSEWHERE * arc.factor
+    name = to_latex(angle)
+    kind = str(angle.type)
+    witness = Counterexample(
+        {name: (str(value),)}, (str(value),), (f"an angle with {branch}",), kinds={name: kind}, kind=kind
+    )
+    return replace(
+        verdict,
+        outcome=Outcome.CONDITIONAL,
+        reason=VerdictCode.ON_PRINCIPAL_BRANCH(),
+        hypothesis=branch,
+        counterexample=witness,
+        evidence=(*verdict.evidence, Evidence("branch", f"{name} = {value} lies on another one")),
+        basis=Strength.HINTED,
+    )
+
+
+def _of_two(left: _Arc, right: _Arc, judge: Judge) -> Verdict:
+    """arccos a = arccos b says a = b, where both are defined."""
+    if left.factor != right.factor or left.head != right.head or left.head == "atan2":
+        raise NotExact("two different inverse functions of angles")
+    verdict = judge(relation("=", left.arguments[0], right.arguments[0]))
+    if verdict.outcome == Outcome.REFUTED and left.head != "arctan" and not _in_domain(verdict):
+        return _unchecked(VerdictCode.OUTSIDE_OF_ARC())
+    return verdict
+
+
+def _without(arc: _Arc, angle: Term) -> Statement:
+    part = _divided(angle, arc.factor)
+    cosine, sine = apply("cos", part), apply("sin", part)
+    if arc.head == "arccos":
+        return relation("=", cosine, arc.arguments[0])
+    if arc.head == "arcsin":
+        return relation("=", sine, arc.arguments[0])
+    if arc.head == "arctan":
+        return relation("=", sine, apply("mul", arc.arguments[0], cosine))
+    y, x = arc.arguments
+    length = apply("norm", block([[x], [y]]))
+    parts = ((sine, y), (cosine, x))
+    return Conjunction(tuple(relation("=", apply("mul", f, length), value) for f, value in parts))
+
+
+def _divided(angle: Term, factor: Fraction) -> Term:
+    return angle if factor == 1 else apply("mul", number(1 / factor), angle)
+
+
+def _arc(side: Term) -> _Arc | None:
+    match side:
+        case Apply(head=head, arguments=arguments) if head in ARCS:
+            return _Arc(Fraction(1), head, arguments)
+        case Apply(head="neg", arguments=(inner,)):
+            scaled, found = Fraction(-1), _arc(inner)
+        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))):
+            scaled, found = value, _arc(inner)
+        case Apply(head="div", arguments=(inner, Number(value=value))):
+            scaled, found = 1 / value, _arc(inner)
+        case _:
+            return None
+    return None if found is None or not scaled else found._replace(factor=scaled * found.factor)
+
+
+def _has_arc(term: Term) -> bool:
+    return not heads_in(term).isdisjoint(ARCS)
+
+
+def _in_domain(verdict: Verdict) -> bool:
+    """Whether what the arc is taken of, on either side of the counterexample, lies between −1 and 1."""
+    example = verdict.counterexample
+    with suppress(ValueError, ZeroDivisionError):
+        sides = (*example.left, *example.right) if example is not None else ("2",)
+        return all(abs(Fraction(text)) <= 1 for text in sides)
+    return False
+
+
+def _unchecked(reason: Reason) -> Verdict:
+    return Verdict(Outcome.UNCHECKED, reason=reason)

@@ -1,0 +1,98 @@
+"""Beyond the first few members: what holds for n = 0, …, 4 may hold no longer behind the numbers of the
+formula, such as the 4 of Σ_{k=0}^{4}. A range without an end is looked at there, too, for what is refuted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+from typing import Protocol
+
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import BigSum, Counting, Derivative, Integer, Power, Symbol, Term
+from workbench.language.definitions import Definitions
+
+#: Larger numbers than this are no places where a formula could change.
+_LARGEST = 12
+
+#: How many members of a family are looked at one by one, where a proof is for all of them.
+FIRST = 3
+
+
+class OrderRanges(Protocol):
+    """The values of a family's integer variables, such as `papers.Orders`. `generic`: those that may be
+    any, since no range is stated for them; their values are but examples.   `endless`: those that have no
+    last value, and whose first few nobody chose."""
+
+    @property
+    def generic(self) -> tuple[str, ...]: ...
+
+    @property
+    def endless(self) -> frozenset[str]: ...
+
+    def assignments(self) -> Iterator[dict[str, int]]: ...
+
+
+@dataclass(frozen=True)
+class FirstMembers:
+    """The first few values of each integer: what `Judge` takes for the orders of a family.   endless: the
+    integers of which these are examples only."""
+
+    least: Mapping[str, int]
+    generic: tuple[str, ...] = ()  # a range is stated for each
+    endless: frozenset[str] = frozenset()
+
+    def assignments(self) -> Iterator[dict[str, int]]:
+        values: list[dict[str, int]] = [{}]
+        for name, least in self.least.items():
+            values = [{**v, name: least + k} for v in values for k in range(FIRST)]
+        return iter(values)
+
+    def __str__(self) -> str:
+        return ", ".join(f"{name} = {least}..{least + FIRST - 1}" for name, least in self.least.items())
+
+
+def beyond(
+    terms: Iterable[Term], definitions: Definitions, orders: OrderRanges
+) -> Iterator[Mapping[str, int]]:
+    """Values at and behind the largest number in the terms and in what defines their symbols."""
+    first, *others = orders.assignments()
+    last = others[-1] if others else first
+    largest = max((n for n in _numbers(terms, definitions) if n <= _LARGEST), default=0)
+    further = {name: [n for n in (largest, largest + 1) if n > last[name]] for name in orders.endless}
+    choices = [(value, *further.get(name, ())) for name, value in first.items()]
+    for chosen in product(*choices):
+        values = dict(zip(first, chosen, strict=True))
+        if values != first:
+            yield values
+
+
+def behind(terms: Iterable[Term], definitions: Definitions) -> int | None:
+    """An integer behind all that stand there; None where that would be a large one."""
+    largest = max(_numbers(terms, definitions), default=0)
+    return largest + 1 if largest <= _LARGEST else None
+
+
+def _numbers(terms: Iterable[Term], definitions: Definitions) -> Iterator[int]:
+    waiting, seen = list(terms), set()
+    while waiting:
+        for part in waiting.pop().walk():
+            yield from (abs(linear.constant) for linear in _linear(part))
+            if isinstance(part, Symbol) and part.declaration not in seen:
+                seen.add(part.declaration)
+                own = definitions.about(part)
+                yield from (abs(place.constant) for definition in own for place in definition.index)
+                waiting += [definition.body for definition in own]
+
+
+def _linear(term: Term) -> tuple[Linear, ...]:
+    match term:
+        case Symbol(index=index):
+            return index
+        case Derivative(order=value) | Power(exponent=value) | Integer(value=value):
+            return (value,)
+        case Counting(arguments=arguments):
+            return arguments
+        case BigSum(lower=lower, upper=upper):
+            return (upper,) if lower is None else (lower, upper)
+    return ()

@@ -1,0 +1,83 @@
+"""What follows from premises beyond the ideal that they span.
+
+    x = t ⇒ P(x)    says the same as    P(t)
+
+for an x that t does not hold and of which no derivative is taken: so x = t may be a definition of x. And
+equal angles have equal sines and cosines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+
+from workbench.core.construct import apply, number, power, relation, symbol
+from workbench.core.names import Name
+from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term, TimeOperator
+from workbench.core.types import SCALAR, VECTOR, Declaration
+from workbench.engines.inventory import Lookup, With, reached
+from workbench.engines.inventory.assumptions import Assumptions
+from workbench.engines.inventory.divisions import never_divides
+from workbench.engines.inventory.inventory import take_inventory
+
+
+def put_in(
+    claim: Relation, assume: Sequence[Statement], definitions: Lookup, bound: Collection[Name]
+) -> tuple[Relation, list[Relation], Lookup] | None:
+    """The first premise x = t that can define x, the others, and the definitions with it. bound: the names
+    of symbols that are not free."""
+    premises = Assumptions(assume).relations
+    for place, premise in enumerate(premises):
+        others = [*premises[:place], *premises[place + 1 :]]
+        for own, value in _said(premise):
+            if premise.operator != "=" or not isinstance(own, Symbol) or not _is_any(own, bound):
+                continue
+            if own.type != value.type or not _is_total(value, definitions):
+                continue
+            sides = [side for r in (claim, *others) for side in (r.left, r.right)]
+            orders = take_inventory(sides, definitions).orders  # of the free ones
+            if orders.get(own) == 0 and own not in take_inventory([value], definitions).orders:
+                return premise, others, With(definitions, {own: value})
+    return None
+
+
+def equal_turns(claim: Relation, assume: Sequence[Statement], definitions: Lookup) -> list[Relation]:
+    """The sines and cosines of both sides of the premises that equate what the claim takes sines of."""
+    premises = [premise for premise in Assumptions(assume).equations if premise.left.type == SCALAR]
+    angles = set(take_inventory((claim.left, claim.right), definitions).angles)
+    found = []
+    for premise in premises:
+        own = take_inventory((premise.left, premise.right), definitions)
+        if angles.intersection(own.orders) and not own.angles:
+            found += [
+                relation("=", *(apply(head, side) for side in (premise.left, premise.right)))
+                for head in ("sin", "cos")
+            ]
+    return found
+
+
+def _said(premise: Relation) -> Iterator[tuple[Term, Term]]:
+    """What may be a symbol, and what it is then: of a vector of length 1 that it is a unit vector."""
+    sides = premise.left, premise.right
+    yield from (sides, sides[::-1])
+    for part in dict.fromkeys((*premise.left.walk(), *premise.right.walk())):
+        if isinstance(part, Symbol) and part.type == VECTOR and number(1) in sides:
+            length, squared = apply("norm", part), apply("mul", apply("transpose", part), part)
+            lengths = (length, power(length, 2), power(part, 2), apply("dot", part, part), squared)
+            if any(each in sides for each in lengths):
+                yield part, symbol(replace(part.declaration, unit=True), part.index)
+
+
+def _is_any(term: Term, bound: Collection[Name]) -> bool:
+    """Whether it is a symbol of which nothing else is known."""
+    if not isinstance(term, Symbol):
+        return False
+    said = term.declaration
+    return said == Declaration(said.name, said.type, said.weight) and said.name not in bound
+
+
+def _is_total(value: Term, definitions: Lookup) -> bool:
+    """Whether it has a value whatever its symbols are. Only the derivatives of a norm may have none."""
+    parts = list(reached(value, definitions))
+    is_still = not any(isinstance(part, Derivative | TimeOperator) for part in parts)
+    return all(never_divides(p) or (is_still and isinstance(p, Apply) and p.head == "norm") for p in parts)

@@ -1,0 +1,212 @@
+"""Zeros of polynomials: factors that must not vanish, and what equations imply."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from math import prod
+from typing import NamedTuple
+
+from workbench.algebra.differential_ring import Polynomial
+from workbench.core.terms import Relation
+from workbench.engines.polynomial.polynomial_engine import ExactEngine
+from workbench.prover.decide.ideals import Ideal, has_even_powers, is_nowhere_zero
+
+
+def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
+    """Irreducible polynomials, without reciprocals, one of which vanishes where p does and all that p is made
+    of is defined: a norm vanishes where its square does."""
+    factors = []
+    for factor, _ in engine.ring.reduce(engine.ring.clear(p)).factor()[1]:
+        square = engine.ring.square_of(factor)
+        factors += [factor] if square == factor else _factors(engine, square)
+    return factors
+
+
+def _places(p: Polynomial) -> set[int]:
+    return {place for place, degree in enumerate(p.degrees()) if degree > 0}
+
+
+class Pivot(NamedTuple):
+    """A generator, its place in the ring, and what it is where the equations hold."""
+
+    place: int
+    generator: Polynomial
+    value: Polynomial
+
+
+#: How often what may vanish is squared, and how many terms the square may have.
+_SQUARINGS, _LONGEST = 4, 400
+
+
+class Equations:
+    """The zeros of some polynomials at which others, `nonzero`, do not vanish.
+
+    Of a polynomial c·x + r with a number c and no x in r they are where x = −r/c, so x is replaced by that
+    everywhere (`solved`). A polynomial vanishes with the rest if it, or a power of it, is in their ideal, or
+    its product with something that is not 0 there.
+    """
+
+    def __init__(
+        self, engine: ExactEngine, solved: list[Pivot], rest: list[Polynomial], nonzero: list[Polynomial]
+    ) -> None:
+        self.solved = solved
+        self._engine, self._ring = engine, engine.ring
+        self._rest, self._nonzero = rest, nonzero
+
+    def gaps(self) -> list[Polynomial]:
+        """The irreducible factors of the denominators that are not kept from vanishing."""
+        return self._not_excluded(self._ring.denominators)
+
+    def limits(self) -> list[Polynomial]:
+        """The same of denominators at whose zeros the quotients are limits, as sin x / x is at 0. Where
+        equations hold that speak of x, what is seen beside such a place says nothing of it."""
+        bound = self._bound()
+        return self._not_excluded([p for p in self._ring.limits if not bound.isdisjoint(_places(p))])
+
+    def _bound(self) -> set[int]:
+        """The generators that the equations speak of, and those that relations tie to them."""
+        said = [{pivot.place, *_places(pivot.value)} for pivot in self.solved]
+        bound = set().union(*said, *map(_places, self._rest))
+        tied = [_places(relation) for relation in self._ring.relations]
+        while more := [places for places in tied if not bound.isdisjoint(places) and not places <= bound]:
+            bound = bound.union(*more)
+        return bound
+
+    def _not_excluded(self, denominators: Sequence[Polynomial]) -> list[Polynomial]:
+        """p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
+        squares of monomials has no real zero, nor has one with the square of what does not vanish."""
+        engine = self._engine
+        apart = {place for p in self._apart if len(p) == 1 for place in _places(p)}
+        gaps = [
+            factor
+            for denominator in denominators
+            for factor in _factors(engine, denominator)
+            if factor not in self._apart
+            and not any(is_nowhere_zero(p, engine.norm_places, apart) for p in self._by_sines(factor))
+        ]
+        supposed = self.solved or self._rest
+        return [factor for factor in gaps if not supposed or not self._excludes(factor)]
+
+    def _by_sines(self, p: Polynomial) -> Iterator[Polynomial]:
+        """The polynomial, and what it is where in one circle or in all x² is written for 1 − y² instead: the
+        m + k − k c² of a cosine is m + k s²."""
+        yield p
+        every = p
+        for relation in self._ring.relations:
+            places = _places(relation)
+            generators = relation.context().gens()
+            if len(places) == 2 and relation == sum(generators[place] ** 2 for place in places) - 1:
+                (squared,) = (at for at in places if self._ring.names[at] in self._ring.square_names)
+                (other,) = places - {squared}
+                if p.degrees()[other] > 1:
+                    yield _with_square(p, other, 1 - generators[squared] ** 2)
+                    every = _with_square(every, other, 1 - generators[squared] ** 2)
+        yield every
+
+    @cached_property
+    def _apart(self) -> list[Polynomial]:
+        """The irreducible factors of what does not vanish."""
+        return [factor for p in self._nonzero for factor in _factors(self._engine, p)]
+
+    def imply(self, residuals: Sequence[Polynomial]) -> bool:
+        """Whether all are seen to vanish where the equations hold; as the components of a vector do where
+        its square does."""
+        left = [p for p in residuals if not self._vanishes(p)]
+        return not left or (len(left) > 1 and self._vanishes(sum((p * p for p in left), self._ring.zero)))
+
+    def _excludes(self, p: Polynomial) -> bool:
+        """Whether it is seen that p is nowhere 0 where the equations hold."""
+        together = Ideal(self._ring.names, [*self._rest, *self._ring.relations, self._without_solved(p)])
+        return any(together.holds(self._without_solved(q)) for q in (self._ring.one, *self._nonzero))
+
+    def _vanishes(self, p: Polynomial) -> bool:
+        p = self._without_solved(self._ring.reduce(p))
+        if p == 0 or self._power_vanishes(p):
+            return True
+        factors = [prod(self._nonzero)] if self._nonzero else []
+        return any(self._power_vanishes(self._without_solved(p * f)) for f in (*factors, *self._sizes(p)))
+
+    def _power_vanishes(self, p: Polynomial) -> bool:
+        for _ in range(_SQUARINGS):
+            p = self._ring.reduce(p)
+            if self._ideal.holds(p):
+                return True
+            if len(p) ** 2 > _LONGEST:
+                break
+            p = p * p
+        return False
+
+    def _sizes(self, p: Polynomial) -> Iterator[Polynomial]:
+        """x + y of p = x − y where neither is negative: it is 0 only where p is."""
+        if has_even_powers(p, self._engine.norm_places):
+            yield p.context().from_dict({exponents: abs(c) for exponents, c in p.terms()})
+
+    def _without_solved(self, p: Polynomial) -> Polynomial:
+        spread = _Spread(p)
+        for pivot in self.solved:
+            spread = spread.replaced(pivot)
+        return spread.polynomial
+
+    @cached_property
+    def _ideal(self) -> Ideal:
+        return Ideal(self._ring.names, [*self._rest, *self._ring.relations])
+
+
+def _with_square(p: Polynomial, place: int, square: Polynomial) -> Polynomial:
+    """p with the square of the generator at that place replaced."""
+    context, found = p.context(), p.context().constant(0)
+    for exponents, coefficient in p.terms():
+        half, odd = divmod(exponents[place], 2)
+        bare = (*exponents[:place], odd, *exponents[place + 1 :])
+        found += context.from_dict({bare: coefficient}) * square**half
+    return found
+
+
+class _Spread:
+    """A polynomial and the places of the generators in it: most are put into polynomials without them."""
+
+    def __init__(self, polynomial: Polynomial) -> None:
+        self.polynomial = polynomial
+        self.places = _places(polynomial)
+
+    def replaced(self, pivot: Pivot) -> _Spread:
+        if pivot.place not in self.places:
+            return self
+        context = self.polynomial.context()
+        images = list(context.gens())
+        images[pivot.place] = pivot.value
+        return _Spread(self.polynomial.compose(*images, ctx=context))
+
+
+def solve(engine: ExactEngine, equations: Sequence[Relation], nonzero: list[Polynomial]) -> Equations:
+    """The equations' residuals, solved one after the other as far as possible."""
+    pending = [_Spread(_square_free(p)) for e in equations for p in engine.residuals(e) if p != 0]
+    solved: list[Pivot] = []
+    rest: list[_Spread] = []
+    while pending:
+        first = pending.pop(0)
+        pivot = _pivot(engine, first.polynomial)
+        if pivot is None:
+            rest.append(first)
+            continue
+        solved.append(pivot)
+        pending, rest = (
+            [q for q in (p.replaced(pivot) for p in group) if q.polynomial != 0] for group in (pending, rest)
+        )
+    return Equations(engine, solved, [p.polynomial for p in rest], nonzero)
+
+
+def _square_free(p: Polynomial) -> Polynomial:
+    """The product of its factors: it vanishes where p does."""
+    return prod((factor for factor, _ in p.factor_squarefree()[1]), start=p.context().constant(1))
+
+
+def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:
+    """The first generator x of p = c x + …, c a number, that nothing squares and no other term holds."""
+    for place, name in enumerate(engine.ring.names):
+        slope = p.derivative(place)
+        if slope.is_constant() and slope != 0 and name not in engine.ring.squared:
+            x = p.context().gens()[place]
+            return Pivot(place, x, x - p / slope.leading_coefficient())
+    return None

@@ -1,0 +1,149 @@
+"""The verdict on a display that can be read in two ways: by how its rows are joined, and by whether the
+equations beside a formula are its conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from math import isqrt
+from typing import TypeAlias
+
+from workbench.context.claims import Claim, Formula
+from workbench.context.facts import Act
+from workbench.context.formula_acts import act_of
+from workbench.context.read_formulas import read_statement
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.terms import Conjunction, Statement
+from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.engines.inventory.assumptions import lasting
+from workbench.engines.inventory.inventory import NotExact
+from workbench.prover.explain.decide_under_facts import conditional
+
+#: The verdict on a claim under what it supposes.
+Judged: TypeAlias = Callable[[Claim], Verdict]
+
+_TRUE = frozenset({Outcome.PROVED, Outcome.DEFINITION})
+_FALSE = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
+_METHOD = "two readings"
+
+
+def in_both_readings(claim: Claim, printed: Verdict, judged: Judged) -> Verdict:
+    """Returns the verdict that holds however the rows of the display are joined, or else its question.
+
+    printed: the verdict on the first reading.   judged: gives the verdict on a claim. The formulas of
+    `otherwise` are one reading together: all of them must hold, and one that is false makes it false."""
+    if claim.question is None:
+        return printed
+    asked = Verdict(
+        Outcome.UNCHECKED,
+        reason=VerdictCode.TWO_READINGS(question=claim.question),
+        read_back=printed.read_back,
+    )
+    if not claim.otherwise or printed.outcome not in _TRUE | _FALSE:
+        return asked
+    others = ((formula, judged(_as_printed(claim, formula))) for formula in claim.otherwise)
+    shown = ", ".join(map(str, claim.otherwise))
+    if printed.outcome in _FALSE:
+        false = next((formula for formula, verdict in others if verdict.outcome in _FALSE), None)
+        evidence = Evidence(_METHOD, "false in both", {"formula": str(false)})
+        return asked if false is None else replace(printed, evidence=(*printed.evidence, evidence))
+    if all(verdict.outcome in _TRUE for _, verdict in others):
+        evidence = Evidence(_METHOD, "true in both", {"formula": shown})
+        return replace(printed, evidence=(*printed.evidence, evidence))
+    return asked
+
+
+def _as_printed(claim: Claim, formula: Formula) -> Claim:
+    """The claim as if the formula stood there."""
+    said = formula.statement
+    act = (Act.ASSERT, None) if said is None or claim.alone else act_of(formula, claim.notation)
+    return replace(claim, printed=formula, act=act, otherwise=(), question=None)
+
+
+def served_by(claim: Claim, bare: Verdict, judged: Judged) -> Formula | None:
+    """Returns a refuted formula beside which a refuted claim stands, perhaps as its condition.
+
+    Where all formulas before the claim hold without it, it is no condition of them, and stays refuted."""
+    if bare.outcome is not Outcome.REFUTED or claim.alone or claim.corrected is not None:
+        return None
+    readable = [formula for formula in claim.serves if formula.statement is not None]
+    verdicts = ((each, judged(replace(claim, printed=each, perhaps=(), serves=()))) for each in readable)
+    return next((each for each, verdict in verdicts if verdict.outcome is Outcome.REFUTED), None)
+
+
+def with_what_stands_beside(claim: Claim, bare: Verdict, judged: Judged) -> tuple[Claim, Verdict]:
+    """Returns the claim and the verdict on it where the equations beside it may be its conditions.
+
+    They matter only where it is refuted without them. The claim that is returned supposes what its verdict
+    does."""
+    if bare.outcome is not Outcome.REFUTED or not claim.perhaps or claim.alone or claim.corrected is not None:
+        return claim, bare
+    readable = [formula for formula in claim.perhaps if formula.statement is not None]
+    for supposing, conditions in _suppositions(claim, readable):
+        verdict = judged(supposing)
+        if verdict.outcome is Outcome.PROVED:
+            return claim, _conditional(verdict, conditions, bare)
+    whole = replace(claim, assume=(*claim.assume, *readable))
+    verdict = judged(whole) if len(readable) == len(claim.perhaps) else Verdict(Outcome.UNCHECKED)
+    if verdict.outcome is Outcome.REFUTED:
+        return whole, verdict
+    if len(readable) == len(claim.perhaps) and _meets(bare, readable, claim, judged):
+        return claim, bare
+    named = ", ".join(map(str, claim.perhaps))
+    reason = VerdictCode.FALSE_WITHOUT_NEIGHBOUR(formulas=named)
+    return claim, Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
+
+
+def _suppositions(claim: Claim, beside: Sequence[Formula]) -> Iterator[tuple[Claim, Sequence[Formula]]]:
+    """The claim under each equation alone and under all, at the instant and then at all times."""
+    groups = [[each] for each in beside] + [list(beside)] * (len(beside) > 1)
+    for group in groups:
+        yield replace(claim, assume=(*claim.assume, *group)), group
+    for group in groups:
+        yield replace(claim, given=(*claim.given, *group)), group
+
+
+def _conditional(verdict: Verdict, conditions: Sequence[Formula], bare: Verdict) -> Verdict:
+    latex = [formula.latex for formula in conditions]
+    reason = VerdictCode.HOLDS_WITH_NEIGHBOUR(formulas=", ".join(latex))
+    witness = Evidence("witness against the bare statement", "a point where it fails")
+    found = conditional(verdict, latex, reason, bare)
+    return replace(found, evidence=(*found.evidence, witness))
+
+
+def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, judged: Judged) -> bool:
+    """Whether the conditions, and their rates as far as the claim takes them, hold at the counterexample."""
+    if refuted.counterexample is None:
+        return False
+    said = [formula.statement for formula in conditions]
+    definitions = claim.notation.definitions
+    with suppress(ReadError, IllFormedAt, NotExact, ValueError):
+        point = tuple(_point(refuted.counterexample.values, claim))
+        together = Conjunction(tuple(lasting(said, claim.printed.statement, definitions)))
+        there = replace(claim, printed=Formula("", together), assume=point, given=(), orders=None)
+        return judged(there).outcome is Outcome.PROVED
+    return False
+
+
+def _point(values: Mapping[str, tuple[str, ...]], claim: Claim) -> Iterator[Formula]:
+    """The equations that give the symbols their values. Raises ValueError for one that cannot be written."""
+    for name, entries in values.items():
+        latex = f"{name} = {_written(entries)}"
+        yield Formula(latex, _equation(latex, claim))
+
+
+def _equation(latex: str, claim: Claim) -> Statement:
+    statement, _ = read_statement(latex, claim.notation, None, as_condition=True)
+    return statement
+
+
+def _written(entries: tuple[str, ...]) -> str:
+    """A number, a column or a square matrix as LaTeX."""
+    if len(entries) == 1:
+        return entries[0]
+    size = isqrt(len(entries))
+    width = size if size * size == len(entries) and size > 2 else 1
+    rows = (" & ".join(entries[at : at + width]) for at in range(0, len(entries), width))
+    return r"\begin{bmatrix}" + r" \\ ".join(rows) + r"\end{bmatrix}"

@@ -1,0 +1,75 @@
+"""All that a part of a claim or of a notation says, as a text that is the same in each process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import fields
+from fractions import Fraction
+from functools import cache
+from pathlib import Path, PosixPath, WindowsPath
+from typing import Any, NamedTuple
+
+from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.terms import Definition, Symbol, Term
+from workbench.core.types import Declaration, Type
+
+#: What stands in many places.
+_OFTEN = (Term, Declaration, Definition, Type, Linear, Name)
+#: What its own text says.
+_PLAIN = (type(None), str, int, float, Fraction, range, Path, PosixPath, WindowsPath)
+
+
+class Told(NamedTuple):
+    """text: all that is said.   names: those of the symbols in it."""
+
+    text: str
+    names: frozenset[Name]
+
+
+_NONE = frozenset()
+
+
+def told(part: Any) -> Told:
+    """What the part says. Raises TypeError where that is not known."""
+    return _teller(type(part))(part)
+
+
+@cache
+def _teller(kind: type) -> Callable[[Any], Told]:
+    if issubclass(kind, _PLAIN):
+        return lambda part: Told(repr(part), _NONE)
+    if issubclass(kind, _OFTEN):
+        return _remembered(kind)
+    if issubclass(kind, tuple | list):
+        return lambda part: _together("(", map(told, part), ")")
+    if issubclass(kind, dict):
+        return lambda part: _together("{", map(told, part.items()), "}")
+    if issubclass(kind, set | frozenset):
+        return lambda part: _together("{", sorted(map(told, part), key=lambda each: each.text), "}")
+    if hasattr(kind, "__dataclass_fields__"):
+        return by_fields(kind)
+    raise TypeError(f"no key can be made of a {kind.__name__}")
+
+
+def _remembered(kind: type) -> Callable[[Any], Told]:
+    tell_fields, is_symbol = by_fields(kind), issubclass(kind, Symbol)
+
+    @cache
+    def tell(part: Any) -> Told:
+        text, names = tell_fields(part)
+        return Told(text, names | {part.declaration.name} if is_symbol else names)
+
+    return tell
+
+
+def by_fields(kind: type) -> Callable[[Any], Told]:
+    """The teller of a dataclass: by its type and all fields that its values are compared by."""
+    names, head = [each.name for each in fields(kind) if each.compare], f"{kind.__name__}("
+    return lambda part: _together(head, (told(getattr(part, name)) for name in names), ")")
+
+
+def _together(head: str, parts: Iterable[Told], tail: str) -> Told:
+    parts = list(parts)
+    names = [each.names for each in parts if each.names]
+    return Told(f"{head}{', '.join([each.text for each in parts])}{tail}", _NONE.union(*names))

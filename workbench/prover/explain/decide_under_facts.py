@@ -1,0 +1,240 @@
+"""Decides a claim under a set of facts, by the engines that judge everything else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from workbench.context.claims import Claim, Notation
+from workbench.context.facts import Duration, Fact, Supposition
+from workbench.core.codes.verdict_codes import UNLESS_IT_LASTS, VerdictCode
+from workbench.core.construct import relation
+from workbench.core.names import Name
+from workbench.core.properties import PROPERTIES
+from workbench.core.reasons import Reason, reason_of
+from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
+from workbench.core.verdict import EngineDisagreement, Outcome, Strength, Verdict
+from workbench.engines.inventory.assumptions import Unsatisfiable, lasting
+from workbench.engines.inventory.inventory import NotExact
+from workbench.language.definitions import Definitions, replaced
+from workbench.prover.decide.families import mapped
+
+if TYPE_CHECKING:
+    from workbench.prover.decide.decide import Judge
+
+_TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outcome.PROBABLE})
+
+#: An explanation asks the engines no more often.
+MOST_DECISIONS = 40
+
+_FLAGS = tuple(row.flag for row in PROPERTIES.values() if row.flag)
+_PROBLEMS = (RecursionError, IllFormed, NotExact, EngineDisagreement, ZeroDivisionError, ValueError)
+
+JudgeOf: TypeAlias = "Callable[[Notation], Judge]"
+_Terms: TypeAlias = dict[Name | Symbol, Term]
+
+
+def is_true(verdict: Verdict) -> bool:
+    """Returns whether the claim is true by the verdict, or is so if its premise lasts."""
+    is_same = verdict.code is VerdictCode.SAME_TERM
+    return verdict.outcome in _TRUE or is_same or verdict.code in UNLESS_IT_LASTS
+
+
+class OutOfDecisions(Exception):
+    """The explanation of a verdict has asked the engines as often as it may."""
+
+
+class Decider:
+    """Decides one claim under sets of facts, each set once. options: those of a judge."""
+
+    def __init__(self, claim: Claim, judge_of: JudgeOf, options: Mapping[str, bool]) -> None:
+        assert claim.printed.statement is not None
+        self.claim, self._judge_of, self._options = claim, judge_of, dict(options)
+        self._statement: Statement = claim.printed.statement
+        self._known: dict[tuple[object, ...], Verdict] = {}
+        self._count = 0
+
+    def holds(
+        self, facts: Sequence[Fact], statement: Statement | None = None, approximately: bool = False
+    ) -> bool:
+        """Returns whether the first engine proves it; a random point is tried before."""
+        return is_true(self.decide(facts, statement, approximately, by_both=False))
+
+    def is_refuted(self, facts: Sequence[Fact]) -> bool:
+        return self.decide(facts, by_both=False).outcome is Outcome.REFUTED
+
+    def is_consistent(self, facts: Sequence[Fact]) -> bool:
+        """Returns whether the claim is decided under the facts, which do not contradict each other then."""
+        return self.decide(facts).outcome is not Outcome.UNCHECKED
+
+    def decide(
+        self,
+        facts: Sequence[Fact],
+        statement: Statement | None = None,
+        approximately: bool = False,
+        by_both: bool = True,
+    ) -> Verdict:
+        """Returns the verdict; `unchecked` where the facts contradict each other or what is declared.
+
+        Raises OutOfDecisions."""
+        key = (tuple(facts), statement, approximately, by_both)
+        if key not in self._known:
+            try:
+                self._known[key] = self._decide(facts, statement or self._statement, approximately, by_both)
+            except (Unsatisfiable, *_PROBLEMS) as error:
+                self._known[key] = Verdict(Outcome.UNCHECKED, reason=reason_of(error))
+        return self._known[key]
+
+    def _decide(
+        self, facts: Sequence[Fact], statement: Statement, approximately: bool, by_both: bool
+    ) -> Verdict:
+        put = _Put(facts)
+        claim, put_in = self.claim, put.meaning
+        own = [replace(each, body=put_in(each.body)) for each in claim.notation.definitions]
+        new = [replace(each, body=put_in(each.body)) for each in put.definitions]
+        known = Definitions([*own, *new]) if put.terms or new else claim.notation.definitions
+        goal = put.in_statement(statement, {"=": "≈"} if approximately else {})
+        base = [put.in_statement(each) for each in claim.supposed]
+        always = [put.in_statement(each) for each in put.always]
+        lasts = lasting(always, goal, known) if always else []
+        instant = [put.in_statement(each) for each in put.instant]
+        supposed = tuple(dict.fromkeys((*base, *instant, *lasts, *known.known_of(goal))))
+        judge = self._judge(known)
+        if not by_both:
+            judge = judge.by_one_engine()
+            if self._fails_at_random(judge, goal, supposed):
+                return Verdict(Outcome.REFUTED)
+        self._count += 1
+        if self._count > MOST_DECISIONS:
+            raise OutOfDecisions
+        return judge.judge(goal, supposed, orders=claim.orders)
+
+    def _judge(self, known: Definitions) -> Judge:
+        from workbench.prover.decide.decide import Judge
+
+        notation = self.claim.notation
+        if known is notation.definitions:
+            return self._judge_of(notation)
+        return Judge(known, bound=frozenset(s.declaration.name for s in notation.motion), **self._options)
+
+    def _fails_at_random(self, judge: Judge, goal: Statement, supposed: Sequence[Statement]) -> bool:
+        """Returns whether it is an equation whose residual is not 0 at a random point modulo a prime."""
+        from workbench.prover.decide.equation import Equation
+
+        if self.claim.orders or not isinstance(goal, Relation) or goal.operator != "=":
+            return False
+        with suppress(*_PROBLEMS):
+            return Equation(judge, goal, tuple(supposed))._at_random_point() is False
+        return False
+
+
+class _Put:
+    """Facts sorted by how they are put into a claim."""
+
+    def __init__(self, facts: Sequence[Fact]) -> None:
+        self.terms: _Terms = {}
+        self.definitions: list[Definition] = []
+        self.instant: list[Statement] = []
+        self.always: list[Statement] = []
+        for fact in facts:
+            self._add(fact)
+
+    def _add(self, fact: Fact) -> None:
+        match fact.content:
+            case None:
+                pass
+            case Definition() as definition:
+                self.definitions.append(definition)
+            case Supposition(terms=terms, equations=equations):
+                for name, term in terms:
+                    self._add_term(name, term)
+                self.instant += equations
+            case said:
+                (self.always if fact.duration is Duration.ALWAYS else self.instant).append(said)
+
+    def _add_term(self, name: Name | Symbol, term: Term) -> None:
+        """A member of a family that is another term is one by a definition, so that sums reach it."""
+        if isinstance(name, Symbol) and not isinstance(term, Symbol):
+            self.definitions.append(Definition(name.declaration, name.index, (), term))
+        else:
+            self.terms[name] = _both(self.terms[name], term) if name in self.terms else term
+
+    def meaning(self, term: Term) -> Term:
+        """Returns the term with what the symbols are."""
+        return replaced(term, self._of) if self.terms else term
+
+    def _of(self, own: Symbol) -> Term | None:
+        term = self.terms.get(own) or self.terms.get(own.declaration.name)
+        if isinstance(term, Symbol) and term.declaration.name == own.declaration.name:
+            return replace(term, index=own.index)
+        return term
+
+    def in_statement(self, statement: Statement, signs: Mapping[str, str] | None = None) -> Statement:
+        if not (self.terms or signs):
+            return statement
+
+        def put(said: Relation) -> Relation:
+            sign = (signs or {}).get(said.operator, said.operator)
+            return relation(sign, self.meaning(said.left), self.meaning(said.right))
+
+        return mapped(statement, put)
+
+
+def _both(one: Term, other: Term) -> Term:
+    """Returns the symbol with the flags of both. Raises ValueError for two terms."""
+    if one == other:
+        return one
+    if not (isinstance(one, Symbol) and isinstance(other, Symbol)):
+        raise ValueError("two terms for one symbol")
+    flags: dict[str, Any] = {}
+    for flag in _FLAGS:
+        flags[flag] = getattr(one.declaration, flag) or getattr(other.declaration, flag)
+    return replace(one, declaration=replace(one.declaration, **flags))
+
+
+def judged_alone(claim: Claim, judge_of: JudgeOf) -> Verdict:
+    """Returns the verdict under what the claim supposes; `unchecked` if nothing satisfies that."""
+    assert claim.printed.statement is not None
+    statement = claim.printed.statement
+    with suppress(Unsatisfiable):
+        judge = judge_of(claim.notation)
+        return undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
+    return Verdict(Outcome.UNCHECKED)
+
+
+def is_impossible(claim: Claim, judge_of: JudgeOf) -> bool:
+    """Returns whether no values of its symbols make the claim true, whatever its text says of them."""
+    said = claim.printed.statement
+    assert said is not None
+    try:
+        undisturbed(lambda: judge_of(claim.notation).judge(said, (*claim.supposed, said)))
+    except Unsatisfiable:
+        return claim.orders is None
+    return False
+
+
+def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare: Verdict) -> Verdict:
+    """Returns the verdict on what is proved under hypotheses and refuted without them."""
+    return replace(
+        under,
+        outcome=Outcome.CONDITIONAL,
+        hypothesis=", ".join(dict.fromkeys(hypotheses)),
+        reason=reason,
+        counterexample=bare.counterexample,
+        basis=Strength.STATED,
+    )
+
+
+def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
+    """The verdict; where the engines disagree or find no end, a defect of the workbench that must not stop
+    the other claims, it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
+    try:
+        return judge()
+    except NotExact as outside:
+        return Verdict(Outcome.UNCHECKED, reason=reason_of(outside))
+    except EngineDisagreement as error:
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.ENGINES_DISAGREE(error=error))
+    except RecursionError:
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NESTS_TOO_DEEP())

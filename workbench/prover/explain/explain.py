@@ -1,0 +1,299 @@
+"""Explains a verdict by the context of its claim: one ladder of strengths, one minimisation.
+
+A claim that is false on what is declared is tried under the stated facts, then under the hints, then under
+each guess. A hint that rescues it makes it `conditional`; a guess or an opaque fact is a doubt, and it stays
+refuted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from workbench.context.claims import Claim
+from workbench.context.conventions import conventional
+from workbench.context.facts import Act, Context, Fact, Provider, Strength, Supposition
+from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
+from workbench.context.formula_subject import Subject, derived
+from workbench.context.free_symbols import names_in
+from workbench.core.codes.context_codes import ContextCode
+from workbench.core.terms import Definition, Relation, Symbol
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.printing.printer import to_latex
+from workbench.prover.explain.decide_under_facts import (
+    Decider,
+    JudgeOf,
+    OutOfDecisions,
+    is_impossible,
+    is_true,
+)
+from workbench.prover.explain.fact_layers import layers_of
+from workbench.prover.explain.false_premises import under_premises
+from workbench.prover.explain.guessed_kinds import on_guessed_kinds
+from workbench.prover.explain.laws_of_motion import is_all_given, is_law
+from workbench.prover.explain.other_readings import other_reading
+
+_SURE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
+_GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
+_TESTED = frozenset({Act.DEFINE, Act.POSTULATE, Act.CONSTRAIN})
+#: Of the facts that the engines could not use, so many are named.
+_NAMED = 2
+
+
+class Explainer:
+    """judge_of: the judge of a notation.   options: those of a judge."""
+
+    def __init__(self, judge_of: JudgeOf, options: Mapping[str, bool]) -> None:
+        self._judge_of, self._options = judge_of, options
+
+    def verdict(self, claim: Claim, base: Verdict) -> Verdict:
+        """Returns the verdict on a claim in its context; base: that on what is declared."""
+        verdict = base
+        if base.outcome is Outcome.PROVED and claim.span is not None:
+            verdict = under_premises(claim, base, self._judge_of, self._explained)
+        elif base.outcome is Outcome.REFUTED or (
+            base.outcome is Outcome.UNCHECKED and claim.span is not None and is_law(claim)
+        ):
+            verdict = self._explained(claim, base)
+        return on_guessed_kinds(claim, verdict)
+
+    def _explained(self, claim: Claim, base: Verdict) -> Verdict:
+        if claim.corrected is not None:
+            return base
+        act, own = claim.act if claim.span is not None else _act_by_sign(claim)
+        if is_all_given(claim):  # which says all that is to be known of the symbols
+            act = Act.ASSERT
+        if act is Act.ASSIGN:
+            return _only_said(base, act, own)
+        decider = Decider(claim, self._judge_of, self._options)
+        subject = subject_of(claim)
+        may_be = base.outcome is Outcome.REFUTED and act in _TESTED
+        if may_be and not subject.conditioned and is_impossible(claim, self._judge_of):
+            act = Act.ASSERT
+        explanation = _Explanation(claim, subject, base, decider, act, own)
+        try:
+            return explanation.verdict()
+        except OutOfDecisions:
+            return explanation.unfinished()
+
+
+@dataclass
+class _Explanation:
+    """One claim that is false, or open, on what is declared.
+
+    known: the largest layer of stated facts under which it is refuted too.   against: that refutation.
+    pending: the facts that no refutation meets, as the engines could not use them, or only the first could.
+    hints: the hints that can hold together with what is known."""
+
+    claim: Claim
+    subject: Subject
+    base: Verdict
+    decider: Decider
+    act: Act
+    own: Symbol | None
+    known: list[Fact] = field(default_factory=list)
+    against: Verdict | None = None
+    pending: list[Fact] = field(default_factory=list)
+    hints: list[Fact] = field(default_factory=list)
+
+    def verdict(self) -> Verdict:
+        is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.alone
+        if is_refuted and (why := other_reading(self.claim, self.base, self.decider)) is not None:
+            return Verdict(Outcome.UNCHECKED, reason=why, read_back=self.base.read_back)
+        if (held := self._by_what_is_stated()) is not None:
+            return held
+        was = self.act
+        self._count_again()
+        if self.base.outcome is not Outcome.REFUTED:
+            is_claim = was is Act.POSTULATE and self.act is Act.ASSERT
+            if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
+                return _only_said(self.base, Act.POSTULATE, self.own if was is Act.POSTULATE else None)
+            self.base = self.against
+        if self.act in _GIVES:
+            return _only_said(self.base, self.act, self.own)
+        context = self._context()
+        return self._by_hints(context) or self._refuted(context)
+
+    def unfinished(self) -> Verdict:
+        """Returns the verdict where the engines have been asked too often: what is refuted stays so."""
+        if self.base.outcome is not Outcome.REFUTED:
+            return self.base
+        if self.act is not Act.ASSERT:
+            return _only_said(self.base, self.act, self.own)
+        return replace(self.base, unless=("something holds that was not tried: too much is known of it",))
+
+    def _by_what_is_stated(self) -> Verdict | None:
+        """Returns the verdict if it is proved under some layer; else keeps what the layers say."""
+        layers = list(layers_of(self.claim, self.subject))
+        met: set[Fact] = set()
+        for layer in layers:
+            if self.decider.holds(layer):
+                core = minimise(layer, self.decider.holds)
+                found = self.decider.decide(core)
+                if found.outcome in _SURE:
+                    return _under(found, core, self.base)
+            elif self.decider.is_refuted(layer):
+                met.update(layer)
+                self.known = layer if len(layer) >= len(self.known) else self.known
+        tried = dict.fromkeys(fact for layer in layers for fact in layer)
+        self.pending = [fact for fact in tried if fact not in met]
+        self.against = self.decider.decide(self.known) if self.known else self.base
+        return None
+
+    def _count_again(self) -> None:
+        """Counts the act with the definitions unfolded that the refutation meets: x = … is a claim about a
+        known x, or says something of another symbol."""
+        said = self._definitions()
+        if said and self.act in _TESTED:
+            self.act, self.own = subject_of(self.claim, said).act
+        if self.act is Act.POSTULATE and any(self._follows_from(fact.content) for fact in self.known):
+            self.act = Act.ASSERT
+
+    def _follows_from(self, law: object) -> bool:
+        """Returns whether a law says a lower rate of the symbol, from which this one follows."""
+        own, order = self._rate_in(self.claim.printed.statement)
+        other, lower = self._rate_in(law)
+        return own is not None and own == other and 0 < lower < order
+
+    def _rate_in(self, said: object) -> tuple[Symbol | None, int]:
+        """Returns the symbol of the act and its order, if its rate stands alone on a side."""
+        sides = (said.left, said.right) if isinstance(said, Relation) else ()
+        rates = (derived(side) for side in sides)
+        return next((rate for rate in rates if rate[0] == self.own), (None, 0))
+
+    def _definitions(self) -> list[Definition]:
+        return [fact.content for fact in self.known if isinstance(fact.content, Definition)]
+
+    def _given(self) -> Fact | None:
+        """Returns a condition that the refutation meets and that says what the symbol of the act is."""
+        own = self.own
+        says = (fact for fact in self.known if own is not None and _says_what_is(own, fact.content))
+        return next(says, None)
+
+    def _context(self) -> Context:
+        """Returns the facts that the refutation is to meet, and the guesses."""
+        claim = self.claim
+        others = [f for f in claim.facts if f.is_opaque or f.bound is not None]
+        if claim.span is None or claim.alone:
+            return Context((*self.known, *others))
+        said = self._definitions()
+        sentences = [f for f in claim.facts if f.origin.provider is Provider.SENTENCE and not f.is_opaque]
+        context = conventional(subject_of(claim, said) if said else self.subject)
+        facts = dict.fromkeys((*self.known, *sentences, *context.facts, *others))
+        return Context(tuple(facts), context.alternatives)
+
+    def _by_hints(self, context: Context) -> Verdict | None:
+        hints = [fact for fact in context.formal if fact.strength is Strength.HINTED]
+        self.hints = self._joint(hints)
+        tries = [[*self.known, *self.hints]]
+        tries += [[*self.known, hint] for hint in hints if hint not in self.hints]
+        for facts in tries:
+            if len(facts) > len(self.known) and self._holds(facts):
+                core = minimise(facts, self._holds)
+                found = self.decider.decide(core, approximately=_is_small(core))
+                if is_true(found):
+                    return _under(found, core, self.base)
+                self.pending += [fact for fact in core if fact not in (*self.known, *self.pending)]
+        return None
+
+    def _joint(self, hints: Sequence[Fact]) -> list[Fact]:
+        """Returns the hints that can hold together with what is known, without those that contradict it."""
+        if hints and self.decider.is_consistent([*self.known, *hints]):
+            return list(hints)
+        usable: list[Fact] = []
+        for hint in hints:
+            if len(hints) > 1 and self.decider.is_consistent([*self.known, *usable, hint]):
+                usable.append(hint)
+        return usable
+
+    def _holds(self, facts: Sequence[Fact]) -> bool:
+        return self.decider.holds(facts, approximately=_is_small(facts))
+
+    def _refuted(self, context: Context) -> Verdict:
+        """Returns the refutation with its doubts; for an equation that says what a symbol is, its act."""
+        given = self._given() if self.act is Act.CONSTRAIN else None
+        if self.act is Act.CONSTRAIN and given is None:
+            return _only_said(self.base, self.act, self.own)
+        against = self.against or self.base
+        with_hints = self.decider.decide([*self.known, *self.hints]) if self.hints else against
+        meets = with_hints.outcome is Outcome.REFUTED
+        shown = (with_hints if meets else against).counterexample or self.base.counterexample
+        unless = [*self._rescuing(context)]
+        if given is not None and self.own is not None and given.origin.provider is Provider.UNREAD:
+            unless.append(f"it says what {to_latex(self.own)} is")
+        unless += [f"the text says more: {fact}" for fact in context.opaque]
+        unless += [f"not decided with {fact}" for fact in self.pending[:_NAMED]]
+        if not meets:
+            unless.append("not decided under " + ", ".join(map(str, self.hints or self.known)))
+        values = shown.values if shown else {}
+        broken = [fact for fact in context.facts if fact.bound and not fact.bound.allows(values)]
+        unless += [f"decided only where not {fact}" for fact in broken]
+        basis = min((fact.strength for fact in self.known), default=Strength.DECLARED)
+        doubt = "; ".join(dict.fromkeys(unless))  # what a text says around a formula is one doubt
+        return replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
+
+    def _rescuing(self, context: Context) -> list[str]:
+        """Returns the first guess under which it holds, on top of what is known and hinted."""
+        for group in context.alternatives:
+            if self._holds([*self.known, *self.hints, *group]) or (
+                self.hints and self._holds([*self.known, *group])
+            ):
+                return [str(group[0])]
+        return []
+
+
+def _says_what_is(own: Symbol, content: object) -> bool:
+    """Returns whether an equation has the symbol alone on a side, or speaks of nothing else."""
+    if not isinstance(content, Relation) or content.operator != "=":
+        return False
+    is_alone = (content.left == own) != (content.right == own)
+    return is_alone or names_in(content) == {own.declaration.name}
+
+
+def minimise(facts: Sequence[Fact], holds: Callable[[Sequence[Fact]], bool]) -> list[Fact]:
+    """Returns a part of the facts with which it holds still and none of which can be left out; the weakest go
+    first."""
+    needed = list(facts)
+    for fact in sorted(facts, key=lambda each: each.strength):
+        fewer = [each for each in needed if each is not fact]
+        if len(needed) > 1 and holds(fewer):
+            needed = fewer
+    return needed
+
+
+def _act_by_sign(claim: Claim) -> tuple[Act, Symbol | None]:
+    """Returns the act of a formula that stands in no text: it asserts, unless a sign says otherwise."""
+    is_signed = assigns(claim.printed) or introduces(claim.printed, claim.notation)
+    return act_of(claim.printed, claim.notation) if is_signed else (Act.ASSERT, None)
+
+
+def _is_small(facts: Sequence[Fact]) -> bool:
+    """Returns whether the facts make a symbol small, so that the claim is meant to first order."""
+    suppositions = (fact.content for fact in facts if isinstance(fact.content, Supposition))
+    terms = (term for each in suppositions for _, term in each.terms)
+    return any(isinstance(term, Symbol) and term.declaration.small for term in terms)
+
+
+def _under(found: Verdict, core: Sequence[Fact], base: Verdict) -> Verdict:
+    """Returns the verdict on what is proved under facts and refuted without them."""
+    said = "; ".join(dict.fromkeys(map(str, core)))
+    return replace(
+        found,
+        outcome=Outcome.CONDITIONAL,
+        hypothesis=", ".join(dict.fromkeys(fact.origin.text for fact in core)),
+        reason=ContextCode.HOLDS_BY(facts=said),
+        counterexample=base.counterexample,
+        basis=min(fact.strength for fact in core),
+    )
+
+
+def _only_said(base: Verdict, act: Act, own: Symbol | None) -> Verdict:
+    """Returns the verdict on a formula that claims nothing: its act."""
+    name = to_latex(own) if own is not None else "its symbols"
+    reason = {
+        Act.ASSIGN: ContextCode.ASSIGNS(),
+        Act.DEFINE: ContextCode.DEFINES(symbol=name),
+        Act.POSTULATE: ContextCode.POSTULATES(symbol=name),
+        Act.CONSTRAIN: ContextCode.CONSTRAINS(symbol=name),
+    }[act]
+    return Verdict(Outcome.DEFINITION, reason=reason, read_back=base.read_back, basis=Strength.STATED)

@@ -1,0 +1,69 @@
+"""The stated facts of a claim in layers, in which they are tried.
+
+Each layer is tried by itself, since the engines find it the harder to suppose something the more it is:
+definitions, conditions, two more equations, the laws of what the claim moves, nearest first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+
+from workbench.context.claims import Claim
+from workbench.context.facts import Fact, Provider, Supposition
+from workbench.context.formula_subject import Subject
+from workbench.core.terms import Definition, IllFormed, sides_of
+from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.prover.explain.laws_of_motion import is_all_given, laws_of
+
+#: More equations that define nothing are not supposed together.
+_MOST = 2
+_BESIDE = (Provider.CONDITION, Provider.UNREAD)
+
+
+def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
+    """Yields the sets of facts to be tried, each once."""
+    facts = [fact for fact in claim.facts if fact.content is not None]
+    beside = [fact for fact in facts if fact.origin.provider in _BESIDE and _is_reached(fact, subject)]
+    if is_all_given(claim):
+        yield from filter(None, [beside])
+        return
+    formulas = [fact for fact in facts if fact.origin.provider is Provider.FORMULA]
+    definitions = _first(formulas)
+    others = [fact for fact in formulas if not isinstance(fact.content, Definition)]
+    others = [fact for fact in others if _is_reached(fact, subject)][-_MOST:]
+    own, more = (laws_of(claim, followed) for followed in (False, True))
+    tried: list[list[Fact]] = [[]]
+    for layer in (
+        definitions,
+        [*definitions, *beside],
+        [*definitions, *beside, *others],
+        own[:1],
+        own,
+        more,
+        [*definitions, *own],
+        [*definitions, *more],
+    ):
+        if (layer := list(dict.fromkeys(layer))) not in tried:
+            tried.append(layer)
+            yield layer
+
+
+def _first(formulas: Sequence[Fact]) -> list[Fact]:
+    """Returns the definitions; of several for one symbol the first, as a later one is a claim about it."""
+    found: dict[object, Fact] = {}
+    for fact in formulas:
+        if isinstance(fact.content, Definition):
+            found.setdefault((fact.content.declaration, fact.content.index), fact)
+    return list(found.values())
+
+
+def _is_reached(fact: Fact, subject: Subject) -> bool:
+    """Returns whether the claim takes some rate of a symbol of the fact as high as the fact does."""
+    if fact.content is None or isinstance(fact.content, Definition | Supposition):
+        return True
+    with suppress(NotExact, IllFormed):
+        own = take_inventory(sides_of(fact.content), subject.definitions).orders
+        reached = any(order and order <= subject.orders.get(each, -1) for each, order in own.items())
+        return reached or not any(own.values())
+    return True

@@ -1,0 +1,47 @@
+"""Proofs under a premise that is false, of the symbols that the model defines or by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from workbench.context.claims import Claim, Formula
+from workbench.context.formula_acts import act_of, constrains, says_of_defined
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.terms import Implication, Statement
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.printing.printer import to_latex
+from workbench.prover.explain.decide_under_facts import JudgeOf, conditional, judged_alone
+
+
+def under_premises(
+    claim: Claim, proved: Verdict, judge_of: JudgeOf, explained: Callable[[Claim, Verdict], Verdict]
+) -> Verdict:
+    """Returns the verdict; `conditional` on a premise that contradicts what defines its symbols, or on a
+    given formula that is reported as false. explained: the verdict on a refuted claim."""
+    bare = {"given": (), "assume": (), "orders": None, "hypothesis": None, "facts": ()}
+    for premise, is_given in _premises(claim):
+        contradicts = says_of_defined(premise, claim.notation.definitions)
+        if not contradicts and (not is_given or constrains(premise, claim.notation.definitions)):
+            continue
+        formula = Formula(to_latex(premise), premise)
+        alone = replace(claim, **bare, printed=formula, act=act_of(formula, claim.notation))
+        judged = judged_alone(alone, judge_of)
+        if judged.outcome is Outcome.REFUTED and not contradicts:
+            judged = explained(alone, judged)
+        if judged.outcome is Outcome.REFUTED:
+            hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
+            given = VerdictCode.GIVEN_IS_FALSE(formula=formula.latex)
+            why = VerdictCode.CONTRADICTS_DEFINITIONS() if contradicts else given
+            return conditional(proved, hypotheses, why, judged)
+    return proved
+
+
+def _premises(claim: Claim) -> Iterator[tuple[Statement, bool]]:
+    """Yields what the claim supposes, and whether it is given."""
+    said = claim.printed.statement
+    if isinstance(said, Implication):
+        yield said.left, False
+    for formula in claim.given:
+        if formula.statement is not None:
+            yield formula.statement, True

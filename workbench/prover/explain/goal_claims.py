@@ -1,0 +1,91 @@
+"""The verdict on a claim with a goal, by its proof; and on a formula for every n."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from workbench.context.claims import Claim, Formula, Notation
+from workbench.context.index_values import Orders
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.terms import Statement
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.goals.goals import AllFrom, Atom, Goal, GoalError, Implies, Scope, equations
+from workbench.language.goals.proofs import False_, Kernel, Proven
+from workbench.prover.decide.decide import Judge
+from workbench.prover.goals.definedness import is_defined_everywhere
+from workbench.prover.goals.prove_goal import Lemmas, prove
+
+
+class TheoremJudge:
+    """judge_of: the judge of formulas in a notation."""
+
+    def __init__(self, theorems: Mapping[str, Proven], judge_of: Callable[[Notation], Judge]) -> None:
+        self._theorems, self._judge_of = theorems, judge_of
+        self._lemmas: dict[int, Lemmas] = {}  # by definitions
+
+    def verdict(self, claim: Claim) -> Verdict:
+        """By the goal's proof; without one, by the judge of formulas alone. What joins the goal to an argued
+        claim is prose."""
+        proven = Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
+        if claim.theorem is not None:
+            proven = self._theorems[claim.theorem]
+        bare = claim.goal.bare if claim.hypothesis is not None else None
+        verdict = self._shown(claim, claim.goal.goal, proven, bare)
+        if claim.argued is None or verdict.outcome is not Outcome.PROVED:
+            return verdict
+        return replace(
+            verdict, outcome=Outcome.ARGUED, scope=None, reason=VerdictCode.ARGUED(how=claim.argued)
+        )
+
+    def _shown(self, claim: Claim, goal: Goal, proven: Proven, bare: Goal | None = None) -> Verdict:
+        notation = claim.notation
+        return prove(
+            goal,
+            Scope(notation.symbols, notation.definitions, {}),
+            self._judge_of(notation),
+            proven,
+            assume=claim.supposed if claim.goal is not None else (),
+            bare=bare,
+            lemmas=self._lemmas.setdefault(id(notation.definitions), {}),
+        )
+
+    def for_every_n(self, claim: Claim, form: Formula, seen: Verdict) -> Verdict:
+        """The verdict on what holds for some n, with all n for its scope where a proof shows that: the one
+        that the claim names, or the judge of formulas alone."""
+        least = None if claim.orders is None else _least(claim.orders)
+        if least is None or not _is_equations(form.statement):
+            return seen
+        goal: Goal = Atom(form.statement)
+        for name, value in reversed(least.items()):
+            goal = AllFrom(name, value, goal)
+        for supposed in reversed(claim.supposed):
+            goal = Implies(Atom(supposed), goal)
+        named = claim.every_n is not None and form is claim.right
+        if not named and not _is_total(form.statement, claim.notation):
+            return seen  # of what divides, each member would be judged once more
+        proven = self._theorems[claim.every_n] if named else Proven(Kernel())
+        shown = self._shown(claim, goal, proven)
+        if shown.outcome is not Outcome.PROVED:
+            return shown if named else seen
+        return replace(shown, read_back=seen.read_back, evidence=(*seen.evidence, *shown.evidence))
+
+
+def _least(orders: Orders) -> dict[str, int] | None:
+    """The least value of each integer; None where some have a last one, or one that hangs on another."""
+    stated = {each.variable: each for each in orders.stated}
+    if any(each.generic or each.upper is not None or not each.lower.is_number for each in stated.values()):
+        return None
+    return {n: int(stated[n].lower) if n in stated else of_n[0] for n, of_n in orders.ranges.items()}
+
+
+def _is_equations(statement: Statement) -> bool:
+    try:
+        return all(one.operator == "=" for one in equations(statement))
+    except GoalError:
+        return False
+
+
+def _is_total(statement: Statement, notation: Notation) -> bool:
+    sides = (side for one in equations(statement) for side in (one.left, one.right))
+    return all(is_defined_everywhere(side, notation.definitions) for side in sides)

@@ -1,0 +1,44 @@
+"""Guessed kinds as facts: a falsehood that rests on them is one if the kinds are as guessed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import groupby
+
+from workbench.context.claims import Claim
+from workbench.core.codes.context_codes import ContextCode
+from workbench.core.verdict import Outcome, Strength, Verdict
+
+_FALSE = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
+_NAMED = 5
+
+
+def on_guessed_kinds(claim: Claim, verdict: Verdict) -> Verdict:
+    """Returns the verdict with its basis, and a reason that names the kinds on which a falsehood rests."""
+    if not claim.guessed:
+        return verdict
+    if "[[scope]]" in claim.guessed and verdict.outcome in _FALSE:  # what its symbols mean is not known
+        reason = ContextCode.SCOPE_UNKNOWN(outcome=verdict.outcome)
+        return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
+    reason, unless = verdict.reason, verdict.unless
+    if verdict.outcome in _FALSE or verdict.outcome is Outcome.CONDITIONAL:
+        code = ContextCode.FALSE_IF_KINDS if verdict.outcome in _FALSE else ContextCode.HOLDS_IF_KINDS
+        reason = code(kinds=_kinds(claim), reason=f": {reason}" if reason else "")
+    if verdict.outcome in _FALSE:
+        unless = (*unless, "the guessed kinds are others")
+    return replace(verdict, basis=Strength.GUESSED, reason=reason, unless=unless)
+
+
+def _kinds(claim: Claim) -> str:
+    """Returns "a, b are of kind vector and m of kind scalar" for the guessed symbols."""
+    declared = {str(name): each for name, each in claim.notation.symbols.symbols.items()}
+    kinds = [
+        (f"of kind {declared[name].type}" if name in declared else "as guessed", name)
+        for name in claim.guessed[:_NAMED]
+    ]
+    groups = groupby(sorted(kinds), key=lambda pair: pair[0])
+    told = []
+    for kind, pairs in groups:
+        names = [name for _, name in pairs]
+        told.append(f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} {kind}")
+    return " and ".join(told)

@@ -1,0 +1,148 @@
+"""The part of a claim that its judges see. The key of a verdict is made of this part, so that no verdict can
+depend on anything that its key leaves out."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from workbench.context.claims import Claim, Formula, Notation, OnMotions
+from workbench.core.names import Name
+from workbench.core.operations import PARTIALS
+from workbench.core.spans import Span
+from workbench.core.terms import Apply, Definition, Derivative, Symbol, sides_of
+from workbench.language.definitions import Definitions
+from workbench.prover.explain.canonical_text import told
+
+#: What names a claim, places it or comments on it. The judges see the default of each.
+UNSEEN = (
+    "id", "equation", "section", "note", "inherits", "statement", "fault", "mend", "unread", "file", "line",
+    "chain",
+)  # fmt: skip
+_SEEN = tuple(each.name for each in fields(Claim) if each.name not in (*UNSEEN, "notation"))
+_UNNAMED = ""
+#: The judges see that a claim stands in a text, and not where.
+_SOMEWHERE = Span(Path(), 0, 0, 0, 0)
+
+
+class JudgedParts:
+    """The judged parts of claims. Equal parts of one notation are the same object, and so are their
+    definitions: the judges keep by identity what they found."""
+
+    def __init__(self) -> None:
+        self._reaches: dict[int, _Reach] = {}
+        self._definitions: dict[tuple[int, ...], Definitions] = {}
+
+    def of(self, claim: Claim) -> Claim:
+        """The claim without its names, places and comments, with the part of its notation that it reaches."""
+        seen, reach = seen_of(claim), self._reach_of(claim.notation)
+        own = _without_place(claim.notation.on_motions.get(claim.id))
+        part = reach.whole if _needs_all(claim) else reach.part(told([*seen.values(), own]).names)
+        return Claim(_UNNAMED, notation=part if own is None else _with_hand(part, {_UNNAMED: own}), **seen)
+
+    def for_proposals(self, claim: Claim) -> Claim:
+        """The same with all of its notation: any symbol may stand in what is proposed."""
+        return Claim(_UNNAMED, notation=self._reach_of(claim.notation).whole, **seen_of(claim))
+
+    def bound(self, notation: Notation) -> Notation:
+        """The part of a notation that its bindings to motions reach."""
+        return self._reach_of(notation).part(frozenset())
+
+    def _reach_of(self, notation: Notation) -> _Reach:
+        if id(notation) not in self._reaches:
+            self._reaches[id(notation)] = _Reach(notation, self._definitions)
+        return self._reaches[id(notation)]
+
+
+class _Reach:
+    """What the symbols of a notation lead to, by their names. `shared`: definitions that are in use."""
+
+    def __init__(self, notation: Notation, shared: dict[tuple[int, ...], Definitions]) -> None:
+        self._notation, self._shared = notation, shared
+        self._of: dict[Name, list[Definition]] = {}
+        for definition in notation.definitions:
+            self._of.setdefault(definition.declaration.name, []).append(definition)
+        self._next: dict[Name, frozenset[Name]] = {}
+        self._parts: dict[frozenset[Name], Notation] = {}
+        always = (tuple(notation.motion), notation.symbols.frames, notation.symbols.turns)
+        self._always = told(always).names
+
+    @cached_property
+    def whole(self) -> Notation:
+        return _with_hand(self._notation, {})
+
+    def part(self, names: frozenset[Name]) -> Notation:
+        """The notation as far as it speaks of these names and of what they lead to."""
+        reached = self._closed(names | self._always)
+        if reached not in self._parts:
+            found = [d for d in self._notation.definitions if d.declaration.name in reached]
+            key = tuple(map(id, found))
+            self._parts[reached] = replace(
+                self._notation,
+                symbols=self._notation.symbols.part(reached),
+                definitions=self._shared.setdefault(key, Definitions(found)),
+                framed=self._notation.framed & reached,
+                on_motions={},
+            )
+        return self._parts[reached]
+
+    def _closed(self, names: frozenset[Name]) -> frozenset[Name]:
+        waiting, reached = set(names), set()
+        while waiting:
+            name = waiting.pop()
+            reached.add(name)
+            waiting |= self._led_to(name) - reached
+        return frozenset(reached)
+
+    def _led_to(self, name: Name) -> frozenset[Name]:
+        """The members of the family that are defined by themselves, and the names in its definitions."""
+        if name not in self._next:
+            members = {other for other in self._of if name.index_of(other) is not None}
+            said = [told(definition).names for definition in self._of.get(name, ())]
+            self._next[name] = frozenset(members).union(*said)
+        return self._next[name]
+
+
+def _needs_all(claim: Claim) -> bool:
+    """Whether all symbols of the notation may be asked for: a proof names any of them, and so does a formula
+    that is printed in the spellings of its author, or that is read again."""
+    has_proof = claim.goal is not None or claim.every_n is not None
+    return has_proof or not claim.notation.hand.is_plain or differentiates_product(claim.printed)
+
+
+def differentiates_product(formula: Formula) -> bool:
+    """Whether it holds a derivative of more than a symbol, which may mean that of the first factor."""
+    if formula.statement is None:
+        return False
+    parts = (part for side in sides_of(formula.statement) for part in side.walk())
+    return any(
+        not isinstance(part.children[0], Symbol)
+        for part in parts
+        if isinstance(part, Derivative) or (isinstance(part, Apply) and part.head in PARTIALS)
+    )
+
+
+def seen_of(claim: Claim) -> dict[str, Any]:
+    """The fields that the judges see, apart from the notation."""
+    return {name: _without_place(getattr(claim, name)) for name in _SEEN}
+
+
+def _without_place(value: Any) -> Any:
+    if isinstance(value, Span):
+        return _SOMEWHERE
+    if isinstance(value, Formula) and value.at is not None:
+        return replace(value, at=None)
+    if isinstance(value, OnMotions):
+        return replace(value, holds=_without_place(value.holds), printed=_without_place(value.printed))
+    if isinstance(value, tuple):
+        return tuple(map(_without_place, value))
+    return value
+
+
+def _with_hand(notation: Notation, on_motions: dict[str, Any]) -> Notation:
+    """The notation with other formulas for motions, and the same hand, which is costly to make."""
+    made = replace(notation, on_motions=on_motions)
+    vars(made)["hand"] = notation.hand
+    return made

@@ -1,0 +1,128 @@
+"""The laws of motion that a text states elsewhere, of what a claim of it takes rates of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from functools import lru_cache
+
+from workbench.context.claims import Claim
+from workbench.context.facts import Fact, Provider
+from workbench.context.free_symbols import free_in, terms_of
+from workbench.core.construct import derivative
+from workbench.core.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
+from workbench.engines.inventory.inventory import Inventory, NotExact, take_inventory
+from workbench.language.definitions import Definitions
+from workbench.prover.decide.law_statements import is_constant, law_for
+
+
+def laws_of(claim: Claim, followed: bool = True) -> list[Fact]:
+    """For each rate that the claim reaches, or, followed, a law for such a rate does, the last one before it,
+    in a formula or in a sentence. One that multiplies the rate by constants alone comes before others: from
+    it is found what else is said of the rate, as x ẋ + y ẏ = r v is. None of those by which hardly anything
+    is ever found to follow: with the inverse of a matrix, for less than the highest rate of a rotation."""
+    definitions = claim.notation.definitions
+    reached = dict(_inventory(claim.printed.statement, definitions).orders)
+    known = [(law, law.content, _rates(law.content, definitions)) for law in _before(claim)]
+    known.sort(key=lambda each: not _stands_alone(each[1], each[2], definitions))
+    found: list[Fact] = []
+    lowest = _given(claim)
+    for _ in known:
+        for law, statement, rates in known:
+            is_new = law not in found and _is_new(rates, lowest)
+            if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
+                found.append(law)
+                lowest |= rates
+                if not followed:
+                    continue
+                more = max(reached.get(symbol, 0) - order for symbol, order in rates.items())
+                for symbol, order in _inventory(statement, definitions).orders.items():
+                    reached[symbol] = max(order + max(more, 0), reached.get(symbol, 0))
+    return found
+
+
+def _before(claim: Claim) -> Iterator[Fact]:
+    """Yields the laws before the claim, in formulas and in its sentence."""
+    for fact in claim.facts:
+        is_law = fact.origin.provider is Provider.LAW and fact.earlier
+        if is_law or fact.origin.provider is Provider.CONDITION:
+            said = fact.content
+            if isinstance(said, Relation) and said not in claim.supposed and not _inverts(said):
+                yield fact
+
+
+def _given(claim: Claim) -> dict[Symbol, int]:
+    """Of a symbol: the order from which on the laws that are given say its rates."""
+    rates = [_rates(law.statement, claim.notation.definitions) for law in claim.given if law.statement]
+    return {symbol: min(own[symbol] for own in rates if symbol in own) for own in rates for symbol in own}
+
+
+def _is_new(rates: Mapping[Symbol, int], lowest: Mapping[Symbol, int]) -> bool:
+    """Whether a law for the rates says more than those that say them from the lowest orders on."""
+    return all(order < lowest.get(each, order + 1) for each, order in rates.items())
+
+
+def is_law(claim: Claim) -> bool:
+    """Whether it is an equation for a rate that nothing defines."""
+    is_equation = isinstance(claim.printed.statement, Relation)
+    return is_equation and bool(_rates(claim.printed.statement, claim.notation.definitions))
+
+
+def is_all_given(claim: Claim) -> bool:
+    """Whether what is given speaks of every free symbol of the claim, so that it says what is to be known."""
+    definitions = claim.notation.definitions
+    given = [term for law in claim.given if law.statement for term in terms_of(law.statement)]
+    return bool(given) and free_in(terms_of(claim.printed.statement), definitions) <= free_in(
+        given, definitions
+    )
+
+
+def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:
+    """Whether the rates that are written in it have no factors but constants."""
+    written = [derivative(symbol, order) for symbol, order in rates.items()]
+    return all(_is_alone(side, rate, definitions) for side in sides_of(law) for rate in written)
+
+
+def _is_alone(term: Term, rate: Term, definitions: Definitions) -> bool:
+    if term == rate or rate not in term.walk():
+        return True
+    if not isinstance(term, Apply) or term.head not in ("add", "neg", "mul", "div"):
+        return False
+    others = [each for each in term.arguments if rate not in each.walk()]
+    if term.head in ("mul", "div") and not all(is_constant(each, definitions) for each in others):
+        return False
+    return all(_is_alone(each, rate, definitions) for each in term.arguments)
+
+
+def _turns_on(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool:
+    turning = (each for each in rates if each.declaration.rotation or each.declaration.unit)
+    return any(reached.get(each, 0) > rates[each] for each in turning)
+
+
+def _inverts(statement: Statement) -> bool:
+    parts = (part for side in sides_of(statement) for part in side.walk())
+    return any(isinstance(p, Apply) and p.head == "inverse" and p.type.rows > 1 for p in parts)
+
+
+def _reaches(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool:
+    return any(reached.get(symbol, 0) >= order for symbol, order in rates.items())
+
+
+@lru_cache(maxsize=1024)
+def _rates(said: Relation, definitions: Definitions) -> dict[Symbol, int]:
+    """The symbols for a rate of which the equation is a law, and its order; empty where it is none."""
+    inventory, rate = _inventory(said, definitions), None
+    with suppress(NotExact, IllFormed):
+        rate = law_for(said, inventory, definitions)
+    behind = {} if rate is None else _inventory_of([rate], definitions).orders
+    return {symbol: order for symbol, order in behind.items() if order}
+
+
+def _inventory(statement: Statement, definitions: Definitions) -> Inventory:
+    return _inventory_of(sides_of(statement), definitions)
+
+
+def _inventory_of(terms: Iterable[Term], definitions: Definitions) -> Inventory:
+    with suppress(NotExact, IllFormed):
+        return take_inventory(terms, definitions)
+    return Inventory()

@@ -1,0 +1,133 @@
+"""Other readings of a formula that is false as it is read: about relations, so that no fact says them."""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+from dataclasses import replace
+from fractions import Fraction
+
+from workbench.context.claims import Claim
+from workbench.context.free_symbols import terms_of
+from workbench.context.read_formulas import read_statement
+from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import apply, rebuild, relation
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.integer_expressions import Linear
+from workbench.core.operations import CIRCULAR
+from workbench.core.reasons import Reason
+from workbench.core.terms import Apply, Definition, Power, Relation, Symbol, Term, sides_of
+from workbench.core.verdict import Counterexample, Verdict
+from workbench.engines.inventory.angle_combinations import sum_of_products
+from workbench.language.definitions import Definitions, expand, only_turns
+from workbench.prover.decide.closed_formulas import is_of_numbers
+from workbench.prover.decide.families import mapped
+from workbench.prover.explain.decide_under_facts import Decider
+from workbench.prover.explain.judged_parts import differentiates_product
+
+_DECIMAL = re.compile(r"\d*\.(\d+)")
+
+
+def other_reading(claim: Claim, refuted: Verdict, decider: Decider) -> Reason | None:
+    """Returns why the formula may hold as its author reads it."""
+    if refuted.counterexample is not None and is_rounded(claim.printed.latex, refuted.counterexample):
+        return ContextCode.ROUNDED()
+    statement = claim.printed.statement
+    if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
+        return VerdictCode.EQUAL_IN_PLACES()
+    if (name := _of_two_indices(claim)) is not None:
+        return ContextCode.TWO_INDICES(symbol=name)
+    if not is_of_numbers(refuted) and _is_of_pi(claim):
+        return ContextCode.OF_PI()
+    if _holds_nearby(claim, decider):
+        return ContextCode.REACH()
+    return ContextCode.OF_QUATERNIONS() if _holds_for_quaternions(claim, decider) else None
+
+
+def is_rounded(latex: str, against: Counterexample) -> bool:
+    """Returns whether the sides differ there by no more than half a unit of the last place of each decimal,
+    put together, as a part of what is largest. Of roots it may be so."""
+    parts = []
+    for found in _DECIMAL.finditer(latex):
+        value, half = Fraction(found[0]), Fraction(1, 2 * 10 ** len(found[1]))
+        parts.append(half / value if value else half)
+    if not parts:
+        return False
+    try:
+        left, right = ([Fraction(entry) for entry in side] for side in (against.left, against.right))
+    except ValueError:
+        return True
+    largest = max(map(abs, (*left, *right)))
+    return all(abs(a - b) <= sum(parts) * largest for a, b in zip(left, right, strict=True))
+
+
+def _of_two_indices(claim: Claim) -> str | None:
+    """Returns R_{12} of a family R_n, which nothing defines: its twelfth member, or that of 1 and 2?"""
+    assert claim.printed.statement is not None
+    for symbol in terms_of(claim.printed.statement):
+        if not isinstance(symbol, Symbol):
+            continue
+        own, (number, *others) = symbol.declaration.name, symbol.index or (Linear(0),)
+        is_said = others or not number.is_number or claim.notation.symbols.defines(own, symbol.index)
+        if not is_said and int(number) > 9:
+            return own.shown(symbol.index)
+    return None
+
+
+def _is_of_pi(claim: Claim) -> bool:
+    """Returns whether π stands where no more of it is known than the cosine and sine of its half."""
+    definitions = claim.notation.definitions
+    assert claim.printed.statement is not None
+    bodies = [fact.content.body for fact in claim.facts if isinstance(fact.content, Definition)]
+    said = [*sides_of(claim.printed.statement), *bodies]
+    reached = (part for term in said for part in definitions.reached(term) if isinstance(part, Symbol))
+    if not any(definitions.is_pi(part.declaration) for part in reached):
+        return False
+    return not all(_has_known_turns(expand(term, definitions), definitions) for term in said)
+
+
+def _has_known_turns(term: Term, definitions: Definitions) -> bool:
+    """Returns whether π stands only where a sine or the like takes a multiple of its half, and multiplies no
+    other angle."""
+
+    def is_pi(part: Term) -> bool:
+        return isinstance(part, Symbol) and definitions.is_pi(part.declaration)
+
+    if not all(only_turns(term, part) for part in term.walk() if is_pi(part)):
+        return False
+    if isinstance(term, Apply) and term.head in CIRCULAR:
+        addends = sum_of_products(term.arguments[0], definitions).items()
+        sizes = [
+            (factors, size) for factors, size in addends if any(is_pi(p) for f in factors for p in f.walk())
+        ]
+        return all(len(f) == 1 and is_pi(f[0]) and (2 * size).denominator == 1 for f, size in sizes)
+    return not is_pi(term) and all(_has_known_turns(child, definitions) for child in term.children)
+
+
+def _holds_nearby(claim: Claim, decider: Decider) -> bool:
+    """Returns whether it holds if d/dt reaches the next factor only."""
+    if not differentiates_product(claim.printed):
+        return False
+    symbols = claim.notation.symbols
+    near = replace(claim.notation, symbols=replace(symbols, loose=symbols.loose | {"near"}))
+    with suppress(ReadError, IllFormedAt, ValueError):
+        statement, _ = read_statement(claim.printed.latex, near, claim.orders)
+        return statement != claim.printed.statement and decider.holds((), statement)
+    return False
+
+
+def _holds_for_quaternions(claim: Claim, decider: Decider) -> bool:
+    """Returns whether it holds if vectors are quaternions without a scalar part, of which u² = −1."""
+    said = claim.printed.statement
+    if said is None or not claim.notation.symbols.has_quaternions:
+        return False
+    squared = mapped(said, lambda r: relation(r.operator, _of_quaternions(r.left), _of_quaternions(r.right)))
+    return squared != said and decider.holds((), squared)
+
+
+def _of_quaternions(term: Term) -> Term:
+    """Returns the term with x² = −x·x for each square of a vector."""
+    made = rebuild(term, [_of_quaternions(child) for child in term.children]) if term.children else term
+    is_square = isinstance(term, Power) and term.base.type.kind == "vector" and term.exponent.is_number
+    return apply("neg", made) if is_square and term.exponent.constant % 4 == 2 else made

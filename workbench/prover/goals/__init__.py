@@ -1,0 +1,1 @@
+"""Proofs of statements with quantifiers: each rule, and what it leaves for `decide`."""

@@ -1,0 +1,105 @@
+"""Operators in D applied to what stands behind them. What an unknown operator or an unknown map makes of a
+term is a free function, the same one of the same term, once no sum is left that could bind a letter in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from workbench.core.construct import apply, big_sum, derivative, number, power, rebuild, symbol, zero
+from workbench.core.integer_instances import free_integers
+from workbench.core.names import Name
+from workbench.core.terms import (
+    Apply,
+    BigSum,
+    Counting,
+    Identity,
+    Integer,
+    Power,
+    Relation,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+from workbench.core.types import SCALAR, Declaration
+from workbench.language.definitions import Definitions
+from workbench.language.printing.printer import to_latex
+
+
+def with_operators_applied(equation: Relation, definitions: Definitions) -> Relation:
+    """D x is the derivative, (P Q) x is P (Q x), (P + Q) x is P x + Q x; defined operators are written
+    out."""
+    left, right = (_applied(side, definitions) for side in (equation.left, equation.right))
+    return Relation(equation.operator, left, right)
+
+
+def with_free_values(equation: Relation, definitions: Definitions) -> Relation:
+    """The equation, without sums and with operators applied, with a free function for each P x and f(x) of
+    which nothing more is known, and a free number for each integer and C(n, k)."""
+    left, right = (_freed(side, definitions) for side in (equation.left, equation.right))
+    return Relation(equation.operator, left, right)
+
+
+def _freed(term: Term, definitions: Definitions) -> Term:
+    match term:
+        case Apply(head="mul", arguments=(operator, to)) if operator.type.kind == "operator" != to.type.kind:
+            name = Name(rf"\left({to_latex(operator)} {to_latex(to)}\right)", of=(operator, to))
+            return symbol(Declaration(name, to.type))
+        case Integer(value=value) if not value.is_number:
+            addends = [apply("mul", number(c), _free_number(n)) for n, c in value.coefficients]
+            return apply("add", *addends, number(value.constant))
+        case Counting(arguments=arguments) if not all(each.is_number for each in arguments):
+            return _free_number(to_latex(term), term)
+        case Symbol(arguments=arguments) if arguments and definitions.lookup(term) is None:
+            return symbol(Declaration(Name(rf"\left({to_latex(term)}\right)", of=(term,)), term.type))
+    children = tuple(_freed(child, definitions) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    return term if unchanged else rebuild(term, children)
+
+
+def _free_number(latex: str, *of: Term) -> Symbol:
+    return symbol(Declaration(Name(rf"\left({latex}\right)", of=("number", *of)), SCALAR, constant=True))
+
+
+def _applied(term: Term, definitions: Definitions) -> Term:
+    children = tuple(_applied(child, definitions) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    term = term if unchanged else rebuild(term, children)
+    match term:
+        case Apply(head="mul", arguments=(operator, to)) if operator.type.kind == "operator":
+            if to.type.kind != "operator":
+                return _value(operator, to, definitions)
+    return term
+
+
+def _value(operator: Term, to: Term, definitions: Definitions) -> Term:
+    if operator.type.kind != "operator":
+        return apply("mul", operator, to)
+    match operator:
+        case TimeOperator():
+            return derivative(to, 1)
+        case Power(base=TimeOperator(), exponent=order):
+            return derivative(to, order)
+        case Power(exponent=order) if order.is_number and order.constant == 0:
+            return to
+        case Power(base=base, exponent=order) if order.constant >= 1:
+            return _value(base, _value(power(base, order - 1), to, definitions), definitions)
+        case Identity():
+            return to
+        case Zero():
+            return zero(to.type)
+        case Apply(head="add", arguments=addends):
+            return apply("add", *(_value(addend, to, definitions) for addend in addends))
+        case Apply(head="neg", arguments=(inner,)):
+            return apply("neg", _value(inner, to, definitions))
+        case Apply(head="mul" | "compose", arguments=(left, right)):
+            return _value(left, _value(right, to, definitions), definitions)
+        case BigSum(variables=bound, lower=lower, upper=upper, body=body) if not _captures(bound, to):
+            return big_sum(bound, lower, upper, _value(body, to, definitions))
+        case Symbol() if (defined := definitions.lookup(operator)) is not None:
+            return _value(_applied(defined, definitions), to, definitions)
+    return apply("mul", operator, to)
+
+
+def _captures(bound: Sequence[str], term: Term) -> bool:
+    return not free_integers(term).isdisjoint(bound)

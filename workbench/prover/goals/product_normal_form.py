@@ -1,0 +1,93 @@
+"""One form for products: brackets to the right, scalars in front, no factor I, (A B)ᵀ = Bᵀ Aᵀ, det A B =
+det A det B. So sums to a symbolic n, of which only the text is compared, are seen to be equal."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from functools import lru_cache
+from itertools import dropwhile, pairwise
+
+from workbench.core.construct import apply, derivative, rebuild, relation
+from workbench.core.terms import Apply, Derivative, Identity, Relation, Term, Zero
+
+
+def tidy(equation: Relation) -> Relation:
+    return relation(equation.operator, _tidy(equation.left), _tidy(equation.right))
+
+
+def is_same_sum(equation: Relation) -> bool:
+    """Whether both sides have the same addends, in any order; of two opposite ones neither is left."""
+    left: Counter[Term] = Counter()
+    for sign, addend in (*_addends(equation.left, 1), *_addends(equation.right, -1)):
+        left[addend] += sign
+    return not any(left.values())
+
+
+def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
+    match term:
+        case Apply(head="add", arguments=arguments):
+            for argument in arguments:
+                yield from _addends(argument, sign)
+        case Apply(head="neg", arguments=(inner,)):
+            yield from _addends(inner, -sign)
+        case Zero():
+            return
+        case _:
+            yield sign, term
+
+
+@lru_cache(maxsize=50_000)
+def _tidy(term: Term) -> Term:
+    children = tuple(_tidy(child) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    term = term if unchanged else rebuild(term, children)
+    match term:
+        case Apply(head="mul", arguments=(left, right)):
+            return _product(left, right)
+        case Apply(head="neg", arguments=(Apply(head="neg", arguments=(inner,)),)):
+            return inner
+        case Apply(head="transpose", arguments=(Identity() as same,)):
+            return same
+        case Apply(head="transpose", arguments=(Apply(head="transpose", arguments=(inner,)),)):
+            return inner
+        case Apply(head="transpose", arguments=(Apply(head="mul", arguments=(left, right)),)):
+            if left.type.kind == right.type.kind == "tensor":
+                return _product(*(_tidy(apply("transpose", factor)) for factor in (right, left)))
+        case Apply(head="det", arguments=(Apply(head="mul", arguments=(left, right)),)):
+            if left.type.kind == right.type.kind == "tensor":
+                return _product(*(_tidy(apply("det", factor)) for factor in (left, right)))
+        case Derivative(body=body, order=order) if order.is_number and order.constant == 0:
+            return body
+        case Derivative(body=Apply(head="add" | "neg" as head, arguments=arguments), order=order):
+            return _tidy(apply(head, *(derivative(argument, order) for argument in arguments)))
+    return term
+
+
+def _product(left: Term, right: Term) -> Term:
+    kinds = left.type.kind, right.type.kind
+    match left, right:
+        case Identity(), _ if kinds in (("tensor", "tensor"), ("tensor", "vector")):
+            return right
+        case _, Identity() if kinds == ("tensor", "tensor"):
+            return left
+        case Apply(head="neg", arguments=(inner,)), _:
+            return apply("neg", _product(inner, right))
+        case _, Apply(head="neg", arguments=(inner,)):
+            return apply("neg", _product(left, inner))
+        case Apply(head="mul", arguments=(one, other)), _ if _associates(one, other, right):
+            return _product(one, _product(other, right))
+        case _, Apply(head="mul", arguments=(scalar, rest)) if kinds[0] in ("tensor", "matrix"):
+            if scalar.type.kind == "scalar":
+                return _product(scalar, _product(left, rest))
+    return apply("mul", left, right)
+
+
+def _associates(*factors: Term) -> bool:
+    """Tensors, or matrices that fit, with scalars before them and perhaps a vector behind."""
+    types = [factor.type for factor in factors]
+    rest = list(dropwhile(lambda type_: type_.kind == "scalar", types))
+    if not rest or any(type_.kind not in ("tensor", "matrix") for type_ in rest[:-1]):
+        return False
+    in_reach = rest[-1].kind in ("tensor", "matrix", "vector")
+    return in_reach and all(one.columns == other.rows for one, other in pairwise(rest))

@@ -1,0 +1,381 @@
+"""From a goal and its proof to what the judge of formulas must show: each rule, what it derives, and for
+which n.
+
+A rule is applied only to a goal of its form; what it derives is again a goal, down to equations, which the
+judge proves with both of its engines. So a wrong witness, a wrong instance, or a proof of another goal fails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from workbench.core.construct import apply, power, relation, symbol, zero
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Relation, Statement, Term, Zero
+from workbench.core.types import SCALAR, VECTOR, Declaration
+from workbench.language.goals.goal_reader import read_goal
+from workbench.language.goals.goals import (
+    All,
+    AllBelow,
+    AllFrom,
+    AtLeast,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    GoalError,
+    Iff,
+    Implies,
+    Scope,
+    Variable,
+    equations,
+)
+from workbench.language.goals.proofs import (
+    ByLength,
+    Cases,
+    Contradicts,
+    Each,
+    Follows,
+    Given,
+    Have,
+    Induction,
+    Jet,
+    Kernel,
+    Obtain,
+    OnCircle,
+    Pascal,
+    Pointwise,
+    Proof,
+    Squares,
+    Termwise,
+    Unique,
+    Use,
+    Ways,
+    Witness,
+)
+from workbench.language.grammar.parser import parse
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import linear
+from workbench.language.reader import read_term
+from workbench.prover.goals.definedness import is_defined_everywhere, that_is_defined
+from workbench.prover.goals.named_members import angle, belongs, jet, members_belong, put_in, read_members
+from workbench.prover.goals.sequents import (
+    FORMULA,
+    NotShown,
+    Obligation,
+    Premise,
+    Sequent,
+    atoms_of,
+    kind_of,
+    refuse_used,
+    relations_of,
+    supposed,
+)
+from workbench.prover.goals.substitution import Substitution, at_integer, differentiates
+from workbench.prover.goals.sum_rules import pascal, termwise
+
+
+def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
+    """Raises NotShown where the proof does not fit the goal."""
+    goal, scope = sequent.goal, sequent.scope
+    match goal, proof:
+        case _, Given(then) if not isinstance(goal, All | AllFrom | Implies):
+            yield from obligations(sequent, then)
+        case _, Have(text, by, then):
+            lemma = read_goal(text, scope)
+            yield from obligations(sequent.of(lemma), by)
+            yield from obligations(sequent.given(lemma, sequent.lasts), then)
+        case _, Obtain(place, then):
+            yield from obligations(_obtained(sequent, place), then)
+        case _, Cases(text, equal, unequal):
+            yield from _cases(sequent, text, equal, unequal)
+        case AllFrom(integer, least, body), Induction():
+            yield from _induction(sequent, integer, least, body, proof)
+        case AllFrom(body=Atom()), Pascal():
+            for inner, own in pascal(sequent, goal, proof):
+                yield from obligations(inner, own)
+        case AllFrom(integer, least, body), _:
+            yield from obligations(sequent.with_integer(integer, least).of(body), proof)
+        case All(variables, body), _:
+            refuse_used(sequent, variables)
+            inner = replace(sequent, goal=body, scope=scope.with_variables(variables))
+            yield from obligations(inner, proof)
+        case Implies(premise, conclusion, lasting), _:
+            yield from obligations(sequent.given(premise, lasting).of(conclusion), proof)
+        case Iff(left, right), _:
+            there, back = (proof.there, proof.back) if isinstance(proof, Ways) else (proof, proof)
+            yield from obligations(sequent.given(left, False).of(right), there)
+            yield from obligations(sequent.given(right, False).of(left), back)
+        case Both(parts), Each(proofs):
+            if len(parts) != len(proofs):
+                raise NotShown(f"expected {len(parts)} proofs, one for each part, got {len(proofs)}")
+            for part, own in zip(parts, proofs, strict=True):
+                yield from obligations(sequent.of(part), own)
+        case Both(parts), Kernel():
+            for part in parts:
+                yield from obligations(sequent.of(part), proof)
+        case Exists(variables, body, False), Witness(members, then, using):
+            yield from members_belong("witness", sequent, variables, members, using)
+            yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
+        case Exists((variable,), body, False), OnCircle():
+            yield angle(sequent, variable, body)
+        case Exists((variable,), body, False), Jet():
+            yield jet(sequent, variable, body)
+        case Exists(variables, body, True), Unique():
+            yield from _unique(sequent, variables, body, proof)
+        case Atom(statement), Follows():
+            yield from _follows(sequent, statement, proof)
+        case Atom(Relation("=") as said), Termwise():
+            for inner, own in termwise(sequent, said, proof):
+                yield from obligations(inner, own)
+        case Atom(statement), Pointwise(letter, then):
+            yield from _pointwise(sequent, statement, letter, then)
+        case Atom(Relation("=", left, Zero())), ByLength(then) if left.type in (SCALAR, VECTOR):
+            square = relation("=", power(left, 2), zero(SCALAR))
+            yield from obligations(sequent.of(Atom(square)), then)
+        case Atom(Relation("≠", left, right) as statement), Contradicts(place, then):
+            denied = _premise(sequent, place).goal
+            if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
+                raise NotShown(f"premise {place} is no inequation")
+            if denied.statement.operator != "≠":
+                raise NotShown(f"premise {place} denies nothing")
+            yield from _defined(sequent, statement)
+            inner = sequent.given(Atom(relation("=", left, right)), False)
+            absurd = relation("=", denied.statement.left, denied.statement.right)
+            yield from obligations(inner.of(Atom(absurd)), then)
+        case Atom(statement), Each(proofs):
+            every = list(equations(statement))
+            if len(every) != len(proofs):
+                raise NotShown(f"expected {len(every)} proofs, one for each equation, got {len(proofs)}")
+            for one, own in zip(every, proofs, strict=True):
+                yield from obligations(sequent.of(Atom(one)), own)
+        case Atom(statement), Kernel(using):
+            for alone in _separate(statement):
+                yield Obligation(FORMULA, alone, scope, tuple(supposed(sequent, using)))
+        case AtLeast(left, right), Squares(terms):
+            yield from _squares(sequent, left, right, terms)
+        case _:
+            raise NotShown(f"{type(proof).__name__} is no rule for {kind_of(goal)}")
+
+
+def _separate(statement: Statement) -> list[Statement]:
+    try:
+        return list(equations(statement))
+    except GoalError:
+        return [statement]
+
+
+def _unique(
+    sequent: Sequent, variables: tuple[Variable, ...], body: Goal, proof: Unique
+) -> Iterator[Obligation]:
+    yield from members_belong("∃!", sequent, variables, proof.members)
+    yield from obligations(sequent.of(put_in(sequent, variables, proof.members, body)), proof.exists)
+    terms = read_members(sequent.scope, variables, proof.members)
+    refuse_used(sequent, variables)
+    inner = replace(sequent, scope=sequent.scope.with_variables(variables)).given(body, False)
+    same = [Atom(relation("=", symbol(variable.declaration), term)) for variable, term in terms.items()]
+    yield from obligations(inner.of(same[0] if len(same) == 1 else Both(tuple(same))), proof.only)
+
+
+# the other rules
+
+
+def _obtained(sequent: Sequent, place: int) -> Sequent:
+    """The letters of an ∃ among the premises, and its body: at one instant, of constants."""
+    known = _premise(sequent, place).goal
+    if not isinstance(known, Exists):
+        raise NotShown(f"premise {place} is {kind_of(known)}, and no ∃")
+    scope = sequent.scope
+    for variable in known.variables:
+        if variable.name in scope.table.symbols or variable.name in scope.table.functions:
+            raise NotShown(f"{variable.letter} is a symbol already; bind another letter")
+    return replace(sequent, scope=scope.with_variables(known.variables)).given(known.body, False)
+
+
+def _induction(
+    sequent: Sequent, integer: str, least: int, body: Goal, proof: Induction
+) -> Iterator[Obligation]:
+    yield from obligations(sequent.of(at_integer(body, integer, least)), proof.begin)
+    n = Linear.variable(integer)
+    known = body
+    if letter := proof.letter:
+        if letter == integer or letter in sequent.scope.integers:
+            raise NotShown(f"{letter} is an integer already; take another letter")
+        known = AllBelow(letter, least, n + 1, at_integer(body, integer, Linear.variable(letter)))
+    inner = sequent.with_integer(integer, least).given(known, sequent.lasts)
+    yield from obligations(inner.of(at_integer(body, integer, n + 1)), proof.step)
+
+
+def _cases(sequent: Sequent, text: str, equal: Proof, unequal: Proof) -> Iterator[Obligation]:
+    said = sequent.scope.statement(text)
+    if not isinstance(said, Relation) or said.operator != "=":
+        raise NotShown(f"expected one equation to tell the cases apart, got {text}")
+    yield from _defined(sequent, said)
+    other = relation("≠", said.left, said.right)
+    yield from obligations(sequent.given(Atom(said), False), equal)
+    yield from obligations(sequent.given(Atom(other), False), unequal)
+
+
+def _defined(sequent: Sequent, said: Relation) -> Iterator[Obligation]:
+    """That both sides are defined, where they divide: as a premise, the statement would say so by itself."""
+    scope = sequent.scope
+    sides = said.left, said.right
+    if not all(is_defined_everywhere(side, scope.definitions) for side in sides):
+        yield Obligation("defined", that_is_defined(*sides), scope, tuple(supposed(sequent, None)))
+
+
+def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof) -> Iterator[Obligation]:
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        raise NotShown("expected one equation for vectors")
+    left, right = statement.left, statement.right
+    kind = left.type.kind
+    if kind not in ("tensor", "vector"):
+        raise NotShown(f"expected an equation of tensors or vectors, got one of a {kind}")
+    name, _ = read_key(letter)
+    if name in sequent.scope.table.symbols:
+        raise NotShown(f"{letter} is a symbol already; take a fresh letter")
+    dual = left.type.dual or right.type.dual
+    variable = Variable(Declaration(name, VECTOR.with_dual(dual), constant=True))
+    vector = symbol(variable.declaration)
+    if kind == "tensor":
+        sides = apply("mul", left, vector), apply("mul", right, vector)
+    else:
+        sides = apply("dot", vector, left), apply("dot", vector, right)
+    goal = All((variable,), Atom(relation("=", *sides)))
+    yield from obligations(sequent.of(goal), then)
+
+
+def _squares(sequent: Sequent, left: Term, right: Term, terms: tuple[str, ...]) -> Iterator[Obligation]:
+    scope = sequent.scope
+    total: Term | None = None
+    for latex in terms:
+        term = scope.term(latex)
+        if term.type.dual or term.type.kind not in ("scalar", "vector"):
+            raise NotShown(f"expected a real scalar or vector, got the {term.type} {latex}")
+        square = power(term, 2)
+        total = square if total is None else apply("add", total, square)
+    if total is None:
+        raise NotShown("expected at least one square")
+    if left.type != SCALAR or right.type != SCALAR:
+        raise NotShown("≥ compares real scalars")
+    said = relation("=", left, apply("add", right, total))
+    yield Obligation("≥: a sum of squares more", said, scope, tuple(supposed(sequent, None)))
+
+
+def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator[Obligation]:
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        raise NotShown("expected one equation to follow")
+    if not proof.uses:
+        raise NotShown("expected at least one premise to follow from")
+    scope, lefts, rights, letters = sequent.scope, {}, {}, []
+    for letter, use in proof.uses.items():
+        said, lasting = yield from _instance(sequent, use)
+        name, _ = read_key(letter)
+        if name in scope.table.symbols:
+            raise NotShown(f"{letter} is a symbol already; take a fresh letter")
+        kind = said.left.type
+        kind = kind.with_dual(kind.dual or said.right.type.dual)
+        variable = Variable(Declaration(name, kind))
+        letters.append((variable, lasting))
+        lefts[variable], rights[variable] = said.left, said.right
+    inner = scope.with_variables([variable for variable, _ in letters])
+    image = read_term(proof.expression, inner.table, scope.integers)
+    for variable, lasting in letters:
+        if not lasting and differentiates(image, variable.name, scope.definitions):
+            raise NotShown("a premise at one instant may not be differentiated")
+    from_left = Substitution(lefts, scope.definitions).as_written(image)
+    from_right = Substitution(rights, scope.definitions).as_written(image)
+    assume = tuple(s for s in supposed(sequent, None) if _is_unequal(s))
+    yield Obligation("left side", relation("=", statement.left, from_left), scope, assume)
+    yield Obligation("right side", relation("=", from_right, statement.right), scope, assume)
+
+
+def _is_unequal(statement: Statement) -> bool:
+    return all(r.operator == "≠" for r in relations_of(statement))
+
+
+def _instance(sequent: Sequent, use: Use):
+    """The equation that a premise says for these values, and whether it lasts; yields what its own premises
+    and its sets ask for: at all times, where it speaks of all times."""
+    premise = _premise(sequent, use.premise)
+    goal, scope, given = premise.goal, sequent.scope, dict(use.at)
+    lasting = premise.lasting
+    while not isinstance(goal, Atom):
+        match goal:
+            case All(variables, body):
+                letters = {variable.letter for variable in variables}
+                taken = {key: given.pop(key) for key in list(given) if read_key(key)[0] in letters}
+                for variable, term in read_members(scope, variables, taken).items():
+                    own = [Atom(o.statement) for o in belongs("instance", sequent, variable, term)]
+                    if own:
+                        known = sequent if variable.declaration.constant else sequent.at_all_times()
+                        lasting = lasting and known.lasts
+                        by = use.members
+                        by = by.get(str(variable.letter), Kernel()) if isinstance(by, Mapping) else by
+                        yield from obligations(known.of(Both(tuple(own))), by)
+                goal = put_in(sequent, variables, taken, body)
+            case AllFrom(integer, least, body):
+                value = _integer(given.pop(integer, None), integer, least, scope)
+                goal = at_integer(body, integer, value)
+            case AllBelow(integer, least, bound, body):
+                value = _integer(given.pop(integer, None), integer, least, scope)
+                if not _is_at_least(bound - value, 1, scope):
+                    raise NotShown(f"{integer} = {value} is not seen to be less than {bound}")
+                goal = at_integer(body, integer, value)
+            case Implies(antecedent, conclusion, always):
+                known = sequent.at_all_times() if always else sequent
+                lasting = lasting and known.lasts
+                if not any(_says(supposed.goal, antecedent, scope) for supposed in known.premises):
+                    yield from obligations(known.of(antecedent), Kernel())
+                goal = conclusion
+            case Both(parts):
+                atoms = atoms_of(Both(parts))
+                each = parts if atoms is None else [Atom(e) for a in atoms for e in equations(a.statement)]
+                if not 0 <= use.part < len(each):
+                    raise NotShown(f"the premise has no part {use.part}; it has {len(each)}")
+                goal = each[use.part]
+            case _:
+                raise NotShown(f"{kind_of(goal)} in a premise cannot be used for an equation")
+    if given:
+        raise NotShown(f"the premise does not bind {', '.join(given)}")
+    said = list(equations(goal.statement))
+    place = use.part if len(said) > 1 else 0
+    if not 0 <= place < len(said):
+        raise NotShown(f"the premise has no part {place}; it has {len(said)}")
+    one = said[place]
+    if one.operator != "=":
+        raise NotShown("expected an equation as the premise to follow from")
+    return (relation("=", one.right, one.left) if use.back else one), lasting
+
+
+def _says(known: Goal, wanted: Goal, scope: Scope) -> bool:
+    """Whether what is known is what is wanted, or says it of more integers."""
+    if not (isinstance(known, AllBelow) and isinstance(wanted, AllBelow)):
+        return known == wanted
+    same = (known.integer, known.body) == (wanted.integer, wanted.body) and known.least <= wanted.least
+    return same and _is_at_least(known.bound - wanted.bound, 0, scope)
+
+
+def _premise(sequent: Sequent, place: int) -> Premise:
+    if not -len(sequent.premises) <= place < len(sequent.premises):
+        raise NotShown(f"there is no premise {place}; there are {len(sequent.premises)}")
+    return sequent.premises[place]
+
+
+def _integer(text: str | None, name: str, least: int, scope: Scope) -> Linear:
+    """An integer that the bounds of its letters keep at `least` or above."""
+    if text is None:
+        raise NotShown(f"no value is given for {name}")
+    value = linear(parse(text).lines[0][0], list(scope.integers))
+    if value is None:
+        raise NotShown(f"expected an integer for {name}, got {text}")
+    if not _is_at_least(value, least, scope):
+        raise NotShown(f"{name} = {text} is not seen to be {least} or more")
+    return value
+
+
+def _is_at_least(value: Linear, least: int, scope: Scope) -> bool:
+    """Whether it is so much for all integers that there are."""
+    lowest = value.substitute(scope.integers)
+    return all(c > 0 for _, c in value.coefficients) and lowest.is_number and int(lowest) >= least

@@ -1,0 +1,165 @@
+"""The result on a claim: the verdict on each of its forms, and what follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, reduce
+
+from workbench.context.claims import Claim, Formula
+from workbench.core.codes.verdict_codes import ResultCode, VerdictCode
+from workbench.core.reasons import Reason
+from workbench.core.verdict import Counterexample, Grade, Outcome, Verdict
+from workbench.prover.results.motion_summary import Witnessed, witnessed
+from workbench.prover.results.proposed_form import Proposed
+from workbench.source.documents.source_edits import SourceEdit
+from workbench.source.typeset.differences import difference
+
+#: Outcomes that count as true: what a definition says is true by its being one.
+HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
+
+#: The forms of a claim that get a verdict each.
+FORMS = ("printed", "reading", "corrected")
+
+
+@dataclass(frozen=True)
+class Certification:
+    """What Coq is remembered to say of one form of a claim, or of the steps of its theorem; `word`: all of it
+    in words. Nothing in it depends on the machine's speed."""
+
+    form: str
+    checked_by: str | None
+    axioms: tuple[str, ...]
+    scope: str | None
+    statement: str | None
+    premises_met: str | None
+    obstacle: str | None
+    word: str
+
+
+@dataclass(frozen=True)
+class ClaimResult:
+    """The verdict on a claim as printed, on its reading and on its correction.
+
+    proposed, certificates: what the machine proposes for it and what Coq says of it; None where nobody
+    asked.   edits: of the author's characters, which make his formula the first that is proposed."""
+
+    claim: Claim
+    verdict: Verdict
+    reading: Verdict | None = None
+    corrected: Verdict | None = None
+    proposed: tuple[Proposed, ...] | None = None
+    certificates: tuple[Certification, ...] | None = None
+    edits: tuple[SourceEdit, ...] = ()
+
+    @property
+    def expected(self) -> Outcome:
+        return self.claim.expected
+
+    @property
+    def passed(self) -> bool:
+        return not self.why_not
+
+    @cached_property
+    def shown(self) -> Grade:
+        """The grade under which the claim is reported. A verdict that its keys announce is no fault of the
+        file, and one that they do not is an error, whatever it is."""
+        if self.passed:
+            return Grade.OK if self.verdict.outcome in HOLDS else Grade.NOTE
+        is_announced = self.claim.span is None or self.expected is not Outcome.PROVED
+        if is_announced or self.verdict.outcome in HOLDS:
+            return Grade.ERROR
+        return self.verdict.grade
+
+    @cached_property
+    def why_not(self) -> str:
+        """If the claim did not pass, which verdict was expected and which one came."""
+        found = list(_unexpected(self))
+        return (
+            reduce(lambda first, second: ResultCode.SEVERAL(first=first, second=second), found)
+            if found
+            else ""
+        )
+
+    @property
+    def verdicts(self) -> dict[str, Verdict]:
+        """By the forms that have one."""
+        found = {"printed": self.verdict, "reading": self.reading, "corrected": self.corrected}
+        return {form: verdict for form, verdict in found.items() if verdict is not None}
+
+    @property
+    def right(self) -> Formula | None:
+        """What stands right for what is printed, if anything does."""
+        return self.claim.corrected or self.claim.reading
+
+    @property
+    def hypothesis(self) -> str | None:
+        """The condition that the text does not state."""
+        return self.claim.hypothesis.latex if self.claim.hypothesis else self.verdict.hypothesis
+
+    @property
+    def counterexample(self) -> Counterexample | None:
+        """Against what is printed, or, where that says nothing, against its reading."""
+        if self.verdict.counterexample or self.reading is None:
+            return self.verdict.counterexample
+        return self.reading.counterexample
+
+    @cached_property
+    def on_motions(self) -> Witnessed:
+        """What Drake's motions say of its forms."""
+        return witnessed(self.verdicts)
+
+    @cached_property
+    def fault(self) -> str | None:
+        """What its `fault` says, or what can be derived; None where it is right as printed or nothing is
+        known.
+
+        Derived: what needs a condition lacks a hypothesis; what is false as it was meant is an error; what is
+        right as it was meant is a loss of the transcription if only marks differ, else a misprint."""
+        claim, outcome = self.claim, self.verdict.outcome
+        if claim.fault is not None or outcome in HOLDS | {Outcome.UNCHECKED, Outcome.PROBABLE}:
+            return claim.fault
+        if outcome is Outcome.CONDITIONAL or (outcome is Outcome.ARGUED and claim.hypothesis is not None):
+            return "hypothesis"
+        if outcome is Outcome.ARGUED:
+            return "error" if claim.corrected is not None else None
+        if Outcome.REFUTED in (outcome, self.reading and self.reading.outcome):
+            return "error"
+        return "transcription" if _only_marks_differ(claim) else "misprint"
+
+
+def _only_marks_differ(claim: Claim) -> bool:
+    if claim.reading is None or not claim.printed.latex:
+        return False
+    found = difference(claim.printed.latex, claim.reading.latex)
+    return bool(found and found.changes and all(change.kind == "mark" for change in found.changes))
+
+
+def _unexpected(result: ClaimResult) -> Iterator[Reason]:
+    claim = result.claim
+    is_idle = result.verdict.code is VerdictCode.SAME_TERM and result.expected is Outcome.PROVED
+    if claim.span is not None and is_idle:  # a step of a chain that says x = x
+        return
+    if claim.unread is None or result.verdict.outcome not in HOLDS:  # a verdict where none was expected yet
+        yield from _differs("as printed", result.expected, result.verdict)
+    if result.reading is not None:
+        intended = Outcome.PROVED
+        if claim.corrected is not None:
+            intended = Outcome.REFUTED
+        elif claim.hypothesis is not None:
+            intended = Outcome.CONDITIONAL
+        yield from _differs("the reading", intended, result.reading)
+    if result.corrected is not None:
+        yield from _differs("the correction", Outcome.PROVED, result.corrected)
+
+
+def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterator[Reason]:
+    got = verdict.outcome
+    if got == Outcome.PROVED and not verdict.evidence:
+        yield ResultCode.WITHOUT_EVIDENCE(form=what)
+    if got == expected or (expected == Outcome.PROVED and got in HOLDS):
+        return
+    if verdict.reason:
+        yield ResultCode.UNEXPECTED_BECAUSE(form=what, expected=expected, got=got, reason=verdict.reason)
+    else:
+        yield ResultCode.UNEXPECTED(form=what, expected=expected, got=got)

@@ -1,0 +1,27 @@
+"""The judge as the search for right forms asks it."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from workbench.context.claims import Claim
+from workbench.core.terms import IllFormed, Statement
+from workbench.core.verdict import Verdict
+from workbench.engines.inventory.assumptions import Unsatisfiable
+from workbench.engines.inventory.inventory import NotExact
+from workbench.prover.decide.decide import Judge
+from workbench.prover.preload import load_engines
+from workbench.runtime import Budget, Workers
+
+
+def judging(claim: Claim, judge: Judge) -> Workers:
+    """`verdict_or_none` of statements, in a process that ends with its budget."""
+    return Workers(partial(verdict_or_none, claim, judge), Budget(), prepare=load_engines)
+
+
+def verdict_or_none(claim: Claim, judge: Judge, statement: Statement) -> Verdict | None:
+    """The verdict on a statement in the place of the claim's; None where it cannot be judged."""
+    try:
+        return judge.judge(statement, assume=claim.supposed, orders=claim.orders)
+    except (Unsatisfiable, IllFormed, NotExact):
+        return None

@@ -1,0 +1,80 @@
+"""The steps of a chain before and behind a claim, with which what is proposed for it must agree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from workbench.context.claims import Claim
+from workbench.core.construct import relation
+from workbench.core.terms import IllFormed, Relation, Statement, Symbol
+from workbench.repair.screening.screen import Screen
+
+
+@dataclass(frozen=True)
+class Neighbours:
+    """before: the formula of the step that ends with the claim's left side; behind: of the one that begins
+    with its right side. Statements where they are read, and LaTeX."""
+
+    before: Statement | None = None
+    behind: Statement | None = None
+    before_latex: str = ""
+    behind_latex: str = ""
+
+    @property
+    def key(self) -> str:
+        """What proposals depend on beside the claim."""
+        return f"{self.before_latex}\n{self.behind_latex}"
+
+    def agree_with(self, candidate: Statement, printed: Statement, screen: Screen) -> bool:
+        """Whether the neighbours of a step hold at the points with the sides of the candidate. One that says
+        what a free symbol is holds with any."""
+        if not (isinstance(candidate, Relation) and isinstance(printed, Relation)):
+            return True
+        before, behind = self.before, self.behind
+        if isinstance(before, Relation) and before.right == printed.left:
+            is_said = isinstance(before.left, Symbol) and not _holds(before, printed, True, screen)
+            if not is_said and not _holds(before, candidate, True, screen):
+                return False
+        if isinstance(behind, Relation) and behind.left == printed.right:
+            return _holds(behind, candidate, False, screen)
+        return True
+
+    def repeat(self, candidate: Statement) -> bool:
+        """Whether the candidate only joins a side of the claim with one of a neighbour, and so leaves the
+        printed side out."""
+        if not isinstance(candidate, Relation):
+            return False
+        first = self.before.left if isinstance(self.before, Relation) else None
+        last = self.behind.right if isinstance(self.behind, Relation) else None
+        return candidate.left == first or candidate.right == last
+
+
+#: Those of a claim that is no step of a chain.
+ALONE = Neighbours()
+
+
+def _holds(neighbour: Relation, candidate: Relation, is_before: bool, screen: Screen) -> bool:
+    sides = (neighbour.left, candidate.left) if is_before else (candidate.right, neighbour.right)
+    try:
+        return screen.vanishes(relation("=", *sides))
+    except IllFormed:
+        return False
+
+
+def neighbours_of(claims: Sequence[Claim]) -> Mapping[str, Neighbours]:
+    """The neighbours of all claims that are steps of chains, by id."""
+    known = {claim.id: claim for claim in claims}
+    behind = {claim.chain[-1]: claim for claim in claims if claim.chain}
+    found = {}
+    for claim in claims:
+        first = known.get(claim.chain[-1]) if claim.chain else None
+        last = behind.get(claim.id)
+        if first is not None or last is not None:
+            found[claim.id] = Neighbours(
+                None if first is None else first.printed.statement,
+                None if last is None else last.printed.statement,
+                "" if first is None else first.printed.latex,
+                "" if last is None else last.printed.latex,
+            )
+    return found

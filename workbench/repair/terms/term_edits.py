@@ -1,0 +1,133 @@
+"""Everything that differs from a statement in one place: what a misprint may have done to it, and so also
+what may undo a misprint.
+
+What construction refuses is yielded too, with the reason: that types exclude a mutant is an answer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import overload
+
+from workbench.core.terms import (
+    Apply,
+    Block,
+    Conjunction,
+    Equivalence,
+    IllFormed,
+    Implication,
+    Number,
+    Relation,
+    Statement,
+    Term,
+)
+from workbench.language.printing.printer import to_latex
+from workbench.repair.terms.subterm_positions import Place, node_at, places, replaced
+from workbench.repair.terms.term_arithmetic import sum_of
+from workbench.repair.terms.variants import Said, atoms_of, variants
+
+#: The kinds of edit, likeliest misprint first.
+KINDS = (
+    "sign", "coefficient", "tilde", "dots", "product", "swap", "transpose", "exponent", "index",
+    "symbol", "mark", "bound", "addend dropped", "addend added",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Edit:
+    """One change. `statement`: the changed statement. `old`, `new`: the subterms at `place`."""
+
+    kind: str
+    place: Place
+    said: Said
+    old: Term
+    new: Term
+    statement: Statement
+
+    @property
+    def description(self) -> str:
+        """The change in words, formulas between dollar signs."""
+        template, *parts = self.said
+        return template.format(*(f"${to_latex(p)}$" if isinstance(p, Term) else str(p) for p in parts))
+
+
+@dataclass(frozen=True)
+class Refused:
+    """A change of the subterm `old` at `place` that construction refuses; `ill_formed` says why."""
+
+    kind: str
+    place: Place
+    old: Term
+    ill_formed: str
+
+
+def edits(
+    statement: Statement, replacements: Sequence[Term] = (), addends: Sequence[Term] = (), within: Place = ()
+) -> Iterator[Edit | Refused]:
+    """All one-place edits of a statement, place by place, none twice.
+
+    replacements: terms that may stand for a symbol beside those of the statement itself; only those of its
+    type and weight are tried. addends: terms that may be missing from a sum of their type and weight.
+    within: only edits at this place and below.
+    """
+    seen = {statement}
+    of_sums: set[int] = set()  # the addends met so far
+    atoms = tuple(dict.fromkeys((*atoms_of(statement), *replacements)))
+    for place, term in places(statement):
+        is_addend = len(place) == _depth_of_sides(statement, place) or id(term) in of_sums
+        if isinstance(term, Apply) and term.head == "add":
+            of_sums.update(map(id, term.arguments))
+        if isinstance(term, Block) or (isinstance(term, Apply) and term.head == "quaternion"):
+            of_sums.update(map(id, term.children))  # an entry has a sign of its own
+        if place[: len(within)] != within:
+            continue
+        missing = () if id(term) in of_sums else addends
+        for kind, said, make in variants(term, is_addend, atoms, missing):
+            try:
+                new = make()
+                if _is_no_divisor(new) and _is_denominator(statement, place):
+                    continue
+                changed = replaced(statement, place, new)
+            except IllFormed as fault:
+                yield Refused(kind, place, term, str(fault))
+                continue
+            if changed not in seen:
+                seen.add(changed)
+                yield Edit(kind, place, said, term, new, changed)
+
+
+def _is_no_divisor(term: Term) -> bool:
+    """Whether it is a number that nobody prints below a bar: a negative one, or a fraction."""
+    return isinstance(term, Number) and (term.value < 0 or term.value.denominator > 1)
+
+
+def _is_denominator(statement: Statement, place: Place) -> bool:
+    parent = node_at(statement, place[:-1]) if len(place) > 1 else None
+    return isinstance(parent, Apply) and parent.head == "div" and place[-1] == 1
+
+
+def _depth_of_sides(statement: Statement, place: Place) -> int:
+    """How long the place of a whole side is that begins as this place does."""
+    depth, node = 0, statement
+    while isinstance(node, Conjunction | Equivalence | Implication):
+        parts = node.parts if isinstance(node, Conjunction) else (node.left, node.right)
+        node = parts[place[depth]]
+        depth += 1
+    return depth + 1
+
+
+@overload
+def without(statement: Relation, place: Place) -> Relation | None: ...
+@overload
+def without(statement: Statement, place: Place) -> Statement | None: ...
+def without(statement: Statement, place: Place) -> Statement | None:
+    """The statement without the addend at the place; None where that is a whole side."""
+    for length in range(len(place) - 1, 0, -1):
+        parent = node_at(statement, place[:length])
+        if isinstance(parent, Apply) and parent.head == "add":
+            rest = parent.arguments[: place[length]] + parent.arguments[place[length] + 1 :]
+            return replaced(statement, place[:length], sum_of(rest))
+        if not isinstance(parent, Apply) or parent.head not in ("neg", "mul"):
+            return None
+    return None

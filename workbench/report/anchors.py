@@ -1,0 +1,123 @@
+"""Where a report tells of what: the heading and the anchor of each claim and equation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import TypeAlias
+
+from workbench.context.claims import Claim
+from workbench.prover.results.claim_results import ClaimResult
+
+#: A heading, and the anchor of what stands under it.
+Place: TypeAlias = tuple[str, str]
+
+_CLAIM_ID = re.compile(r"\b[\w+*'-]+(?:\.[\w+*'-]+)+|\b\w+_\w+(?:\.\w+)+")
+
+
+def is_number(equation: str | None) -> bool:
+    return bool(equation and re.fullmatch(r"(?:[A-Z]\.?)?\d+(?:\.\d+)*[a-z]?", equation))
+
+
+def heading(claim: Claim) -> str:
+    if not claim.equation and claim.span is not None:
+        return f"Line {claim.span.line}"
+    return f"Eq. ({claim.equation})" if is_number(claim.equation) else claim.equation or claim.id
+
+
+def label(claim: Claim) -> str:
+    """The heading in a table: (70), Theorem 2, Line 12."""
+    return heading(claim).removeprefix("Eq. ")
+
+
+def equation_key(claim: Claim) -> str:
+    """What the claims of one equation have in common: its number or name, or in a text the place where the
+    chain of its steps begins."""
+    if claim.equation:
+        return claim.equation
+    return f"id {claim.chain[0] if claim.chain else claim.id}"
+
+
+def is_counted(claim: Claim) -> bool:
+    """Whether it is of an equation, not of a theorem or a remark, which have a name."""
+    return not claim.equation or claim.span is not None or is_number(claim.equation)
+
+
+def joined(headings: Sequence[str]) -> str:
+    """Eqs. (37), (107), (108) for Eq. (37), Eq. (107), Eq. (108)."""
+    numbers = sorted((heading.removeprefix("Eq. ") for heading in headings), key=lambda n: (len(n), n))
+    is_plain = len(headings) == 1 or not all(heading.startswith("Eq. ") for heading in headings)
+    return ", ".join(headings) if is_plain else f"Eqs. {', '.join(numbers)}"
+
+
+class Places:
+    """Readable anchors, never the same twice. claims: by their ids.   anywhere: by ids, and by equations."""
+
+    def __init__(self, claims: Sequence[Claim]) -> None:
+        self._taken: set[str] = set()
+        self._equations: dict[str, str] = {}
+        # Numbers first: #eq-61 must be equation (61), whatever else is called "eq 61".
+        for claim in sorted(claims, key=lambda claim: not is_number(claim.equation)):
+            key = equation_key(claim)
+            if key not in self._equations:
+                prefix = "eq-" if is_number(claim.equation) else "at-"
+                self._equations[key] = self._fresh(prefix + _slug(claim.equation or claim.id))
+        self.claims = {
+            claim.id: (heading(claim), self._fresh("claim-" + _slug(claim.id))) for claim in claims
+        }
+        by_equation = {c.equation: (heading(c), self.of_equation(c)) for c in claims if c.equation}
+        self.anywhere = by_equation | self.claims
+
+    def of_equation(self, claim: Claim) -> str:
+        """The anchor of the claim's equation."""
+        return self._equations[equation_key(claim)]
+
+    def _fresh(self, wanted: str) -> str:
+        anchor, copy = wanted, 2
+        while anchor in self._taken:
+            anchor, copy = f"{wanted}--{copy}", copy + 1
+        self._taken.add(anchor)
+        return anchor
+
+
+def _slug(name: str) -> str:
+    return re.sub(r"[^a-z0-9.]+", "-", name.lower()).strip("-") or "x"
+
+
+def with_headings(prose: str, places: Mapping[str, Place]) -> str:
+    """A sentence with the names of claims, such as 61.det, as a reader knows them: Eq. (61)."""
+    return _CLAIM_ID.sub(lambda name: places[name[0]][0] if name[0] in places else name[0], prose)
+
+
+class Heirs:
+    """What rests on what, in both directions and through any number of steps."""
+
+    def __init__(self, results: Sequence[ClaimResult], places: Mapping[str, Place]) -> None:
+        self._places = places
+        self._later: dict[str, set[str]] = {}
+        for claim in (result.claim for result in results):
+            self._later.setdefault(claim.id, set()).update(claim.inherits)
+            if claim.mend.by:
+                self._later.setdefault(claim.mend.by, set()).add(claim.id)
+        self._order = {result.claim.id: place for place, result in enumerate(results)}
+        self._before: dict[str, list[str]] = {}
+        for name, heirs in self._later.items():
+            for heir in sorted(heirs):
+                self._before.setdefault(heir, []).append(name)
+
+    def of(self, ids: Iterable[str], own: Collection[str]) -> tuple[Place, ...]:
+        """The equations that rest on these claims, but for their own."""
+        waiting, reached = list(ids), set()
+        while waiting:
+            for heir in self._later.get(waiting.pop(), ()):
+                if heir not in reached:
+                    reached.add(heir)
+                    waiting.append(heir)
+        found: dict[str, str] = {}
+        for heir in sorted(reached & self._places.keys(), key=self._order.__getitem__):
+            found.setdefault(*self._places[heir])
+        return tuple((name, anchor) for name, anchor in found.items() if name not in own)
+
+    def before(self, claim: Claim) -> list[Place]:
+        """Of the claims that it inherits a fault from, directly."""
+        return [self._places[name] for name in self._before.get(claim.id, ()) if name in self._places]

@@ -1,0 +1,32 @@
+"""What a reader is told of a claim: its fault, if it has one, and its state."""
+
+from __future__ import annotations
+
+from workbench.core.verdict import Grade, Outcome
+from workbench.prover.results.claim_results import HOLDS, ClaimResult
+from workbench.report.shown_kinds import STATES, Kind
+
+_FALSE = (Outcome.REFUTED, Outcome.ILL_FORMED)
+_OPEN = (Outcome.ARGUED, Outcome.PROBABLE)
+
+
+def fault_of(result: ClaimResult) -> str | None:
+    """The fault that the model names, or that follows from the verdict; "warning" where what nobody has
+    confirmed would excuse it."""
+    claim, verdict = result.claim, result.verdict
+    if claim.fault is not None or verdict.outcome not in _FALSE or result.right is not None:
+        return result.fault
+    return {Grade.ERROR: "error", Grade.WARNING: "warning"}.get(verdict.grade)
+
+
+def state_of(result: ClaimResult, rests_on_others: bool) -> Kind:
+    """The state of one claim; that of an equation is the worst of its claims."""
+    if (fault := fault_of(result)) is not None:
+        return STATES[fault]
+    outcome = result.verdict.outcome
+    if outcome not in HOLDS:
+        return STATES["open" if outcome in _OPEN else "unjudged"]
+    if rests_on_others:
+        return STATES["inherits"]
+    is_own = outcome is Outcome.DEFINITION and result.claim.span is not None
+    return STATES["defines" if is_own else "holds"]

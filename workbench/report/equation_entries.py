@@ -1,0 +1,197 @@
+"""Equations as a report tells of them: their lines, the forms of each, what was found, and their state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.core.verdict import Evidence
+from workbench.prover.results.claim_results import ClaimResult
+from workbench.prover.results.proposed_form import Proposed
+from workbench.report.anchors import Heirs, Place, Places, is_counted, label, with_headings
+from workbench.report.claim_states import fault_of, state_of
+from workbench.report.errata import Correction, cost_in_words, reason_for_readers, without_place
+from workbench.report.mixed_prose import Run, plain_value, runs_of, runs_with_symbols
+from workbench.report.shown_kinds import STATES, VERDICTS, Kind
+from workbench.source.typeset.differences import difference
+
+
+@dataclass(frozen=True)
+class Form:
+    """A formula with its caption, its marked leaves, and what was found if it was judged by itself."""
+
+    caption: str
+    latex: str
+    marked: frozenset[int] = frozenset()
+    kind: Kind | None = None
+    scope: str | None = None
+    reason: tuple[Run, ...] = ()
+
+
+@dataclass(frozen=True)
+class Found:
+    """Evidence on one form: "printed", "reading" or "corrected"."""
+
+    of: str
+    method: str
+    outcome: str
+    figures: tuple[tuple[str, str], ...]
+
+    @property
+    def sign(self) -> str | None:
+        """Its letter where evidence is told in one line; None for what stands beside it in words."""
+        return next((sign for beginning, sign in _SIGNS if self.method.startswith(beginning)), None)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One claim. state: what a reader is told of it; correction: where it is an erratum of its own;
+    mended_by: else the claim whose edits mend it."""
+
+    result: ClaimResult
+    place: str
+    anchor: str
+    state: Kind
+    fault: str | None
+    statement: tuple[Run, ...]
+    reason: tuple[Run, ...]
+    note: tuple[Run, ...]
+    forms: tuple[Form, ...]
+    correction: Correction | None
+    mended_by: Place | None
+    evidence: tuple[Found, ...]
+    heirs: tuple[Place, ...]
+    rests_on: tuple[Place, ...]
+    cost: str | None
+
+    @property
+    def id(self) -> str:
+        return self.result.claim.id
+
+    @property
+    def verdict(self) -> Kind:
+        """On what is printed."""
+        return VERDICTS[self.result.verdict.outcome]
+
+    @property
+    def unexpected(self) -> str:
+        """Where the verdict is not the one that the paper file announces; of a text nothing is announced."""
+        claim = self.result.claim
+        is_silent = claim.span is not None and claim.corrected is None and claim.reading is None
+        return "" if is_silent else without_place(self.result.why_not)
+
+    @property
+    def signs(self) -> tuple[str, ...]:
+        """The letters of the evidence on the form that is right, or else on what is printed."""
+        right = list(self.result.verdicts)[-1]
+        about = [item for item in self.evidence if item.of == right] or self.evidence
+        return tuple(sorted({item.sign for item in about if item.sign is not None}))
+
+
+@dataclass(frozen=True)
+class Equation:
+    """All claims under one number or name. state: that of its worst line.   counted: not a theorem or a
+    remark."""
+
+    label: str
+    anchor: str
+    counted: bool
+    state: Kind
+    entries: tuple[Entry, ...]
+
+
+_SIGNS = (
+    ("exact ring", "F"),
+    ("SymPy", "S"),
+    ("Drake symbolic", "S"),
+    ("each instance", "N"),
+    ("all ", "N"),
+    ("goal", "G"),
+    ("definitions", "D"),
+    ("random point", "P"),
+    ("rational point", "C"),
+    ("Drake reference motions", "M"),
+)
+
+
+def equation_of(places: Places, entries: Sequence[Entry]) -> Equation:
+    first = entries[0].result.claim
+    return Equation(
+        label=label(first),
+        anchor=places.of_equation(first),
+        counted=is_counted(first),
+        state=min((entry.state for entry in entries), key=list(STATES.values()).index),
+        entries=tuple(entries),
+    )
+
+
+def entry_of(
+    places: Places, heirs: Heirs, corrections: Mapping[str, Correction], result: ClaimResult
+) -> Entry:
+    claim = result.claim
+    name, anchor = places.claims[claim.id]
+    above = heirs.before(claim)
+    quoted = claim.quote if claim.quote and not claim.ours else None
+    return Entry(
+        result=result,
+        place=name,
+        anchor=anchor,
+        state=state_of(result, bool(above)),
+        statement=tuple(runs_of(" ".join(filter(None, [quoted, claim.statement])))),
+        reason=tuple(runs_with_symbols(reason_for_readers(result))),
+        note=tuple(runs_of(with_headings(claim.note, places.anywhere))),
+        forms=tuple(_forms(result)),
+        correction=corrections.get(claim.id),
+        mended_by=places.anywhere.get(claim.mend.by) if claim.mend.by else None,
+        evidence=tuple(_found(of, e) for of, verdict in result.verdicts.items() for e in verdict.evidence),
+        fault=fault_of(result),
+        heirs=heirs.of([claim.id], [name]) if result.fault else (),
+        rests_on=tuple(dict.fromkeys(place for place in above if place[0] != name)),
+        cost=cost_in_words(result),
+    )
+
+
+def _forms(result: ClaimResult) -> list[Form]:
+    """The printed form, the reading and the corrected form, each compared with the one before it."""
+    claim = result.claim
+    forms = []
+    if claim.shown and claim.shown != claim.quote:
+        forms.append(Form("Printed", claim.shown))
+    if claim.our_formula:
+        forms.append(Form("Our formula for it", claim.our_formula))
+    for caption, formula, verdict in (
+        ("Intended reading", claim.reading, result.reading),
+        ("Corrected", claim.corrected, result.corrected),
+    ):
+        if formula is not None and verdict is not None:
+            reason = tuple(runs_of(without_place(verdict.reason or "")))
+            kind = VERDICTS[verdict.outcome]
+            forms.append(Form(caption, formula.latex, kind=kind, scope=verdict.scope, reason=reason))
+    for index in range(1, len(forms)):
+        before, after = forms[index - 1 : index + 1]
+        if found := difference(before.latex, after.latex):
+            forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
+            forms[index] = replace(after, marked=found.marked_after)
+    if claim.goal:
+        forms.append(Form("What is shown of it", claim.goal.latex))
+    printed = result.verdict.read_back or claim.shown
+    return forms + [_proposed(printed, proposal) for proposal in result.proposed or ()]
+
+
+def _proposed(printed: str | None, proposal: Proposed) -> Form:
+    """A form that the machine proposes, with what differs from the printed one marked. printed: in the
+    machine's spelling, where it could be read."""
+    found = difference(printed, proposal.latex) if printed is not None else None
+    return Form(
+        "Proposed by the machine",
+        proposal.latex,
+        marked=found.marked_after if found else frozenset(),
+        kind=VERDICTS[proposal.verdict],
+        reason=tuple(runs_of(proposal.edit)),
+    )
+
+
+def _found(of: str, evidence: Evidence) -> Found:
+    figures = {key: value for key, value in evidence.figures.items() if key != "course"}
+    told = tuple((key.replace("_", " "), plain_value(value)) for key, value in figures.items())
+    return Found(of, evidence.method, evidence.outcome, told)

@@ -1,0 +1,81 @@
+"""Sentences with formulas in them, the same for every format: runs of text and of mathematics."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+_INLINE_MATH = re.compile(r"\$([^$\n]+)\$")
+_QUOTED = re.compile(r"`([^`\n]+)`")
+
+
+@dataclass(frozen=True)
+class Run:
+    """A stretch of plain text, or of LaTeX if `is_math`."""
+
+    content: str
+    is_math: bool = False
+
+
+def is_one_formula(sentence: Sequence[Run]) -> bool:
+    return len(sentence) == 1 and sentence[0].is_math
+
+
+def text(content: str) -> Run:
+    return Run(content)
+
+
+def formula(latex: str) -> Run:
+    return Run(latex, is_math=True)
+
+
+def runs_of(prose: str) -> list[Run]:
+    """A note or statement: what stands between dollar signs is LaTeX, the rest is text; `so` it quotes."""
+    pieces = _INLINE_MATH.split(_QUOTED.sub("“\\1”", prose))
+    return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
+
+
+_GROUP = r"\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}"
+_SYMBOL = re.compile(
+    rf"(?:\\[A-Za-z]+(?:{_GROUP})*|(?<![A-Za-z\\])[A-Za-z](?=[_^]))(?:[_^](?:{_GROUP}|[A-Za-z0-9]))*"
+)
+
+
+def runs_with_symbols(text: str) -> list[Run]:
+    """The runs of a reason in which symbols stand as bare LaTeX, such as `a_1`."""
+    if "$" in text:
+        return runs_of(text)
+    found, at = [], 0
+    for match in _SYMBOL.finditer(text):
+        found += [Run(text[at : match.start()]), Run(match[0], is_math=True)]
+        at = match.end()
+    return [run for run in [*found, Run(text[at:])] if run.content]
+
+
+def plain_value(value: Any) -> str:
+    """A figure of the evidence as text."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list | tuple) and all(isinstance(item, str) for item in value):
+        return ", ".join(value)
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def minus(plain: str) -> str:
+    """With a minus sign before a number."""
+    return re.sub(r"(?<![\w-])-(?=\d)", "−", plain)
+
+
+def power_of_ten(exponent: int, factor: int = 1) -> str:
+    """10⁻¹⁴, 3·10⁻¹⁴."""
+    return f"{'' if factor == 1 else f'{factor}·'}10{str(exponent).translate(_RAISED)}"
+
+
+def one_line(latex: str) -> str:
+    return " ".join(latex.split())

@@ -1,0 +1,101 @@
+"""The author's characters: a file, and pieces of it whose every character knows where it stands there."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from workbench.core.paper_errors import PaperError
+from workbench.source.toml.file_bytes import file_bytes
+
+MOST_BYTES = 20_000_000
+_BOMS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
+
+
+#: In a notebook, between two lines of a cell, and between two cells.
+_NOTEBOOK_LINE = re.compile(r'\\n"[,\s]*"')
+_NOTEBOOK_CELL = re.compile(r'"\s*\]?[,\s]*\}.*?"source":\s*\[?\s*"', re.DOTALL)
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """A file as its author sees it. Lines and columns count from 1, columns in characters."""
+
+    path: Path
+    text: str
+    warnings: list[str] = field(default_factory=list)
+
+    @staticmethod
+    def open(path: Path) -> Source:
+        """UTF-8, or what a byte-order mark says, or else Latin-1 with a warning. Raises PaperError."""
+        raw = file_bytes(path, "a text", MOST_BYTES)
+        encoding = next((name for mark, name in _BOMS if raw.startswith(mark)), "utf-8")
+        warnings = []
+        try:
+            text = raw.decode(encoding)
+        except UnicodeDecodeError as error:
+            if b"\0" in raw:
+                raise PaperError(path, None, None, "holds NUL bytes; expected a text") from None
+            line = raw.count(b"\n", 0, error.start) + 1
+            warnings.append(f"line {line}: byte 0x{raw[error.start]:02x} is not UTF-8; read as Latin-1")
+            text = raw.decode("latin-1")
+        if "\0" in text:
+            raise PaperError(path, None, None, "holds NUL characters; expected a text")
+        return Source(path, text.replace("\r\n", "\n").replace("\r", "\n"), warnings)
+
+    def place(self, offset: int) -> tuple[int, int]:
+        line = bisect_right(self._line_starts, offset)
+        return line, offset - self._line_starts[line - 1] + 1
+
+    def line(self, number: int) -> str:
+        start = self._line_starts[number - 1]
+        end = self.text.find("\n", start)
+        return self.text[start:] if end < 0 else self.text[start:end]
+
+    def view(self) -> View:
+        return View(self.text, self, range(len(self.text) + 1))
+
+    @cached_property
+    def prose(self) -> str:
+        """The text, each character at its place; of a notebook without what holds its cells together."""
+        if self.path.suffix != ".ipynb":
+            return self.text
+        lines = _NOTEBOOK_LINE.sub(lambda found: "\n".ljust(len(found[0])), self.text)
+        return _NOTEBOOK_CELL.sub(lambda found: "\n\n".ljust(len(found[0])), lines)
+
+    @cached_property
+    def _line_starts(self) -> list[int]:
+        return [0, *(match.end() for match in re.finditer("\n", self.text))]
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """Text whose character i stands at offset `at[i]` of the file; at[len(text)] is the end."""
+
+    text: str
+    source: Source
+    at: Sequence[int]
+
+    def cut(self, start: int, end: int) -> View:
+        return View(self.text[start:end], self.source, self.at[start : end + 1])
+
+    def replace(self, pattern: str | re.Pattern[str], new: Callable[[re.Match[str]], str]) -> View:
+        """The characters that take a match's place stand where the match begins."""
+        pieces: list[str] = []
+        at: list[int] = []
+        done = 0
+        for match in re.finditer(pattern, self.text):
+            replacement = new(match)
+            pieces += [self.text[done : match.start()], replacement]
+            at += self.at[done : match.start()]
+            at += [self.at[match.start()]] * len(replacement)
+            done = match.end()
+        if not pieces:
+            return self
+        pieces.append(self.text[done:])
+        at += self.at[done:]
+        return View("".join(pieces), self.source, at)

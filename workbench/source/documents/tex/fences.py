@@ -1,0 +1,24 @@
+"""What a macro that only TeX can follow seems to be: a pair of brackets around its argument."""
+
+from __future__ import annotations
+
+from workbench.source.documents.tex.expander_state import Macro
+
+
+def fence_of(macro: Macro) -> str | None:
+    """Its body, if it opens and closes one pair of brackets around one argument; None else. It is a guess:
+    what else the macro does is taken for size and space."""
+    content = [place for place, parameter in enumerate(macro.parameters, 1) if parameter.kind == "braces"]
+    lefts, rights, used = set(), set(), set()
+    for token, following in zip(macro.body, macro.body[1:], strict=False):
+        if token.text == "\\left":
+            lefts.add(following.text)
+        elif token.text == "\\right":
+            rights.add(following.text)
+        elif token.text[:1] == "#" and token.text[1:].isdecimal():
+            used.add(int(token.text[1:]))
+    lefts.discard(".")
+    rights.discard(".")
+    if len(content) != 1 or content[0] not in used or len(lefts) != 1 or len(rights) != 1:
+        return None
+    return f"\\left{lefts.pop()} #1\\right{rights.pop()}"

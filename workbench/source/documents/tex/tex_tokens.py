@@ -1,0 +1,145 @@
+"""TeX's tokens with their origin, read one at a time from a view of the author's text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+from workbench.source.documents.source_view import Source, View
+
+_TOKEN = re.compile(
+    r"""\\(?P<word>[A-Za-z@]+)(?P<gap>[ \t]*(?:\n(?![ \t]*\n)[ \t]*)?)
+    | \\(?P<symbol>.|\n)
+    | %(?P<comment>[^\n]*)(?:\n[ \t]*(?P<blank>\n\s*)?)?
+    | (?P<paragraph>\n[ \t]*\n\s*)
+    | (?P<space>\s+)
+    | \#+\d
+    | .""",
+    re.VERBOSE | re.DOTALL,
+)
+_PROSE = re.compile(r"(?:[^\\$%\n{}]|\n(?![ \t]*\n))+")
+_PROSE_OF_CELL = re.compile(r"(?:[^\\$%\n{}&]|\n(?![ \t]*\n))+")
+_LETTERS = re.compile(r"[A-Za-z]+")
+
+PARAGRAPH = "\\par"
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A macro's use: the tokens of its body came through it."""
+
+    name: str
+    outer: Call | None
+    depth: int
+
+    def chain(self) -> Iterator[Call]:
+        """This call and those around it, the innermost first."""
+        call: Call | None = self
+        while call is not None:
+            yield call
+            call = call.outer
+
+
+@dataclass(slots=True)
+class Token:
+    """`start` to `end` of the source: the author's own characters. Of a macro's body these are the call.
+    `final`: means what TeX means by it, whatever the author has redefined."""
+
+    text: str
+    source: Source
+    start: int
+    end: int
+    call: Call | None = None
+    final: bool = False
+
+    @property
+    def word(self) -> str | None:
+        """The name of a control sequence, without its backslash."""
+        return self.text[1:] if len(self.text) > 1 and self.text[0] == "\\" else None
+
+    def standing_for(self, text: str) -> Token:
+        """Another token in the same place."""
+        return Token(text, self.source, self.start, self.end, self.call)
+
+
+class Lexer:
+    """The tokens of a view, lazily: what \\makeatletter and \\verb change is known when they are met."""
+
+    def __init__(
+        self, view: View, directive: Callable[[str, Source, int], None] | None = None, at_letter: bool = False
+    ) -> None:
+        self.view, self.text, self.directive, self.at_letter = view, view.text, directive, at_letter
+        self.position = 0
+
+    def next(self) -> Token | None:
+        while self.position < len(self.text):
+            match = _TOKEN.match(self.text, self.position)
+            self.position = match.end()
+            match match.lastgroup:
+                case "word" | "gap":
+                    return self._word(match)
+                case "comment" | "blank":
+                    if self.directive and match["comment"].startswith("!"):
+                        offset = self.view.at[match.start()]
+                        self.directive(match["comment"][1:], self.view.source, offset)
+                    if match["blank"] is not None:
+                        return self._token(PARAGRAPH, match.end() - 1, match.end())
+                case "paragraph":
+                    return self._token(PARAGRAPH, match.start(), match.start() + 1)
+                case "space":
+                    return self._token(" ", match.start(), match.start() + 1)
+                case _:
+                    return self._token(match[0], match.start(), match.end())
+        return None
+
+    def skip_prose(self, in_cell: bool = False) -> None:
+        """Onward to the next character that means something outside of formulas."""
+        if match := (_PROSE_OF_CELL if in_cell else _PROSE).match(self.text, self.position):
+            self.position = match.end()
+
+    def skip_past(self, mark: str) -> str | None:
+        """The characters up to `mark`, which is passed too; None, and the end, if it does not come."""
+        found = self.text.find(mark, self.position)
+        start, self.position = self.position, len(self.text) if found < 0 else found + len(mark)
+        return None if found < 0 else self.text[start:found]
+
+    def _word(self, match: re.Match[str]) -> Token:
+        name = match["word"]
+        if "@" in name and not self.at_letter:
+            letters = _LETTERS.match(name)
+            if letters is None:  # \@ is a symbol of one character
+                self.position = match.start() + 2
+                return self._token("\\@", match.start(), match.start() + 2)
+            name = letters[0]
+            self.position = match.start() + 1 + len(name)
+        return self._token(f"\\{name}", match.start(), match.start() + 1 + len(name))
+
+    def _token(self, text: str, start: int, end: int) -> Token:
+        at = self.view.at
+        return Token(text, self.view.source, at[start], at[end - 1] + 1)
+
+
+def lex(view: View) -> list[Token]:
+    lexer = Lexer(view)
+    return list(iter(lexer.next, None))
+
+
+def joined(tokens: Iterable[Token]) -> str:
+    return spelled(tokens)[0]
+
+
+def spelled(tokens: Iterable[Token]) -> tuple[str, list[Token]]:
+    """The LaTeX of the tokens, and the token that each of its characters belongs to."""
+    pieces: list[str] = []
+    owners: list[Token] = []
+    after_word: Token | None = None
+    for token in tokens:
+        text = " " if token.text == PARAGRAPH else token.text
+        if after_word is not None and text[0].isalpha():
+            pieces.append(" ")
+            owners.append(after_word)
+        pieces.append(text)
+        owners += [token] * len(text)
+        after_word = token if token.word and token.text[-1].isalpha() else None
+    return "".join(pieces), owners

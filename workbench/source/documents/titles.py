@@ -1,0 +1,63 @@
+"""The title that a text gives itself."""
+
+from __future__ import annotations
+
+import html
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbench.source.documents import Text
+
+_TEX = re.compile(r"\\title\s*(?:\[[^\]]*\]\s*)?\{")
+_WEB = re.compile(r"<title[^>]*>(.*?)</title>|<h1\b[^>]*>(.*?)</h1>", re.DOTALL | re.IGNORECASE)
+_MARKED = re.compile(r"^title:\s*[\"']?([^\n\"']+)[\"']?\s*$|^#\s+([^\n]+)$", re.MULTILINE)
+_UNDERLINED = re.compile(r"^([^\s|=\-~^#*+][^\n]*)\n([=*#~^\"-])\2{2,}[ \t]*$", re.MULTILINE)
+#: What belongs to a title page and not to the title: notes, marks, sizes, and line breaks.
+_ASIDE = re.compile(r"\\(?:thanks|footnote|footnotemark|label|vspace|hspace)\*?\s*(?:\[[^\]]*\])?\s*\{")
+_COMMAND = re.compile(r"\\[A-Za-z]+\*?\s*|[{}]|\\\\(?:\[[^\]]*\])?")
+_TAG = re.compile(r"<[^>]+>")
+
+
+def title_of(text: str, path: Path) -> str | None:
+    """What `\\title`, the first heading or `<title>` says, without markup but for formulas between dollar
+    signs; None where a text has no title."""
+    suffix = path.suffix.lower()
+    if suffix in (".html", ".htm", ".xhtml"):
+        found = _WEB.search(text)
+        raw = html.unescape(_TAG.sub(" ", found[1] or found[2] or "")) if found else ""
+    elif suffix == ".tex":
+        start = _TEX.search(re.sub(r"(?<!\\)%[^\n]*", lambda m: " " * len(m[0]), text))
+        raw = _plain(_group(text, start.end())) if start else ""
+    else:
+        pattern = _UNDERLINED if suffix == ".rst" else _MARKED
+        found = pattern.search(text)
+        raw = next((group for group in found.groups() if group), "") if found else ""
+    title = " ".join(raw.split())
+    return title or None
+
+
+def own_title(text: Text) -> str | None:
+    """The title of the first of its files that has one."""
+    return next(filter(None, (title_of(source.text, source.path) for source in text.sources)), None)
+
+
+def _group(text: str, start: int) -> str:
+    """What stands up to the brace that closes."""
+    depth, at = 1, start
+    while at < len(text) and depth:
+        depth += (text[at] == "{") - (text[at] == "}")
+        at += 1 + (text[at] == "\\")
+    return re.sub(r"(?<!\\)%[^\n]*", "", text[start : at - 1])
+
+
+def _plain(latex: str) -> str:
+    while (aside := _ASIDE.search(latex)) is not None:
+        inside = _group(latex, aside.end())
+        latex = latex[: aside.start()] + latex[aside.end() + len(inside) + 1 :]
+    pieces = latex.split("$")
+    for at in range(0, len(pieces), 2):
+        words = pieces[at].replace("---", "—").replace("--", "–").replace("~", " ")
+        pieces[at] = _COMMAND.sub(" ", words.replace("``", "“").replace("''", "”"))
+    return "$".join(pieces)

@@ -1,0 +1,54 @@
+"""A formula that an author has copied out of his text into its model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TypeVar
+
+from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.source.documents import Token, spelled
+from workbench.source.documents.source_view import Source
+from workbench.source.documents.tex.tex_tokens import lex
+from workbench.source.rewriting.author_habits import everywhere
+from workbench.source.rewriting.column_separators import ROWS
+from workbench.source.rewriting.rewrite import argument, respelled
+
+Result = TypeVar("Result")
+
+
+def with_rows(latex: str) -> str:
+    """The formula with [a \\quad -b] and the like as the rows of matrices that they print."""
+    if "[" not in latex and "matrix" not in latex:
+        return latex
+    made = tokens = list(with_environments(lex(Source(Path(), latex).view())))
+    for pattern in ROWS:
+        made = everywhere(made, pattern)
+    is_changed = [token.text for token in made] != [token.text for token in tokens]
+    return spelled(made)[0] if is_changed else latex
+
+
+def with_environments(tokens: Sequence[Token]) -> Iterator[Token]:
+    """The tokens, with \\begin{name} as one, as displays have it."""
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        place += 1
+        if token.text in ("\\begin", "\\end"):
+            inside, place = argument(tokens, place)
+            name = f"{token.text}{{{spelled(inside)[0]}}}"
+            token = Token(name, token.source, token.start, tokens[place - 1].end)
+        yield token
+
+
+def or_respelled(latex: str, words: Collection[str], read: Callable[[str], Result]) -> Result:
+    """What is read of it as it stands or, where that is nothing, as it would be in a text. Raises as the
+    first does, whose places are those of the model."""
+    try:
+        return read(latex)
+    except ReadError:
+        as_in_a_text, _ = spelled(respelled(lex(Source(Path(), latex).view()), words))
+        with suppress(ReadError, IllFormedAt):
+            return read(as_in_a_text)
+        raise

@@ -1,0 +1,315 @@
+"""What a text writes for the eye, as the claim language spells it. Every token stays in its place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+from itertools import pairwise
+
+from workbench.language.grammar.formula_tokens import MOST_CHARACTERS
+from workbench.language.grammar.vocabulary import WORDS
+from workbench.source.documents import Token
+from workbench.source.rewriting.author_habits import as_read, everywhere
+from workbench.source.rewriting.column_separators import bar_of_a_set
+from workbench.source.rewriting.plain_tex import with_nuclei, with_typefaces, without_kerns
+
+_DROPPED = frozenset((
+    "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut", "nobreak",
+    "allowbreak", "noindent", "centering", "smallskip", "medskip", "bigskip", "par", "space", "left.",
+    "right.", "null", "middle", "kern-", "protect", "relax", "linebreak", "nonumber", "notag", "normalsize",
+    "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath", "unboldmath",
+))  # fmt: skip
+_DROPPED_WITH_ARGUMENT = frozenset(
+    ["hspace", "vspace", "vphantom", "color", "label", "hskip", "mspace", "require"]
+)
+#: What parts formulas as a wide space does.
+_WIDE = frozenset({"hfill", "hfil", "therefore", "because"})
+_WIDE_WITH_ARGUMENT = frozenset({"phantom", "hphantom"})
+_UNWRAPPED = frozenset((
+    "mathclap", "mathrlap", "mathllap", "mathord", "mathrel", "mathbin", "mathop", "mathopen",
+    "mathclose", "mathinner", "boxed", "fbox", "underbrace", "overbrace", "smash", "cancel",
+    "Aboxed", "bbox", "mathstrut", "substack", "displaylines",
+))  # fmt: skip
+_UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
+_LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
+_OPERATORS = frozenset({"operatorname", "mathop", "symup"})
+_TEXTS = frozenset({"mbox", "text", "hbox", "textrm"})
+_GROUPS = frozenset({"SO", "SE", "so", "se"})
+_OVER = frozenset({"overset", "stackrel", "underset"})
+_NO_NOTES = frozenset({"\\sim", "\\approx", "\\cdot", "\\circ", "\\wedge", "\\triangle", "\\Delta"})
+_BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
+#: Sets by the commands that KaTeX has for them.
+_BLACKBOARD = frozenset("RNZC")
+_TYPED = {(":", "="): ":=", ("=", ":"): "=", ("=", ">"): "\\Rightarrow", ("\\not", "="): "\\neq"}
+_RENAMED = {
+    **dict.fromkeys(("mathbfit", "symbf", "symbfit", "bm", "pmb", "mathbold"), "\\boldsymbol"),
+    "vb": "\\mathbf",
+    "va": "\\vec",
+    "vu": "\\hat",
+    "cross": "\\times",
+    "vdot": "\\cdot",
+    "mathbfup": "\\mathbf",
+    "lbrace": "\\{",
+    "rbrace": "\\}",
+    "lparen": "(",
+    "rparen": ")",
+    "lbrack": "[",
+    "rbrack": "]",
+    "Vert": "\\|",
+    "vert": "|",
+    "mid": "|",
+    "defeq": ":=",
+    "coloneq": ":=",
+    "coloneqq": ":=",
+    "eqqcolon": "=",
+    "vcentcolon": ":",
+    "colon": ":",
+    "triangleq": ":=",
+    "leqslant": "\\leq",
+    "geqslant": "\\geq",
+    "dfrac": "\\frac",
+    "tfrac": "\\frac",
+    "cfrac": "\\frac",
+}
+
+
+def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Token]:
+    """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows; and
+    letters that stand together and are one of the words by the command of this name. What is too long to be
+    read stays as it is."""
+    if len(tokens) > MOST_CHARACTERS:
+        return list(tokens)
+    made = list(_respelled(list(with_nuclei(as_read(list(with_typefaces(list(without_kerns(tokens)))))))))
+    made = everywhere(made, bar_of_a_set)
+    if any(token.word in _OPERATORS for token in tokens):
+        made = _tidied(made)
+    return list(_with_words(made, words))
+
+
+def _tidied(tokens: list[Token]) -> list[Token]:
+    """\\frac{d^{} {f}}{{d{t}}^{}}, as macros make it, without the braces and scripts that print nothing."""
+    made: list[Token] = []
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        place += 1
+        if token.text in ("^", "_"):
+            inside, end = argument(tokens, place)
+            if not any(each.text != " " for each in inside):
+                place = end
+                continue
+        if token.text == "{":
+            inside, end = argument(tokens, place - 1)
+            inside = _tidied(inside)
+            first = next((each.text for each in inside if each.text != " "), None)
+            before = next((each.text for each in reversed(made) if each.text != " "), None)
+            is_single = sum(each.text != " " for each in inside) < 2
+            is_differential = first == "d" or (before == "d" and is_single)
+            if is_differential and not _opens_argument(made):
+                made += inside
+            elif first != "{" or _group_end(inside) < len(inside):
+                made += [token, *inside, tokens[end - 1]]
+            else:
+                made += inside
+            place = end
+            continue
+        made.append(token)
+    return made
+
+
+def _opens_argument(before: list[Token]) -> bool:
+    """Whether the braces that follow hold what \\frac takes."""
+    texts = [token.text for token in before if token.text != " "]
+    depth = 0
+    for back, text in enumerate(reversed(texts)):
+        depth += (text == "}") - (text == "{")
+        if depth == 0 and text not in ("}",):
+            follows = text == "\\frac" or (text == "{" and texts[-back - 2 : -back - 1] == ["\\frac"])
+            return follows
+    return False
+
+
+def _group_end(tokens: list[Token]) -> int:
+    return argument(tokens, 0)[1]
+
+
+def _with_words(tokens: list[Token], words: Collection[str]) -> Iterator[Token]:
+    place = 0
+    while place < len(tokens):
+        word = next((word for word in words if _spells(tokens[place : place + len(word)], word)), None)
+        is_inverse = any(_spells(tokens[max(0, place - len(arc)) : place], arc) for arc in ("arc", "a"))
+        if word is None or is_inverse or _is_upright(tokens, place):
+            yield tokens[place]
+            place += 1
+            continue
+        first, last = tokens[place], tokens[place + len(word) - 1]
+        yield Token(f"\\{word}", first.source, first.start, last.end, first.call)
+        place += len(word)
+
+
+def _is_upright(tokens: Sequence[Token], place: int) -> bool:
+    """Whether what stands there is what \\text{cos} holds, which is read as that function."""
+    before = [token for token in tokens[:place][-2:] if token.text != " "]
+    return len(before) == 2 and before[1].text == "{" and before[0].word in (*_TEXTS, "operatorname")
+
+
+def _spells(tokens: Sequence[Token], word: str) -> bool:
+    """Whether the author wrote the word, with nothing between its letters."""
+    if "".join(token.text for token in tokens) != word or len(tokens) != len(word):
+        return False
+    return all(one.end == other.start for one, other in pairwise(tokens))
+
+
+def _respelled(tokens: list[Token]) -> Iterator[Token]:
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        word = token.word
+        place += 1
+        if token.text in ("^", "_") and _is_empty(tokens, place) and not _is_empty(tokens, place - 3):
+            place += 2
+        elif (
+            sign := _TYPED.get((token.text, "".join(each.text for each in tokens[place : place + 1])))
+        ) is not None:
+            following = tokens[place]
+            yield Token(sign, token.source, token.start, max(token.end, following.end), token.call)
+            place += 1
+        elif word is None:
+            yield token
+        elif word in _DROPPED or (word == "qty" and _opens(tokens, place)):
+            continue
+        elif word in _TEXTS and (blank := _blank(tokens, place)) is not None:
+            place = blank
+        elif word in _TEXTS and (inner := _formula_in(tokens, place)) is not None:
+            is_bold, inner, place = inner
+            if is_bold:
+                yield token.standing_for("\\boldsymbol")
+            yield token.standing_for("{")
+            yield from _respelled(inner)
+            yield token.standing_for("}")
+        elif word in _TEXTS | {"textbf"} and _is_name(tokens, place):
+            yield token.standing_for("\\mathbf" if word == "textbf" else "\\mathrm")
+        elif word in _TEXTS and _is_function(tokens, place):
+            yield token.standing_for("\\operatorname")
+        elif word in _OVER and (sign := _noted_sign(tokens, place)) is not None:
+            yield tokens[sign[0]]
+            place = sign[1]
+        elif word in _DROPPED_WITH_ARGUMENT:
+            _, place = argument(tokens, _past(tokens, place, "*"))
+        elif word in _WIDE:
+            yield token.standing_for("\\quad")
+        elif word in _WIDE_WITH_ARGUMENT:
+            yield token.standing_for("\\quad")
+            _, place = argument(tokens, place)
+        elif word in _UNWRAPPED:
+            if word == "bbox" and _opens(tokens, place):
+                place = next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), place)
+            inner, place = argument(tokens, place)
+            yield from _respelled(inner)
+            if word in _LIMITS_ARE_NOTES:
+                place = _past_script(tokens, place)
+        elif word in _BLACKBOARD:
+            yield from (token.standing_for(text) for text in ("\\mathbb", "{", word, "}"))
+        elif word in _OPERATORS and (differential := _differential(tokens, place)) is not None:
+            yield token.standing_for("d")
+            place = differential
+        elif word in _UNWRAPPED_SECOND:
+            _, place = argument(tokens, place)
+            inner, place = argument(tokens, place)
+            yield from _respelled(inner)
+        else:
+            yield token.standing_for(_RENAMED.get(word, token.text))
+
+
+def _opens(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a bracket that prints stands there."""
+    return any(token.text in ("(", "[", "|") for token in tokens[place : place + 1])
+
+
+def _blank(tokens: Sequence[Token], place: int) -> int | None:
+    """The place behind the words, if they are a box with nothing in it."""
+    inside, end = argument(tokens, place)
+    printing = "".join(token.text for token in inside)
+    return end if re.fullmatch(r"\\makebox(?:\[[^]]*\])*\{\}", printing) else None
+
+
+def _is_name(tokens: Sequence[Token], place: int) -> bool:
+    """Whether \\text holds one letter, or the name of a group: v in \\text{v}, SO in \\textrm{SO}(3)."""
+    inside = "".join(token.text for token in argument(tokens, place)[0])
+    return (len(inside) == 1 and inside.isalpha()) or inside in _GROUPS
+
+
+def _is_function(tokens: Sequence[Token], place: int) -> bool:
+    """Whether \\text holds a word in front of a bracket: Adj in \\textrm{Adj}(A)."""
+    inside, end = argument(tokens, place)
+    word = "".join(token.text for token in inside)
+    behind = [token.text for token in tokens[end:] if token.text not in (" ", "\\left")][:1]
+    is_label = any(token.text in ("_", "^") for token in tokens[:place][-2:-1])
+    is_word = word.isascii() and word.isalpha() and word.lower() not in WORDS
+    return behind == ["("] and is_word and not is_label
+
+
+def _noted_sign(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:
+    """Where the = of \\overset{(a)}{=} stands, and the place behind; None for a sign of another meaning."""
+    note, end = argument(tokens, place)
+    sign, behind = argument(tokens, end)
+    words = "".join(token.text for token in note)
+    is_note = not any(token.text in _NO_NOTES for token in note) and "def" not in words and "?" not in words
+    if not is_note or [token.text for token in sign if token.text != " "] != ["="]:
+        return None
+    return tokens.index(next(token for token in sign if token.text == "="), end), behind
+
+
+def _is_empty(tokens: Sequence[Token], place: int) -> bool:
+    """Whether {} stands there: as a script, as macros write a power of which nothing is said."""
+    return place >= 0 and [token.text for token in tokens[place : place + 2]] == ["{", "}"]
+
+
+def _formula_in(tokens: Sequence[Token], place: int) -> tuple[bool, list[Token], int] | None:
+    """The formula of \\mbox{\\boldmath $x$}, and whether it is bold; None for words."""
+    inner, end = argument(tokens, place)
+    plain = [token for token in inner if token.text != " " and token.text not in _BOLD]
+    if len(plain) > 4 and plain[0].text == "{" and _group_end(plain) == len(plain):
+        plain = plain[1:-1]  # \\boldmath{$x$}
+    if len(plain) < 3 or plain[0].text != "$" or plain[-1].text != "$" or len(plain) != _dollars(plain):
+        return None
+    return any(token.text in _BOLD for token in inner), plain[1:-1], end
+
+
+def _differential(tokens: Sequence[Token], place: int) -> int | None:
+    """The place behind the d of \\operatorname{d}; None for another operator."""
+    inner, end = argument(tokens, place)
+    return end if [token.text for token in inner if token.text != " "] == ["d"] else None
+
+
+def _dollars(tokens: Sequence[Token]) -> int:
+    """How many of the tokens stand in the first formula between dollars, these counted."""
+    return next((place + 1 for place, token in enumerate(tokens) if place and token.text == "$"), 0)
+
+
+def argument(tokens: Sequence[Token], place: int) -> tuple[list[Token], int]:
+    """The argument at `place`, braces gone, and the place behind it."""
+    place = _past(tokens, place, " ")
+    if place >= len(tokens):
+        return [], place
+    if tokens[place].text != "{":
+        return [tokens[place]], place + 1
+    depth = 0
+    for end in range(place, len(tokens)):
+        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
+        if depth == 0:
+            return list(tokens[place + 1 : end]), end + 1
+    return list(tokens[place + 1 :]), len(tokens)
+
+
+def _past(tokens: Sequence[Token], place: int, text: str) -> int:
+    while place < len(tokens) and tokens[place].text == text:
+        place += 1
+    return place
+
+
+def _past_script(tokens: Sequence[Token], place: int) -> int:
+    after = _past(tokens, place, " ")
+    if after < len(tokens) and tokens[after].text in "_^":
+        return argument(tokens, after + 1)[1]
+    return place

@@ -1,0 +1,356 @@
+"""The tree of a display, as TeX has it: environments of rows and cells, groups, words, spaces, notes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from workbench.source.documents import Token, joined
+from workbench.source.rows.display_vocabulary import (
+    ANNOTATED,
+    BRACES,
+    CANCELS,
+    GAPS,
+    KINDS,
+    NOTHING_WITH_ARGUMENT,
+    TERMS,
+    TYPED,
+    UPRIGHT_FACES,
+    UPRIGHT_WORDS,
+    VISIBLE_GAPS,
+    WIDE_WITH_ARGUMENT,
+    WITH_ARGUMENT,
+    WORD_COMMANDS,
+    WRAPPERS,
+    Kind,
+)
+
+#: Groups within groups; what is deeper stays a row of single tokens.
+_MOST_DEPTH = 60
+_LENGTHS = ("pt", "ex", "em", "mm", "cm", "in")
+_BLANK = frozenset({Kind.GAP, Kind.NOTHING, Kind.MARK, Kind.BREAK})
+
+
+@dataclass(eq=False)
+class Node:
+    """A part of a display.
+
+    tokens: all of it, in order.   inside: the nodes of a group, or those that a note belongs to.
+    note: what stands above or below it.   name: the command, environment or bracket.   rows: those of an
+    environment, as cells.   paired: whether its bracket ends in another row."""
+
+    kind: Kind
+    tokens: list[Token]
+    inside: list[Node] = field(default_factory=list)
+    note: list[Node] = field(default_factory=list)
+    name: str = ""
+    rows: list[list[list[Node]]] = field(default_factory=list)
+    paired: bool = False
+
+    @property
+    def text(self) -> str:
+        return joined(self.tokens)
+
+    @property
+    def is_blank(self) -> bool:
+        """Whether it prints nothing."""
+        return self.kind in _BLANK
+
+
+#: What stands between two alignment marks.
+Cell = list[Node]
+
+
+def parse(tokens: Sequence[Token]) -> list[Node]:
+    """The nodes of the tokens. Marks and breaks stay among them; several visible gaps are one wide space."""
+    made: list[Node] = []
+    for node in _Parser(list(tokens)).nodes(()):
+        before = made[-1] if made else None
+        if before is None or before.kind not in (Kind.GAP, Kind.WIDE):
+            made.append(node)
+        elif node.text == " ":
+            before.tokens = before.tokens + node.tokens
+        elif node.text in VISIBLE_GAPS and all(t.text in VISIBLE_GAPS | {" "} for t in before.tokens):
+            is_one = not any(token.text in VISIBLE_GAPS for token in before.tokens)
+            made[-1] = Node(Kind.GAP if is_one else Kind.WIDE, before.tokens + node.tokens)
+        else:
+            made.append(node)
+    return made
+
+
+def rows_of(nodes: Sequence[Node]) -> list[list[Cell]]:
+    """Rows of cells; each cell but the first begins with its mark, each row but the first with its break."""
+    rows: list[list[Cell]] = [[[]]]
+    for node in nodes:
+        if node.kind is Kind.BREAK:
+            rows.append([[node]])
+        elif node.kind is Kind.MARK:
+            rows[-1].append([node])
+        else:
+            rows[-1][-1].append(node)
+    return rows
+
+
+class _Parser:
+    def __init__(self, tokens: list[Token]) -> None:
+        self._tokens, self._at, self._depth = tokens, 0, 0
+
+    def nodes(self, until: Sequence[str]) -> Iterator[Node]:
+        while self._at < len(self._tokens) and self._next not in until:
+            yield from self._node()
+
+    @property
+    def _next(self) -> str:
+        return self._tokens[self._at].text if self._at < len(self._tokens) else ""
+
+    def _node(self) -> Iterator[Node]:
+        if self._depth >= _MOST_DEPTH:
+            yield Node(Kind.PLAIN, self._take())
+            return
+        self._depth += 1
+        yield from self._nested()
+        self._depth -= 1
+
+    def _nested(self) -> Iterator[Node]:
+        start, text = self._at, self._next
+        if text in WRAPPERS:
+            yield from self._wrapped(text)
+        elif text in ANNOTATED:
+            yield self._annotated(text)
+        elif text in BRACES:
+            yield self._braced(text)
+        elif text in CANCELS:
+            self._take()
+            note = self._argument() if text == "\\cancelto" else []
+            inside = self._argument()
+            yield Node(Kind.CANCEL, self._tokens[start : self._at], inside, note, text)
+        elif text in TERMS:
+            yield self._term(text)
+        elif (made := self._of_arguments(text)) is not None:
+            yield made
+        else:
+            yield self._single()
+
+    def _of_arguments(self, text: str) -> Node | None:
+        """A node that is one bracket, environment or command with its arguments."""
+        start, inside = self._at, None
+        if text.startswith("\\begin{"):
+            return self._environment(text[7:-1])
+        if text == "\\left":
+            return self._left()
+        if text == "{":
+            inside = self._argument()
+            kind = Kind.WORDS if _is_words(inside) else Kind.GROUP
+        elif text in ("_", "^"):
+            self._take()
+            kind, inside = Kind.SCRIPT, self._argument()
+        elif text in WORD_COMMANDS or text in NOTHING_WITH_ARGUMENT:
+            self._take()
+            self._argument()
+            kind = Kind.WORDS if text in WORD_COMMANDS else Kind.NOTHING
+        elif text == "\\displaylines":
+            self._take()
+            inside = self._argument()
+            whole = self._tokens[start : self._at]
+            return Node(Kind.ENVIRONMENT, whole, inside, name="gathered", rows=rows_of(inside))
+        elif text in WIDE_WITH_ARGUMENT:
+            self._take(1 + (self._peek(1) == "*"))
+            self._argument()
+            kind = Kind.WIDE
+        else:
+            return None
+        return Node(kind, self._tokens[start : self._at], inside or [], name=text)
+
+    def _single(self) -> Node:
+        start, text, behind = self._at, self._next, self._peek(1)
+        self._take()
+        if (text, behind) in TYPED or (text == "\\not" and behind):
+            self._take()
+            text = TYPED.get((text, behind), "\\neq")
+        elif text == "\\\\":
+            self._length()
+        return Node(KINDS.get(text, Kind.PLAIN), self._tokens[start : self._at], name=text)
+
+    def _wrapped(self, text: str) -> Iterator[Node]:
+        """The nodes inside of \\boxed and the like, behind a node of the command itself."""
+        start = self._at
+        self._take()
+        self._optional() if text == "\\bbox" else None
+        for _ in range(WRAPPERS[text]):
+            self._argument()
+        inside = self._argument()
+        held = {id(token) for node in inside for token in node.tokens}
+        yield Node(Kind.NOTHING, [t for t in self._tokens[start : self._at] if id(t) not in held], name=text)
+        yield from inside
+
+    def _term(self, text: str) -> Node:
+        start = self._at
+        self._take()
+        self._optional() if text == "\\sqrt" else None
+        inside = [self._argument() for _ in range(TERMS[text])]
+        words = "".join(node.text for node in inside[0]).strip()
+        kind = Kind.WORDS if text in UPRIGHT_FACES and words in UPRIGHT_WORDS else Kind.PLAIN
+        whole = [node for argument in inside for node in argument]
+        return Node(kind, self._tokens[start : self._at], whole, name=text)
+
+    def _braced(self, text: str) -> Node:
+        """\\underbrace{x}_{note}."""
+        start = self._at
+        self._take()
+        inside, note, end = self._argument(), [], self._at
+        self._pass_gaps()
+        if self._next in ("_", "^"):
+            self._take()
+            note, end = self._argument(), self._at
+        self._at = end
+        return Node(Kind.BRACE_NOTE, self._tokens[start:end], inside, note, text)
+
+    def _annotated(self, text: str) -> Node:
+        """A relation with a note above it; anything else under a note is a letter."""
+        start = self._at
+        self._take()
+        self._optional()
+        note = self._argument()
+        base = [] if text.startswith("\\x") else self._argument()
+        kinds = [node.kind for node in base if node.kind is not Kind.GAP]
+        if text == "\\xrightarrow":
+            kind = Kind.IMPLICATION
+        elif text == "\\xlongequal":
+            kind = Kind.RELATION
+        else:
+            is_sign = len(kinds) == 1 and kinds[0] in (Kind.RELATION, Kind.IMPLICATION)
+            kind = kinds[0] if is_sign else Kind.PLAIN
+        name = next((node.name for node in base if node.kind is kind), text) if base else text
+        return Node(kind, self._tokens[start : self._at], base, note if kind is not Kind.PLAIN else [], name)
+
+    def _left(self) -> Node:
+        start, fence = self._at, self._peek(1)
+        self._take(2)
+        inside = list(self.nodes(("\\right", "}")))
+        if self._next == "\\right":
+            self._take(2)
+        return Node(Kind.GROUP, self._tokens[start : self._at], inside, name=f"left{fence}")
+
+    def _environment(self, name: str) -> Node:
+        start, closing = self._at, f"\\end{{{name}}}"
+        self._take()
+        if name in WITH_ARGUMENT:
+            self._optional()
+            self._argument()
+        elif name in ("aligned", "gathered") or name.endswith("matrix*"):
+            self._optional()
+        inside = list(self.nodes((closing, "}", "\\right")))
+        if self._next == closing:
+            self._take()
+        return Node(Kind.ENVIRONMENT, self._tokens[start : self._at], inside, name=name, rows=rows_of(inside))
+
+    def _take(self, count: int = 1) -> list[Token]:
+        start, self._at = self._at, min(self._at + count, len(self._tokens))
+        return self._tokens[start : self._at]
+
+    def _peek(self, count: int) -> str:
+        place = self._at + count
+        return self._tokens[place].text if place < len(self._tokens) else ""
+
+    def _pass_gaps(self) -> None:
+        while self._next in GAPS:
+            self._at += 1
+
+    def _argument(self) -> list[Node]:
+        """The nodes inside of the next argument, which is passed with its braces."""
+        self._pass_gaps()
+        if self._next == "{":
+            self._take()
+            inside = list(self.nodes(("}",)))
+            self._take()
+            return inside
+        is_there = self._next not in ("", "}", "&", "\\\\") and not self._next.startswith("\\end{")
+        return list(self._node()) if is_there else []
+
+    def _optional(self) -> None:
+        if self._next == "[" and "]" in (t.text for t in self._tokens[self._at : self._at + 40]):
+            while self._take()[0].text != "]":
+                pass
+
+    def _length(self) -> None:
+        """Passes the * and the [2pt] of \\\\*[2pt]."""
+        if self._next == "*" and self._peek(1) != "*":
+            self._take()
+        text = joined(self._tokens[self._at : self._at + 14])
+        length, closing, _ = text[1:].partition("]")
+        if text[:1] == "[" and closing and length.strip()[-2:] in _LENGTHS:
+            self._optional()
+
+
+def _is_words(nodes: Sequence[Node]) -> bool:
+    """Whether nothing but words stands in a group, and more than a name."""
+    words = [node for node in nodes if not node.is_blank]
+    is_phrase = any(mark in node.text.strip() for node in words for mark in " (")
+    return is_phrase and all(node.kind is Kind.WORDS for node in words)
+
+
+def pairs_of(nodes: Sequence[Node]) -> tuple[list[int], int, int]:
+    """The places of brackets that belong together, and how many others open and close."""
+    waiting: list[int] = []
+    found: list[int] = []
+    closes = 0
+    for at, node in enumerate(nodes):
+        if node.kind is Kind.OPEN:
+            waiting.append(at)
+        elif node.kind is Kind.CLOSE and waiting:
+            found += [waiting.pop(), at]
+        elif node.kind is Kind.CLOSE:
+            closes += 1
+    return found, len(waiting), closes
+
+
+def with_depth(nodes: Sequence[Node]) -> Iterator[tuple[Node, int]]:
+    """Each node with the number of brackets around it that are closed, in this row or in another one."""
+    places = set(pairs_of(nodes)[0])
+    counts = [
+        node.kind in (Kind.OPEN, Kind.CLOSE) and (at in places or node.paired)
+        for at, node in enumerate(nodes)
+    ]
+    depth = sum(
+        node.kind is Kind.CLOSE and is_counted and at not in places
+        for at, (node, is_counted) in enumerate(zip(nodes, counts, strict=True))
+    )
+    for node, is_counted in zip(nodes, counts, strict=True):
+        if node.kind is Kind.CLOSE and is_counted:
+            depth -= 1
+        yield node, depth
+        depth += node.kind is Kind.OPEN and is_counted
+
+
+def relation_places(nodes: Sequence[Node]) -> list[int]:
+    """The places of the relations outside of brackets."""
+    return [
+        at for at, (node, depth) in enumerate(with_depth(nodes)) if node.kind is Kind.RELATION and not depth
+    ]
+
+
+def trim(nodes: Sequence[Node]) -> tuple[list[Node], list[Node]]:
+    """The nodes without blanks around them and punctuation at their end; and these."""
+    first, last = 0, len(nodes)
+    while first < last and (nodes[first].is_blank or nodes[first].kind in (Kind.WIDE, Kind.COMMA)):
+        first += 1
+    while first < last and _ends(nodes, last):
+        last -= 1
+    return list(nodes[first:last]), [*nodes[:first], *nodes[last:]]
+
+
+def _ends(nodes: Sequence[Node], last: int) -> bool:
+    """Whether the node before `last` is a blank or punctuation, and not the last stop of an ellipsis."""
+    node = nodes[last - 1]
+    is_ellipsis = node.kind is Kind.STOP and last > 1 and nodes[last - 2].kind is Kind.STOP
+    return node.is_blank or (node.kind in (Kind.WIDE, Kind.COMMA, Kind.STOP) and not is_ellipsis)
+
+
+def trimmed(nodes: Sequence[Node]) -> list[Node]:
+    return trim(nodes)[0]
+
+
+def without(nodes: Sequence[Node], *held: Node) -> list[Token]:
+    """The tokens of the nodes that are in none of those held."""
+    inside = {id(token) for node in held for token in node.tokens}
+    return [token for node in nodes for token in node.tokens if id(token) not in inside]

@@ -1,0 +1,285 @@
+"""A row of a display, piece by piece: each goes on with a statement, begins one or stands beside one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from workbench.language.grammar.vocabulary import NUMBER
+from workbench.source.documents import joined
+from workbench.source.rows.display_pieces import Apart, Piece
+from workbench.source.rows.display_statements import Beside, Leftover, Role, RowEnd, Statement
+from workbench.source.rows.display_tree import Node, relation_places, trimmed, without
+from workbench.source.rows.display_vocabulary import Kind, Marks
+from workbench.source.rows.row_rules import (
+    Action,
+    behind,
+    below,
+    end_of_a_name,
+    is_range,
+    is_symbol,
+    leading_side,
+    names_what,
+)
+from workbench.source.rows.row_statements import Row, RowStatements, State
+from workbench.source.rows.side_words import (
+    WordRole,
+    lead_of,
+    limits,
+    limits_without_a_relation,
+    maths_of,
+    role_of,
+    says_what_is,
+    words_of,
+)
+
+_ROLES = {WordRole.CONDITION: Role.CONDITION, WordRole.REASON: Role.REASON}
+
+
+class RowReader(RowStatements):
+    """Reads the pieces of one row in order."""
+
+    def __init__(self, state: State, row: Row) -> None:
+        super().__init__(state, row)
+        self._above = dict(state.columns)
+        self._begun: set[int] = set()  # columns in which this row has said something
+        self._pending: Role | None = None  # what the words before say that the next formula is
+        self._pending_words = ""
+        self._names_what = False
+        self._are_unknown = False  # the words before, of which no table says what they mean
+        self._is_quantified = False  # by symbols that the words before name, as "for all x" does
+        self._said = False
+
+    def begins(self, piece: Piece) -> bool:
+        """Whether an environment of lines in this piece is a system, and no side of a formula."""
+        return self._here is None or bool(piece.apart & {Apart.WIDE, Apart.COMMA, Apart.WORDS})
+
+    def stands_behind(self, statements: Sequence[Statement]) -> None:
+        """What follows is behind these lines of a system."""
+        self._take_waiting(statements)
+        self._shared, self._here = statements, statements[-1] if statements else None
+        self._made += statements
+        self._said = True
+
+    def read(self, place: int) -> None:
+        """Reads the piece at `place`."""
+        piece, rest = self._row.pieces[place], self._row.pieces[place + 1 :]
+        if Apart.PAIR in piece.apart or (self._row.layout.marks is Marks.CELLS and Apart.MARK in piece.apart):
+            self._column += 1
+        if piece.is_words:
+            self._words(piece.kept[0], rest)
+        elif self._is_number(piece, place):
+            self._state.leave(Leftover.LAYOUT, piece.separator)
+            self._state.leave(Leftover.NUMBER, piece.kept)
+        elif self._passes_colon(piece, place):
+            self._formula(piece, rest)
+
+    def end(self) -> None:
+        """Notes where the row ends in the statements that it adds to.
+
+        Conditions in a row of their own are said of the statement above, unless the row ends with a colon."""
+        statements = self._state.cut.statements
+        last = [node for piece in self._row.pieces for node in (*piece.nodes, *piece.separator)][-1:]
+        is_heading = any(node.text.rstrip("} ").endswith(":") for node in last)
+        if self._here is None and statements and not is_heading:
+            self._take_waiting(statements[-1:])
+        for statement in self._state.cut.statements:
+            if self._counts.get(id(statement), 0) != len(statement.nodes):
+                end = RowEnd(len(statement.nodes), self._row.number, self._row.labels)
+                statement.rows.append(end)
+
+    # What stands in a piece
+
+    def _is_number(self, piece: Piece, place: int) -> bool:
+        is_number = NUMBER.fullmatch(joined([token for node in piece.kept for token in node.tokens]))
+        if is_number is None:
+            return False
+        pieces = self._row.pieces
+        is_first = not any(each.kept for each in pieces[:place]) and len(pieces) > place + 1
+        is_last = Apart.WIDE in piece.apart and self._here is not None
+        return is_last or (is_first and Apart.WIDE in pieces[place + 1].apart)
+
+    def _passes_colon(self, piece: Piece, place: int) -> bool:
+        """Leaves the colon of “Identity: a = b”, and the name in “L:\\ a = b”; whether anything stays."""
+        before = self._row.pieces[place - 1].apart if place else set()
+        if piece.kept[0].name == ":" and Apart.WORDS in before | piece.apart:
+            self._state.leave(Leftover.LAYOUT, piece.kept[:1])
+            piece.kept = trimmed(piece.kept[1:])
+        elif (end := end_of_a_name(piece, self._row.pieces[place + 1 :])) and self._here is None:
+            self._state.cut.remarks += piece.kept[:end]
+            piece.kept = trimmed(piece.kept[end:])
+        if not piece.kept:
+            self._state.leave(Leftover.LAYOUT, piece.separator)
+        return bool(piece.kept)
+
+    def _formula(self, piece: Piece, rest: Sequence[Piece]) -> None:
+        if Apart.FORALL in piece.apart:
+            self._state.cut.remarks += piece.separator
+            is_limited = piece.relations and not is_range(piece.kept, rest)
+            self._put_beside(Role.CONDITION if is_limited else Role.RANGE, piece.kept)
+            return
+        if not self._place(piece, rest):
+            self._state.leave(Leftover.LAYOUT, piece.separator)
+        self._said = self._said or self._here is not None
+        if self._here is not None and self._here not in self._above.values():
+            self._begun.add(self._column)
+
+    def _place(self, piece: Piece, rest: Sequence[Piece]) -> bool:
+        """Puts the piece where it belongs; whether its separator went with it."""
+        if self._goes_on_beside(piece, rest):
+            self._last.nodes += [*piece.separator, *piece.kept]
+            return True
+        self._last = None
+        if Apart.COLON in piece.apart:
+            self._pending = None
+        goes_on = piece.lead in (Kind.RELATION, Kind.IMPLICATION, Kind.INFIX)  # in spite of the words
+        if goes_on or (self._is_quantified and Apart.WIDE in piece.apart):
+            self._pending = None
+        if self._pending is not None and not self._begins_definition(piece):
+            self._behind_words(piece, rest)
+            return False
+        if self._pending is not None:  # “where R = …” says what R is, or is a condition
+            self._pending = None
+            self._begun.add(self._column)
+            self._begin_beside(piece)
+            return False
+        is_first = self._here is None and self._column not in self._begun
+        above = self._above.get(self._column) if is_first else None
+        target = self._here if above is None else above
+        if target is None:
+            if (role := leading_side(piece, rest)) is not None:
+                self._put_beside(role, piece.kept)
+            else:
+                self._begin(piece)
+            return False
+        rule = below if above is not None else behind
+        action, question = rule(target, piece, self._row.layout, rest)
+        if action is Action.NEW and above is None and self._are_unknown and piece.relations:
+            action = Action.PERHAPS
+        return self._act(action, question, target, piece, above is not None)
+
+    def _goes_on_beside(self, piece: Piece, rest: Sequence[Piece]) -> bool:
+        """Whether the piece goes on with what the one before was put beside: i = 1, 2, 3, or a, b \\in V."""
+        if self._last is None:
+            return False
+        if not piece.relations:
+            return Apart.COMMA in piece.apart and piece.lead not in (Kind.SIGN, Kind.INFIX)
+        is_statement = self._here is None and not any(each.relations for each in rest)
+        if relation_places(self._last.nodes) or Apart.WIDE in piece.apart or is_statement:
+            return False
+        is_side = is_symbol(piece.kept[: piece.relations[0]]) and is_range(piece.kept, rest)
+        return Apart.COMMA in piece.apart and is_side
+
+    def _begins_definition(self, piece: Piece) -> bool:
+        """Whether “where R := …” says what R is: a statement, and no condition."""
+        return self._pending is Role.CONDITION and self._names_what and names_what(piece.kept)
+
+    def _begin_beside(self, piece: Piece) -> Statement:
+        """Begins a statement that may be a condition of those before it in its row.
+
+        Without a mark of its own it does not end what stands at the mark, with which the next row goes on."""
+        served = tuple(dict.fromkeys([*self._made, *([self._here] if self._here else [])]))
+        at_mark = self._state.columns.get(self._column)
+        statement = self._begin(piece)
+        is_marked = Apart.MARK in piece.apart or _has_mark(piece.nodes)
+        if at_mark is not None and at_mark in served and _has_mark(at_mark.nodes) and not is_marked:
+            self._state.columns[self._column] = at_mark
+        for target in served:
+            target.beside.append(Beside(Role.PERHAPS, list(piece.kept)))
+        statement.serves = served
+        return statement
+
+    def _behind_words(self, piece: Piece, rest: Sequence[Piece]) -> None:
+        self._is_quantified = not piece.relations
+        if not piece.relations:  # for all a, b
+            self._state.leave(Leftover.NO_RELATION, piece.kept)
+            if limits_without_a_relation(self._pending_words):
+                symbols = joined([token for node in piece.kept for token in node.tokens])
+                self._limit(f"{self._pending_words} {symbols}")
+            return
+        is_side = self._pending is Role.CONDITION and is_range(piece.kept, rest)
+        self._put_beside(Role.RANGE if is_side else self._pending, piece.kept)
+
+    def _act(self, action: Action, question: str, target: Statement, piece: Piece, is_below: bool) -> bool:
+        match action:
+            case Action.JOIN:
+                if piece.lead is Kind.IMPLICATION and not is_below:
+                    target = self._with_premises(target)
+                self._state.columns[self._column] = self._here = target
+                with_separator = self._append(target, piece, question, is_below)
+                if is_below:
+                    self._take_waiting([target])
+                return with_separator
+            case Action.CONDITION | Action.RANGE:
+                role = Role.CONDITION if action is Action.CONDITION else Role.RANGE
+                self._put_beside(role, piece.kept, of_the_row=Apart.MARK in piece.apart)
+            case Action.PERHAPS | Action.OWN_OR_CONDITION:
+                made = self._begin(piece) if is_below else self._begin_beside(piece)
+                if action is Action.OWN_OR_CONDITION and not is_below:
+                    made.is_condition_of = target
+            case Action.NEW:
+                self._begin(piece)
+        return False
+
+    # Words
+
+    def _words(self, node: Node, rest: Sequence[Piece]) -> None:
+        words, maths = words_of(node), maths_of(node)
+        role = role_of(words)
+        self._are_unknown = role is WordRole.REMARK
+        self._names_what = says_what_is(words) or (self._names_what and words == "and")
+        self._last = None
+        if self._is_in_a_formula(role, rest):
+            self._here.nodes.append(node)
+            self._pending = None
+            return
+        relates = role is not WordRole.DENIAL and any(map(relation_places, maths))
+        if relates and (lead := lead_of(words)) is not None:
+            self._formula_in_words(node, maths, _ROLES[lead])
+            return
+        if role is WordRole.CONNECTION and self._here is not None:
+            self._here.nodes.append(node)
+            self._here.nodes.append(Node(Kind.IMPLICATION, [], name="words"))
+            self._here.whole = True
+            self._pending = None
+            return
+        self._state.cut.remarks.append(node)
+        is_followed = any(piece.kept and not piece.is_words for piece in rest)
+        if role is WordRole.DENIAL and (self._here is None or is_followed):
+            self._state.denial = node
+        elif role is WordRole.DENIAL and self._here is not None:
+            self._here.denied = node
+        elif role in _ROLES and is_followed:
+            self._pending, self._pending_words, self._is_quantified = _ROLES[role], words, False
+            return
+        elif role is not WordRole.JOIN and limits(words):
+            self._limit(words)
+        if not (role is WordRole.JOIN and words == "and"):
+            self._pending = None
+
+    def _is_in_a_formula(self, role: WordRole, rest: Sequence[Piece]) -> bool:
+        """Whether words part a formula that nobody can read without them: x is parallel to y."""
+        behind_it = next((piece for piece in rest if piece.kept), None)
+        if self._here is None:
+            return False
+        if behind_it is None:  # f is smooth
+            return role is WordRole.REMARK and not relation_places(self._here.nodes)
+        if behind_it.is_words or Apart.MARK in behind_it.apart:
+            return False
+        goes_on = behind_it.lead in (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
+        is_open = not relation_places(self._here.nodes)
+        if role is WordRole.JOIN:
+            return is_open and not goes_on
+        return role is WordRole.REMARK and not goes_on and (is_open or not behind_it.relations)
+
+    def _formula_in_words(self, node: Node, maths: Sequence[list[Node]], role: Role) -> None:
+        for nodes in maths:
+            if relation_places(nodes):
+                is_side = role is Role.CONDITION and is_range(trimmed(nodes))
+                self._put_beside(Role.RANGE if is_side else role, nodes)
+        said = [each for nodes in maths if relation_places(nodes) for each in nodes]
+        self._state.cut.remarks.append(Node(Kind.WORDS, without([node], *said)))
+        self._pending = None
+
+
+def _has_mark(nodes: Sequence[Node]) -> bool:
+    return any(node.kind is Kind.MARK for node in nodes)

@@ -1,0 +1,159 @@
+"""What words in a display say of what stands beside them: the table of words, and words that are names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from enum import Enum, auto
+
+from workbench.source.documents import Token, joined
+from workbench.source.rows.display_tree import Node, parse, relation_places
+from workbench.source.rows.display_vocabulary import INTERTEXTS, Kind
+
+
+class WordRole(Enum):
+    """What the formula behind words is: a denied formula, the other part of one statement, a condition, a
+    reason, another statement. A remark says nothing of it."""
+
+    DENIAL = auto()
+    CONNECTION = auto()
+    CONDITION = auto()
+    REASON = auto()
+    JOIN = auto()
+    REMARK = auto()
+
+
+_CONDITIONS = (
+    "where|with|given|given that|provided|provided that|whenever|when|if|for|for all|for every|for any"
+    "|as long as|so long as|in case|in the case|once|supposing|on condition that|assuming that"
+    "|while|subject to|such that|s t|subj to|assuming|at|under|on|along|in|near|during|until"
+)
+_REASONS = "since|because|as|using|by|from|due to|see|recall|noting|thanks to|owing to"
+_JOINS = (
+    "and|so|so that|thus|hence|therefore|and therefore|then|i e|that is|which gives|or equivalently"
+    r"|also|but|yields|gives|we have|we get|so we have|&|\\&|"
+)
+_DENIALS = (
+    r"(?:.*\b)?(?:wrong|false|untrue|invalid|incorrect|erroneous|mistaken)(?:ly)?\b"
+    r"|(?:.*\b)?(?:not|never|no longer)\b(?: be| generally| in general)? ?(?:true|valid|correct|right|hold)"
+    r"|.*n['’]t (?:true|hold)|(?:not|never|contrary|in general not|but not)\b"
+)
+#: In this order: the first pattern that the words match decides.
+_ROLES = (
+    (WordRole.DENIAL, re.compile(_DENIALS)),
+    (WordRole.CONNECTION, re.compile(r"(?:or|implies|unless|either|(?:.*\b)?(?:iff|if and only if))$")),
+    (WordRole.CONDITION, re.compile(rf"(?:.*\b)?(?:{_CONDITIONS})\b[^a-z]*$")),
+    (WordRole.REASON, re.compile(rf"(?:.*\b)?(?:{_REASONS})\b[^a-z]*$")),
+    (WordRole.JOIN, re.compile(rf"(?:{_JOINS})$")),
+)
+#: Behind these a symbol is said to be something.
+_NAMES_WHAT = re.compile(r"\b(?:where|with|here)$")
+#: The same roles where the formula stands within the words: "since $a = 0$".
+_LEADS = (
+    (WordRole.REASON, re.compile(rf"\b(?:{_REASONS})\b")),
+    (WordRole.CONDITION, re.compile(rf"\b(?:{_CONDITIONS})\b")),
+)
+#: Words that say without a formula that what they stand beside holds only somewhere.
+_LIMITS = re.compile(
+    r"\b(?:(?:orthogonal|perpendicular|parallel|boundar|small|const|stead|equilibri|symmetr|assum|hypothes"
+    r"|vanish|neglect|approx|lineari|static)\w*|axis|axes|zero|at rest|fixed|if|when|unless|only|otherwise"
+    r"|special|case|almost|up to|order|modulo|mod|locally|formally|roughly|usually"
+    r"|on|along|near|under|at|since|because)\b"
+)
+
+#: Words that quantify or refer, where what stands behind them relates nothing.
+_NO_LIMITS = re.compile(r"\b(?:all|every|any|for|with|where|by|using|from|see|recall|as|since|because)$")
+
+
+def words_of(node: Node) -> str:
+    """The words in lower case, without punctuation; # for each formula among them."""
+    text = re.sub(r"\\(?:text\w*|mbox|hbox)(?![A-Za-z])", "", joined(node.tokens[1:])).strip()
+    text = re.sub(r"\$[^$]*\$|\\\([^)]*\\\)", " # ", text)
+    return " ".join(re.sub(r"[{}()\[\].,:;~]|\\[,;! ]", " ", text).lower().split())
+
+
+def maths_of(node: Node) -> list[list[Node]]:
+    """The formulas between dollars in the words."""
+    parts: list[list[Token]] = []
+    inside = False
+    for token in node.tokens:
+        if token.text in ("$", "\\(", "\\)"):
+            inside = not inside
+            parts += [[]] if inside else []
+        elif inside:
+            parts[-1].append(token)
+    return [parse(part) for part in parts if part]
+
+
+def role_of(words: str) -> WordRole:
+    """What stands behind the words is. Of words that end with a formula it is in them: a remark."""
+    if words.endswith("#"):
+        return WordRole.REMARK
+    spoken = words.replace("#", " ").strip()
+    return next((role for role, pattern in _ROLES if pattern.match(spoken)), WordRole.REMARK)
+
+
+def lead_of(words: str) -> WordRole | None:
+    """What a formula within the words is; None where they do not say it."""
+    if (role := next((role for role, pattern in _LEADS if pattern.search(words)), None)) is not None:
+        return role
+    return WordRole.CONDITION if limits(words) else None
+
+
+def says_what_is(words: str) -> bool:
+    """Whether what stands behind the words can say what a symbol is."""
+    return _NAMES_WHAT.search(words) is not None
+
+
+def limits(words: str) -> bool:
+    """Whether the words limit what they stand beside."""
+    return _LIMITS.search(words) is not None
+
+
+def limits_without_a_relation(words: str) -> bool:
+    """Whether the words limit a statement where only symbols stand behind them: "if (x)", not "for all x"."""
+    return limits(words) and _NO_LIMITS.search(words) is None
+
+
+def is_name(cell: Sequence[Node], at: int) -> bool:
+    """Whether the words at `at` are a symbol or a unit: \\text{vec}(A), \\text{proj}_w, = \\text{const}."""
+    node = cell[at]
+    words, maths = words_of(node), maths_of(node)
+    if node.name in INTERTEXTS or node.name == "\\tag":
+        return False
+    if maths and not re.sub(r"#|\\boldmath", "", words).strip():  # \mbox{\boldmath$\omega$}
+        return not any(map(relation_places, maths))
+    if at + 1 < len(cell) and cell[at + 1].kind is Kind.SCRIPT:
+        return True
+    raw = joined(node.tokens[1:]).strip("{} ")
+    if not re.search(r"[^\W_]", raw):
+        return re.search(r"[^\s.,;:(){}\[\]]", raw) is not None  # x\text{-}y
+    is_acronym = raw.isupper() and len(raw) > 1
+    if maths:
+        return False
+    before = next((n for n in reversed(cell[:at]) if n.kind not in (Kind.GAP, Kind.MARK)), None)
+    if before is not None and before.kind in (Kind.RELATION, Kind.SIGN, Kind.INFIX):
+        return True
+    if role_of(words) is not WordRole.REMARK and not is_acronym:
+        return False
+    return _is_in_a_term(cell, at, raw)
+
+
+def _is_in_a_term(cell: Sequence[Node], at: int, raw: str) -> bool:
+    """Whether single words stand as a side, an operand, a function or a unit."""
+    blank = (Kind.GAP, Kind.MARK)
+    before = next((node for node in reversed(cell[:at]) if node.kind not in blank), None)
+    behind = next((node for node in cell[at + 1 :] if node.kind not in blank), None)
+    if behind is not None and behind.kind is Kind.RELATION and " " not in raw:
+        return True
+    is_word = re.fullmatch(r"[A-Za-z]\w*", raw) is not None
+    opened = (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.OPEN)
+    if is_word and behind is not None and before is not None and before.kind in opened:
+        return True
+    is_close = behind is not None and (cell[at + 1] is behind or behind.kind is Kind.GROUP)
+    brackets = (Kind.OPEN, Kind.GROUP, Kind.SCRIPT)
+    is_call = is_word and is_close and (behind.kind in brackets or behind.text.lower().startswith("\\big"))
+    ends = behind is None or behind.kind in (Kind.STOP, Kind.COMMA)
+    is_value = ends and before is not None and before.kind is Kind.RELATION
+    is_unit = " " not in raw and at > 0 and before is cell[at - 1] and before.text.strip()[-1:].isdigit()
+    return is_call or is_value or is_unit

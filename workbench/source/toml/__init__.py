@@ -1,0 +1,1 @@
+"""TOML files with the position of each key and value, for messages."""

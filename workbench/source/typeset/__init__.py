@@ -1,0 +1,1 @@
+"""Formulas as readers see them: atoms, glyphs, excerpts, and the difference of two formulas."""

@@ -1,1 +1,0 @@
-"""LaTeX as its readers see it: what a formula is made of, and what differs between two of them."""

@@ -6,7 +6,7 @@ import io
 import pickle
 from typing import Any
 
-_OURS = ("workbench.language.", "workbench.papers.", "workbench.language.goals.goals")
+_OURS = ("workbench.core.", "workbench.language.", "workbench.papers.", "workbench.context.")
 _PLAIN = frozenset({
     ("builtins", "range"), ("builtins", "frozenset"), ("builtins", "set"), ("fractions", "Fraction"),
     ("pathlib", "PosixPath"), ("pathlib", "WindowsPath"),

@@ -109,7 +109,7 @@ def test_a_number_that_is_not_python_s_is_found_wherever_it_stands(where):
         ring.polynomials.set_square(0, foreign)
     elif where == "denominator":
         ring.denominators.append(foreign)
-    with pytest.raises(RuntimeError, match=r"computes with workbench\.judge\.second\.rings\.Residue"):
+    with pytest.raises(RuntimeError, match=r"computes with workbench\.engines\.jet\.rings\.Residue"):
         ring.tops([Ratio(ring, foreign, 1, {}) if where == "value" else 2])
 
 

@@ -29,7 +29,10 @@ from workbench.core.types import SCALAR, VECTOR, Declaration, Type
 from workbench.core.verdict import Strength
 from workbench.language.definitions import Definitions
 from workbench.language.goals.goals import Atom
+from workbench.language.naming.defined_names import DefinedNames
+from workbench.language.naming.known_frames import KnownFrames
 from workbench.language.naming.notations import Notations
+from workbench.language.naming.reading_conventions import Conventions, Gradient, Points, Relaxation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.papers import load_paper
 from workbench.prover.explain.canonical_text import by_fields, told
@@ -208,11 +211,14 @@ VALUES: dict[str, tuple[Any, Any]] = {
     "tuple[Fact, ...]": ((FACT,), (replace(FACT, earlier=False),)),
     "tuple[Act, Symbol | None]": ((Act.ASSERT, None), (Act.DEFINE, X.left)),
     "frozenset[Name]": (frozenset({Name("x")}), frozenset({Name("y")})),
-    "frozenset[str]": (frozenset({"dyads"}), frozenset({"unit"})),
+    "frozenset[str]": (frozenset({"cos"}), frozenset({"sin"})),
+    "frozenset[Relaxation]": (frozenset({Relaxation.DYADS}), frozenset({Relaxation.UNIT_TENSOR})),
+    "Gradient": tuple(Gradient),
+    "Points": tuple(Points),
     "Mapping[str, OnMotions]": ({"1": OnMotions(none="algebra")}, {"1": OnMotions(none="words")}),
     "Definitions": (Definitions(), Definitions([Definition(X.left.declaration, (), (), number(1))])),
     "Mapping[Symbol, str]": ({X.left: "r"}, {X.left: "v"}),
-    "SymbolTable": (SymbolTable(), SymbolTable(gradient="row")),
+    "SymbolTable": (SymbolTable(), SymbolTable(conventions=Conventions(Gradient.ROW))),
     "Mapping[Name, Declaration]": tuple(
         {Name("x"): Declaration(Name("x"), kind)} for kind in (SCALAR, VECTOR)
     ),
@@ -227,7 +233,6 @@ VALUES: dict[str, tuple[Any, Any]] = {
         Notations(),
         Notations.build({"|x|": {"where": {"x": "vector"}, "means": r"\lVert x \rVert"}}),
     ),
-    "Mapping[Name, Notation]": ({}, {Name("x"): Notations.build({"J": {"means": "1"}}).entries[0]}),
     "Mapping[str, Term]": tuple({"A": symbol(Declaration(Name(u), VECTOR), ())} for u in "uv"),
     "Mapping[Name, frozenset[Name]]": ({Name("x"): frozenset()}, {Name("x"): frozenset({Name("y")})}),
     "Mapping[Name, tuple[Term, Term] | None]": (
@@ -238,7 +243,17 @@ VALUES: dict[str, tuple[Any, Any]] = {
 CLAIM = Claim("1", FORMULAS_OF[0], Notation(SymbolTable(), Definitions(), {}))
 #: What only a reader of formulas asks a table for. A part is for judges; the test of a guarded table below
 #: shows that they do not ask for it.
-FOR_READERS = {"untyped", "primitive", "constants", "arguments", "depends"}
+FOR_READERS = {
+    (SymbolTable, "arguments"),
+    *((DefinedNames, name) for name in ("untyped", "primitive", "arguments")),
+}
+#: The parts of a table that are dataclasses.
+PARTS = {"defined": DefinedNames, "frames": KnownFrames, "conventions": Conventions}
+#: What is compared of a table and of its parts.
+FIELDS_OF_TABLES = [
+    *((SymbolTable, each) for each in fields(SymbolTable) if each.name not in PARTS),
+    *((part, each) for part in PARTS.values() for each in fields(part) if each.compare),
+]
 
 
 def values_of(each: Field) -> tuple[Any, Any]:
@@ -281,13 +296,26 @@ def test_each_field_of_a_notation_is_in_the_key(
     assert key_of(claim(one)) != key_of(claim(other))
 
 
-@pytest.mark.parametrize("field", fields(SymbolTable), ids=lambda each: each.name)
+def tables_with(kind: type, field: Field) -> list[SymbolTable]:
+    """Two tables that differ in that field of a table or of its part."""
+    made = [replace(kind(), **{field.name: value}) for value in values_of(field)]
+    if kind is SymbolTable:
+        return made
+    (name,) = (name for name, part in PARTS.items() if part is kind)
+    return [replace(SymbolTable(), **{name: part}) for part in made]
+
+
+@pytest.mark.parametrize(
+    ("kind", "field"),
+    FIELDS_OF_TABLES,
+    ids=[f"{kind.__name__}.{each.name}" for kind, each in FIELDS_OF_TABLES],
+)
 @pytest.mark.parametrize("is_whole", [True, False])
-def test_each_field_of_a_table_is_in_the_key(field: Field, is_whole: bool) -> None:
-    tables = [replace(SymbolTable(), **{field.name: value}) for value in values_of(field)]
+def test_each_field_of_a_table_is_in_the_key(kind: type, field: Field, is_whole: bool) -> None:
+    tables = tables_with(kind, field)
     notations = [Notation(table, Definitions(), {}) for table in tables]
     keys = {key_of(whole(each) if is_whole else replace(CLAIM, notation=each)) for each in notations}
-    assert len(keys) == (1 if not is_whole and field.name in FOR_READERS else 2)
+    assert len(keys) == (1 if not is_whole and (kind, field.name) in FOR_READERS else 2)
 
 
 @pytest.mark.parametrize(
@@ -333,17 +361,31 @@ class GuardedClaim(Claim):
 SEEN_BY_NOBODY = frozenset(each.name for each in fields(Claim))
 
 
-class GuardedTable(SymbolTable):
-    """A part of a table that is asked for nothing that readers need."""
-
-    def __getattribute__(self, name: str) -> Any:
-        if name in FOR_READERS:
+def _get_unless_for_readers(kind: type) -> Callable[[Any, str], Any]:
+    def get(self: Any, name: str) -> Any:
+        if (kind, name) in FOR_READERS:
             raise AssertionError(f"a judge asks a part for {name}")
         return object.__getattribute__(self, name)
 
+    return get
+
+
+class GuardedTable(SymbolTable):
+    """A part of a table that is asked for nothing that readers need."""
+
+    __getattribute__ = _get_unless_for_readers(SymbolTable)
+
+
+class GuardedNames(DefinedNames):
+    """The same of defined names."""
+
+    __getattribute__ = _get_unless_for_readers(DefinedNames)
+
 
 def guarded(table: SymbolTable) -> SymbolTable:
-    return GuardedTable(**{each.name: getattr(table, each.name) for each in fields(table)})
+    parts = {each.name: getattr(table, each.name) for each in fields(table)}
+    names = {each.name: getattr(table.defined, each.name) for each in fields(DefinedNames)}
+    return GuardedTable(**parts | {"defined": GuardedNames(**names)})
 
 
 @pytest.mark.parametrize("change", [None, *CHANGES])

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from workbench.language.naming.reading_conventions import Conventions, Gradient
 from workbench.language.naming.symbols import SymbolTable
 
 TABLE = replace(
@@ -34,7 +35,7 @@ TABLE = replace(
             "D": {"kind": "vector", "of": ["w"]},
         }
     ),
-    gradient="row",
+    conventions=Conventions(gradient=Gradient.ROW),
 )
 
 IDENTITIES = r"""

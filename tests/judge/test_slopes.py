@@ -12,6 +12,7 @@ from workbench.core.verdict import Outcome
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
+from workbench.language.naming.reading_conventions import Conventions, Gradient
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
 from workbench.prover.decide.decide import Judge
@@ -35,7 +36,9 @@ DEFINED = {
     "J": r"\mathbf{I} + \frac{1 - \cos n}{n^2} \tilde{x} + \frac{n - \sin n}{n^3} \tilde{x}^2",
     "K": r"\mathbf{I} - \frac{1 - \cos n}{n^2} \tilde{x} + \frac{n - \sin n}{n^3} \tilde{x}^2",
 }
-DEFINITIONS, TABLE = read_definitions(DEFINED, replace(SymbolTable.build(SPECS), gradient="row"))
+DEFINITIONS, TABLE = read_definitions(
+    DEFINED, replace(SymbolTable.build(SPECS), conventions=Conventions(gradient=Gradient.ROW))
+)
 
 
 def verdict(latex: str):

@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.language.naming.reading_conventions import Conventions, Relaxation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula, read_term
@@ -71,14 +72,14 @@ def term_reads(
     expected: str,
     kinds: dict[str, str | dict],
     *variables: str,
-    loose: frozenset[str] = frozenset(),
+    loose: frozenset[Relaxation] = frozenset(),
 ) -> None:
     """expected: the term as it is printed; "refused" or "misfit" with the column and the beginning of the message."""
     table = replace(
         SymbolTable.build(
             {name: {"kind": kind} if isinstance(kind, str) else kind for name, kind in kinds.items()}
         ),
-        loose=loose,
+        conventions=Conventions(loose=loose),
     )
     verdict, _, told = expected.partition(" ")
     if verdict in ("refused", "misfit"):

@@ -16,7 +16,9 @@ from workbench.language.definition_entries import read_definitions
 from workbench.language.grammar.formula_tokens import tokenize
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
+from workbench.language.naming.known_frames import KnownFrames
 from workbench.language.naming.notations import Notation
+from workbench.language.naming.reading_conventions import Conventions, Gradient, Points, Relaxation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula, read_term
@@ -96,6 +98,13 @@ def kinds(text: str) -> dict[str, dict[str, Any]]:
     return found
 
 
+#: The readings that some paper takes.
+LOOSE = (
+    Relaxation.DYADS,
+    Relaxation.UNIT_TENSOR,
+    Relaxation.POWERS_OF_VALUES,
+    Relaxation.FACTORS_IN_BRACKETS,
+)
 KIND_WORDS = ("dual", "scalar", "vector", "tensor", "rotation", "transform", "matrix", "operator", "hamilton")
 
 
@@ -106,28 +115,37 @@ def tables() -> dict[str, SymbolTable]:
     spins = SymbolTable.build(kinds(PLAIN) | TRAITS | kinds("w vector"))
     frames = replace(
         spins,
-        frames={"A": read_term(r"\mathbf{0}", spins), "B": read_term("w", spins)},
-        turns={"B": read_term("R", spins)},
-        dot="A",
+        frames=KnownFrames(
+            velocities={"A": read_term(r"\mathbf{0}", spins), "B": read_term("w", spins)},
+            orientations={"B": read_term("R", spins)},
+            dot="A",
+        ),
     )
     labels = SymbolTable.build(kinds(LABELS))
-    points = replace(plain, directions=frozenset({Name("e"), Name("y")}))
+    points, moved = (
+        replace(
+            plain,
+            conventions=Conventions(points=convention),
+            frames=KnownFrames(directions=frozenset({Name("e"), Name("y")})),
+        )
+        for convention in (Points.HOMOGENEOUS, Points.VECTORS)
+    )
     return {
         "plain": plain,
         "quaternions": SymbolTable.build(kinds(PLAIN) | TRAITS | kinds(QUATERNIONS)),
         "notation": SymbolTable.build(own).with_notations(NOTATION),
-        "rows": replace(plain, gradient="row"),
-        "columns": replace(plain, gradient="column"),
+        "rows": replace(plain, conventions=Conventions(gradient=Gradient.ROW)),
+        "columns": replace(plain, conventions=Conventions(gradient=Gradient.COLUMN)),
         "frames": frames,
-        "frames without a dot": replace(frames, dot=None),
+        "frames without a dot": replace(frames, frames=replace(frames.frames, dot=None)),
         "arguments": replace(plain, arguments=frozenset({Name("q", sub=("1",))})),
         "instants": replace(labels, arguments=frozenset({Name("t", sub=("0",))})),
         "points": points,
-        "moved points": replace(points, keeps_points=True),
+        "moved points": moved,
         "labels": labels,
         "printed": SymbolTable.build(kinds(PRINTED)).with_notations(PRINTED_NOTATION),
         "own": SymbolTable.build(kinds(OWN) | OWN_TRAITS),
-    } | {word: replace(plain, loose=frozenset({word})) for word in ("dyads", "unit", "values", "factors")}
+    } | {str(each): replace(plain, conventions=Conventions().relaxed(each)) for each in LOOSE}
 
 
 def outcome(make: Callable[[], str]) -> str:

@@ -13,6 +13,7 @@ from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.statements import clauses_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Chain
+from workbench.language.naming.reading_conventions import Conventions, Gradient
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
 
@@ -337,9 +338,10 @@ def test_the_bound_on_brackets_is_named_where_it_is_crossed() -> None:
 
 
 def test_a_derivative_of_three_indices_is_not_read() -> None:
-    for gradient in ("row", "column"):
+    for gradient in Gradient:
+        table = replace(TABLE, conventions=Conventions(gradient=gradient))
         with pytest.raises(ReadError, match="more than two indices") as caught:
-            read(r"\frac{\partial \Phi_1}{\partial \omega} = 0", replace(TABLE, gradient=gradient))
+            read(r"\frac{\partial \Phi_1}{\partial \omega} = 0", table)
         assert not isinstance(caught.value, IllFormedAt)
 
 

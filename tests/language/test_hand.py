@@ -15,6 +15,8 @@ from workbench.core.formula_errors import ReadError
 from workbench.core.integer_instances import free_integers
 from workbench.core.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term
 from workbench.language.author_notation import Hand
+from workbench.language.naming.known_frames import KnownFrames
+from workbench.language.naming.reading_conventions import Conventions, Gradient
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.author_spelling import in_the_hand_of
 from workbench.language.printing.printer import to_latex
@@ -175,7 +177,7 @@ def test_verdicts_and_proposals_are_in_the_hand_of_the_author(tmp_path) -> None:
 
 def test_the_slope_of_a_scalar_is_written_as_the_column_that_the_paper_takes_it_for() -> None:
     specs = {"w": {"kind": "vector"}, "f": {"kind": "scalar", "of": ["w"]}}
-    table = replace(SymbolTable.build(specs), gradient="column")
+    table = replace(SymbolTable.build(specs), conventions=Conventions(gradient=Gradient.COLUMN))
     (said,) = read(r"\frac{\partial f}{\partial w} \cdot \dot{w} = \dot{f}", table)
     assert read(written(said, Hand(table)), table) == (said,)
 
@@ -184,7 +186,7 @@ def test_the_slope_of_a_scalar_is_written_as_the_column_that_the_paper_takes_it_
 def test_an_order_in_brackets_differentiates_where_dots_do(order: int) -> None:
     spin = read_term("w", TWO_FRAMES)
     for frames in ({"A": zero(spin.type)}, {"A": spin}):
-        table = replace(TWO_FRAMES, frames=frames, dot="A")
+        table = replace(TWO_FRAMES, frames=KnownFrames(velocities=frames, dot="A"))
         dots = rf"\{'d' * order}ot{{v}}"
         (said,) = read(rf"v^{{({order})}} = {dots}", table)
         assert said.left == said.right

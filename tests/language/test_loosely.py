@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.language.naming.reading_conventions import Conventions, Relaxation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
@@ -52,35 +53,40 @@ NEITHER = [
     r"\begin{bmatrix} T & s \end{bmatrix} = 0",
 ]
 LOOSE = [
-    *((written, means, {"dyads"}) for written, means in DYADS),
-    *((written, means, {"unit"}) for written, means in ONES),
-    *((written, means, {"dyads", "unit"}) for written, means in BOTH),
+    *((written, means, {Relaxation.DYADS}) for written, means in DYADS),
+    *((written, means, {Relaxation.UNIT_TENSOR}) for written, means in ONES),
+    *((written, means, {Relaxation.DYADS, Relaxation.UNIT_TENSOR}) for written, means in BOTH),
 ]
 
 
-def loosely(several: set[str]) -> SymbolTable:
-    return replace(TABLE, loose=frozenset(several))
+STRICT = replace(TABLE, conventions=Conventions.build({"products": "matrices", "one": "scalar"}))
+
+
+def loosely(several: set[Relaxation]) -> SymbolTable:
+    return replace(TABLE, conventions=Conventions().relaxed(*several))
 
 
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)
-def test_it_is_read_where_the_paper_says_so(written: str, means: str, several: set[str]) -> None:
+def test_it_is_read_where_the_paper_says_so(written: str, means: str, several: set[Relaxation]) -> None:
     assert to_latex(read(written, loosely(several))[0]) == to_latex(read(means, TABLE)[0])
 
 
-@pytest.mark.parametrize("several", [set(), {"dyads"}])
+@pytest.mark.parametrize("several", [set(), {Relaxation.DYADS}])
 @pytest.mark.parametrize(("written", "means"), EVERYWHERE)
-def test_three_vectors_are_read_everywhere(written: str, means: str, several: set[str]) -> None:
+def test_three_vectors_are_read_everywhere(written: str, means: str, several: set[Relaxation]) -> None:
     assert read(written, loosely(several)) == read(means, TABLE)
 
 
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)
-def test_the_rest_is_read_as_everywhere(written: str, means: str, several: set[str]) -> None:
+def test_the_rest_is_read_as_everywhere(written: str, means: str, several: set[Relaxation]) -> None:
     (said,) = read(means, loosely(several))
     assert (said,) == read(means, TABLE) == read(to_latex(said), loosely(several))
 
 
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)
-def test_it_is_asked_about_where_the_paper_does_not(written: str, means: str, several: set[str]) -> None:
+def test_it_is_asked_about_where_the_paper_does_not(
+    written: str, means: str, several: set[Relaxation]
+) -> None:
     for missing in several:
         with pytest.raises(ReadError, match=missing) as caught:
             read(written, loosely(several - {missing}))
@@ -89,16 +95,19 @@ def test_it_is_asked_about_where_the_paper_does_not(written: str, means: str, se
 
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)
 def test_it_is_ill_formed_where_the_paper_says_that_it_is_not_meant(
-    written: str, means: str, several: set[str]
+    written: str, means: str, several: set[Relaxation]
 ) -> None:
     with pytest.raises(IllFormedAt):
-        read(written, loosely({"matrices", "scalar"}))
-    assert read(means, loosely({"matrices", "scalar"})) == read(means, TABLE)
+        read(written, STRICT)
+    assert read(means, STRICT) == read(means, TABLE)
 
 
 @pytest.mark.parametrize("formula", NEITHER)
-@pytest.mark.parametrize("several", [set(), {"dyads"}, {"unit"}, {"dyads", "unit"}])
-def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[str]) -> None:
+@pytest.mark.parametrize(
+    "several",
+    [set(), {Relaxation.DYADS}, {Relaxation.UNIT_TENSOR}, {Relaxation.DYADS, Relaxation.UNIT_TENSOR}],
+)
+def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[Relaxation]) -> None:
     with pytest.raises(IllFormedAt):
         read(formula, loosely(several))
 
@@ -108,13 +117,10 @@ def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[str]) 
 )
 def test_what_is_ambiguous_among_dyads_is_refused(formula: str) -> None:
     with pytest.raises(ReadError, match="ambiguous"):
-        read(formula, loosely({"dyads"}))
+        read(formula, loosely({Relaxation.DYADS}))
 
 
-SKEWED = replace(
-    TABLE.with_notations({"[x]": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"}}),
-    loose=frozenset(),
-)
+SKEWED = TABLE.with_notations({"[x]": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"}})
 #: A formula that fits in another reading only, what is asked of it, and the same where nothing else is meant.
 OTHERWISE = [
     ("s [a + b] = c", "mere brackets", "s (a + b) = c"),

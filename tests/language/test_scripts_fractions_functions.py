@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.language.as_read import PLAIN, WITH_QUATERNIONS, term_reads
+from workbench.language.naming.reading_conventions import Relaxation
 
 
 @pytest.mark.parametrize(
@@ -293,7 +294,7 @@ def test_a_power_behind_the_bracket_that_is_differentiated(operator: str, bracke
     ],
 )
 def test_powers_where_the_paper_says_that_they_are_of_values(latex: str, expected: str) -> None:
-    term_reads(latex, expected, WITH_QUATERNIONS, "n", loose=frozenset({"values"}))
+    term_reads(latex, expected, WITH_QUATERNIONS, "n", loose=frozenset({Relaxation.POWERS_OF_VALUES}))
 
 
 @pytest.mark.parametrize("by", ["s_1", "s_{1}", "s'", "s'_1", r"\mathbf{s}", r"\mathbf{s}_1"])

@@ -183,7 +183,7 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
 
 
 def _spins(subject: Subject) -> Iterator[Made]:
-    for frame, spin in subject.symbols.frames.items():
+    for frame, spin in subject.symbols.frames.velocities.items():
         for own in subject.free:
             if own.type == spin.type and not isinstance(spin, Zero):
                 yield f"{to_latex(own)}: the angular velocity of {frame}", [own], meaning(own, spin)

@@ -56,7 +56,7 @@ def _subject(
         frozenset(symbol.declaration.name for symbol in notation.motion),
         notation.framed,
         moving,
-        letters="none" not in notation.symbols.loose,
+        letters=notation.symbols.conventions.suggestive,
     )
 
 

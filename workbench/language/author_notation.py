@@ -12,6 +12,7 @@ from workbench.core.terms import Apply, Identity, Integer, Number, Symbol, Term,
 from workbench.core.types import Declaration, type_of_kind
 from workbench.language.naming.declarations import UNIT
 from workbench.language.naming.notations import Notation
+from workbench.language.naming.reading_conventions import Gradient
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import meaning_of, read_term
 
@@ -27,7 +28,7 @@ class Hand:
         self._table = table
         entries = (
             *table.notations.entries,
-            *(_derivative_in(frame) for frame in table.frames if frame != table.dot),
+            *(_derivative_in(frame) for frame in table.frames.velocities if frame != table.frames.dot),
         )
         meanings = ((entry, _meaning(entry, table)) for entry in entries)
         known = [(entry, meaning) for entry, meaning in meanings if meaning is not None]
@@ -44,7 +45,7 @@ class Hand:
 
     @property
     def has_columns(self) -> bool:
-        return self._table.gradient == "column"
+        return self._table.conventions.gradient is Gradient.COLUMN
 
     def spellings(self, term: Term) -> Iterator[tuple[Notation, Mapping[str, Term]]]:
         for entry, meaning in self._entries:

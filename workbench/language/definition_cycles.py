@@ -20,11 +20,12 @@ def entered(key: str, definition: Definition, table: SymbolTable) -> SymbolTable
     _refuse_circle(key, definition, table)
     _refuse_overlap(key, definition, table)
     name = definition.declaration.name
-    known = {**table.defined, name: (*table.defined.get(name, ()), definition.index)}
-    primitive = table.primitive.union(_primitives(definition, known))
+    known = table.defined.with_member(name, definition.index)
+    primitive = known.primitive.union(_primitives(definition, known.members))
     names = {each.declaration.name for each in _symbols(definition.body)}
-    used = (table.arguments & names).union(*(table.depends.get(each, ()) for each in (name, *names)))
-    return replace(table, defined=known, primitive=primitive, depends={**table.depends, name: used})
+    used = (table.arguments & names).union(*(known.arguments.get(each, ()) for each in (name, *names)))
+    arguments = {**known.arguments, name: used}
+    return replace(table, defined=replace(known, primitive=primitive, arguments=arguments))
 
 
 def _refuse_overlap(key: str, definition: Definition, table: SymbolTable) -> None:
@@ -33,7 +34,7 @@ def _refuse_overlap(key: str, definition: Definition, table: SymbolTable) -> Non
     name = definition.declaration.name
     if all(place.is_number for place in definition.index):
         return
-    for other in table.defined.get(name, ()):
+    for other in table.defined.members.get(name, ()):
         if all(place.is_number for place in other):
             continue
         tried = [_common(one, two) for one, two in zip(definition.index, other, strict=True)]
@@ -55,12 +56,12 @@ def _common(one: Linear, other: Linear) -> int | None:
 
 def _refuse_circle(key: str, definition: Definition, table: SymbolTable) -> None:
     name = definition.declaration.name
-    for used, index in table.primitive:
+    for used, index in table.defined.primitive:
         if used == name and solve(definition.index, index) is not None:
             raise SpecError(DeclarationCode.USED_ABOVE(), key)
     own = definition.index
     members = [term.index for term in _symbols(definition.body) if term.declaration.name == name]
-    exact = [place for place in table.defined.get(name, ()) if all(i.is_number for i in place)]
+    exact = [place for place in table.defined.members.get(name, ()) if all(i.is_number for i in place)]
     descending = [m for m in members if m not in exact or not _may_be_base(m, own)]
     if descending and not _all_lower(descending, own):
         raise SpecError(DeclarationCode.DEFINITION_USES_SYMBOL_ITSELF(), key)

@@ -105,7 +105,7 @@ def _head(key: str, table: SymbolTable, labels: Collection[str] = ()) -> _Head:
         if len(place.coefficients) != 1 or place.coefficients[0][1] != 1:
             raise SpecError(DeclarationCode.INDEX_EXPECTED_NUMBER_OR(place=place), key)
     letters = [name for place in own[1] for name in place.variables]
-    if any(letters.count(name) > 1 for name in {*letters}.difference(table.frames)):
+    if any(letters.count(name) > 1 for name in {*letters}.difference(table.frames.velocities)):
         raise SpecError(DeclarationCode.EACH_INDEX_PLACE_NEEDS(), key)
     return _Head(key, (*spelling.candidates(), own), formals)
 
@@ -124,7 +124,9 @@ def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
     """The letters in the places of indices that are symbols or frames; or all, if the body speaks of none of
     them and no member is known."""
     if found := {
-        letter for letter in head.variables if Name(letter) in table.symbols or letter in table.frames
+        letter
+        for letter in head.variables
+        if Name(letter) in table.symbols or letter in table.frames.velocities
     }:
         return frozenset(found)
     own, places = head.own
@@ -140,7 +142,7 @@ def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, 
     for name, index in head.spellings:
         declaration = known.get(name)
         if declaration is not None:
-            if index in table.defined.get(declaration.name, ()):
+            if index in table.defined.members.get(declaration.name, ()):
                 raise SpecError(DeclarationCode.THIS_SYMBOL_DEFINED_ALREADY(), head.key)
             return declaration, index
     return None
@@ -155,8 +157,7 @@ def _inside(head: _Head, table: SymbolTable, known: tuple[Declaration, tuple[Lin
 
 
 def _with_member(table: SymbolTable, declaration: Declaration, index: tuple[Linear, ...]) -> SymbolTable:
-    members = (*table.defined.get(declaration.name, ()), index)
-    return replace(table, defined={**table.defined, declaration.name: members})
+    return replace(table, defined=table.defined.with_member(declaration.name, index))
 
 
 def _defined(
@@ -197,7 +198,8 @@ def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition,
     table = table.with_symbol(declaration, head.formals)
     if isinstance(term, Zero | Identity) and not term.printed:
         types = (TENSOR, VECTOR, SCALAR) if isinstance(term, Zero) else (TENSOR, OPERATOR)
-        table = replace(table, untyped={**table.untyped, declaration.name: types})
+        untyped = {**table.defined.untyped, declaration.name: types}
+        table = replace(table, defined=replace(table.defined, untyped=untyped))
     return Definition(declaration, index, head.formals, term), table
 
 
@@ -223,7 +225,7 @@ def _recurrence(
     outer = replace(table, functions=rest) if head.formals else replace(table, symbols=rest)
     step = _Step(head, body, outer, {bases[name]: d for name, d in declared.items()})
     first = next(iter(declared.values()))
-    untyped = table.untyped.get(first.name)
+    untyped = table.defined.untyped.get(first.name)
     found = []
     for type_ in untyped or (first.type, OPERATOR):  # a tensor is an operator of degree 0
         fit = step.fit(type_)

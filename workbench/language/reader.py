@@ -22,6 +22,7 @@ from workbench.language.elaboration.statements import Reading, reading_of, term_
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Lines, Node
 from workbench.language.grammar.vocabulary import BY_HAND, EXPECTED
+from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.symbols import SymbolTable
 
 __all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term", "unclaimed"]
@@ -108,28 +109,16 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
     return SyntaxCode.AN_EXPRESSION()
 
 
-#: What is asked where nothing fits unless it is read so, and what a paper says that does not mean it.
-_LOOSELY = {
-    "dyads": SyntaxCode.OR_DYADS(),
-    "unit": SyntaxCode.OR_UNIT_TENSORS(),
-    "arguments": SyntaxCode.OR_A_PRODUCT(),
-    "brackets": SyntaxCode.OR_MERE_BRACKETS(),
-    "reach": SyntaxCode.REACH_OF_CROSS(),
-    "rows": SyntaxCode.ROW_OR_COLUMN(),
-    "signs": SyntaxCode.OR_A_DYAD(),
+#: What to ask of a formula that fits only in a reading that its paper neither takes nor excludes.
+_QUESTIONS = {
+    Relaxation.DYADS: SyntaxCode.OR_DYADS(),
+    Relaxation.UNIT_TENSOR: SyntaxCode.OR_UNIT_TENSORS(),
+    Relaxation.ARGUMENTS_IN_BRACKET: SyntaxCode.OR_A_PRODUCT(),
+    Relaxation.MERE_BRACKETS: SyntaxCode.OR_MERE_BRACKETS(),
+    Relaxation.CROSS_OF_LAST_FACTOR: SyntaxCode.REACH_OF_CROSS(),
+    Relaxation.ROW_FOR_COLUMN: SyntaxCode.ROW_OR_COLUMN(),
+    Relaxation.OWN_SIGN: SyntaxCode.OR_A_DYAD(),
 }
-_STRICTLY = {"dyads": "matrices", "unit": "scalar"}
-
-
-class _Watched(frozenset[str]):
-    """What is read loosely, and what was looked for in it: the rest would change nothing."""
-
-    def __init__(self, _: Iterable[str]) -> None:
-        self.looked_for: set[str] = set()
-
-    def __contains__(self, name: object) -> bool:
-        self.looked_for.add(str(name))
-        return super().__contains__(name)
 
 
 def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
@@ -149,18 +138,18 @@ def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable],
 
 
 def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reason | None:
-    """What to ask of a formula that does not fit together as read, but does where it is read loosely."""
-    watched = _Watched(table.loose)
+    """What to ask of a formula that does not fit together as read, but does in another reading. Only readings
+    that the reader asked for can change the result."""
+    conventions = table.conventions.logged()
     with suppress(Fault, Misfit):
-        make(replace(table, loose=watched))
-    for several in (*((each,) for each in _LOOSELY), ("dyads", "unit")):
-        if watched.looked_for.isdisjoint(several) or any(
-            _STRICTLY.get(each) in table.loose for each in several
-        ):
+        make(replace(table, conventions=conventions))
+    asked = conventions.queries or set()
+    for several in (*((each,) for each in _QUESTIONS), (Relaxation.DYADS, Relaxation.UNIT_TENSOR)):
+        if asked.isdisjoint(several) or not conventions.excluded.isdisjoint(several):
             continue
         with suppress(Fault, Misfit):
-            make(replace(table, loose=table.loose.union(several)))
-            questions = [_LOOSELY[each] for each in several if each not in table.loose]
+            make(replace(table, conventions=conventions.relaxed(*several)))
+            questions = [_QUESTIONS[each] for each in several if each not in conventions.loose]
             return (
                 questions[0]
                 if len(questions) == 1

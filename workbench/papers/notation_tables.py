@@ -20,6 +20,7 @@ from workbench.core.terms import Definition, Symbol
 from workbench.language.definition_entries import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key
+from workbench.language.naming.reading_conventions import Conventions
 from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.papers.bound_symbols import ties
@@ -32,7 +33,6 @@ from workbench.source.toml.toml_file import TomlFile
 HAMILTON = "hamilton, scalar first"
 #: What each convention may be.
 CONVENTIONS = choices("conventions")
-_LOOSE = ("products", "one", "powers", "cross", "brackets", "letters")
 #: A definition as a file has it: the file, what is defined, and its body.
 _Entry: TypeAlias = tuple[TomlFile, str, str]
 _GROUPS = re.compile(r"[\s{}]")
@@ -48,11 +48,10 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     table = replace(
         table,
         arguments=_arguments(files),
-        gradient=_convention(files, "gradient"),
-        directions=frozenset() if _convention(files, "points") else None,
-        keeps_points=_convention(files, "points") == "vectors",
-        loose=frozenset(found for key in _LOOSE if (found := _convention(files, key))),
-        bare_functions=frozenset(n for file in files for n in file.texts(("conventions", "functions"))),
+        conventions=Conventions.build(
+            {key: text for key in CONVENTIONS if (text := _convention(files, key)) is not None},
+            [name for file in files for name in file.texts(("conventions", "functions"))],
+        ),
     )
     table = _spellings(files, table)
     table, definitions, turns = framed([*files, *scopes], table)
@@ -220,7 +219,7 @@ def with_definitions(notation: Notation, entries: Mapping[str, str]) -> Notation
 def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> tuple[SymbolTable, list[Promise]]:
     specs: dict[str, Any] = {}
     owners: dict[str, TomlFile] = {}
-    hamilton = any(_says_hamilton(file) for file in files)
+    hamilton = any([_says_hamilton(file) for file in files])
     for file in (*files, *scopes):
         for key, spec in file.value(("symbols",), dict, {}).items():
             if key in specs and file not in scopes:

@@ -19,6 +19,7 @@ from workbench.core.types import TENSOR, VECTOR, Declaration
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import key_spelling
+from workbench.language.naming.known_frames import KnownFrames
 from workbench.language.naming.spelling import Spelling, in_bracket, spell_label, under_accent
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
@@ -144,17 +145,20 @@ class _Reader:
         defined = {each.declaration.name: (each.index,) for each in frames.definitions}
         table = replace(
             self.table,
-            frames=spins,
-            turns={frame: identity() if turn is None else turn for frame, turn in turns.items()},
-            dot=None if dot is None else label(dot),
-            resolved=self.rates(),
-            defined={**self.table.defined, **defined},
-            directions=None if self.table.directions is None else frozenset(frames.directions),
+            frames=KnownFrames(
+                velocities=spins,
+                orientations={frame: identity() if turn is None else turn for frame, turn in turns.items()},
+                dot=None if dot is None else label(dot),
+                resolved=self.rates(),
+                constant=self.table.frames.constant,
+                directions=frozenset(frames.directions),
+            ),
+            defined=replace(self.table.defined, members={**self.table.defined.members, **defined}),
         )
         return table, frames.definitions
 
     def rates(self) -> dict[Name, tuple[Term, Term] | None]:
-        """As SymbolTable has it; nothing where the paper does not say in which frame a dot differentiates."""
+        """As KnownFrames has it; nothing where the paper does not say in which frame a dot differentiates."""
         dot, said = (self.entries["frames"].get(key) for key in ("dot", "rates"))
         if said is not None and said not in _RATES:
             raise SpecError(f"expected {' or '.join(map(repr, _RATES))}, got {said!r}", "rates")
@@ -179,7 +183,8 @@ class _Reader:
             if declaration.constant and declaration.type in (VECTOR, TENSOR)
         }
         symbols = {name: moved.get(own.name, own) for name, own in self.table.symbols.items()}
-        self.table = replace(self.table, symbols=symbols, kept=frozenset(moved))
+        known = replace(self.table.frames, constant=frozenset(moved))
+        self.table = replace(self.table, symbols=symbols, frames=known)
 
     def are_columns(self, phrases: Sequence[str]) -> bool:
         """Whether all vectors are columns of components, whose dot needs no frame."""

@@ -24,6 +24,7 @@ from workbench.core.types import Declaration
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.naming.declarations import key_spelling
+from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Named, Spelling
 from workbench.language.printing.printer import to_latex
@@ -54,7 +55,11 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if _is_no_place(scope, bracket, function):
             return False  # u (∇·v)
         raise Fault(SyntaxCode.FUNCTION_AT_ANOTHER_PLACE(), bracket.at)
-    if "arguments" in scope.table.loose and bracket.parts and is_accented_symbol(_without_sup(term)):
+    if (
+        scope.allows(Relaxation.ARGUMENTS_IN_BRACKET)
+        and bracket.parts
+        and is_accented_symbol(_without_sup(term))
+    ):
         return all(_is_name(part) or _is_symbol_or_quaternion(scope.term(part)) for part in bracket.parts)
     if len(bracket.parts) > 1:
         only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
@@ -132,7 +137,7 @@ def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
 
 def is_said_factor(scope: Scope, part: Node) -> bool:
     """Whether the paper says that what is in brackets multiplies; of a time, as (t - t_0), it does not."""
-    return "factors" in scope.table.loose and not any(
+    return scope.allows(Relaxation.FACTORS_IN_BRACKETS) and not any(
         each.clock for each in _outside_of_functions(scope.term(part))
     )
 
@@ -216,11 +221,11 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     known = {latex_of(part) for part in parts}
     place = tuple(latex_of(part) for part in parts if not _is_rate_of(part, known))  # (q, \\dot{q}) as (q)
     inside = set().union(*map(_names, parts))
-    inside = inside.union(*(scope.table.depends.get(name, ()) for name in inside))
+    inside = inside.union(*(scope.table.defined.arguments.get(name, ()) for name in inside))
     for name, index in _symbols(function):
         if scope.places.setdefault((name, index), place) != place:
             raise Fault(SyntaxCode.AT_TWO_PLACES_SAY(name=name), bracket.at)
-        if missing := scope.table.depends.get(name, frozenset()) - inside:
+        if missing := scope.table.defined.arguments.get(name, frozenset()) - inside:
             raise Fault(
                 SyntaxCode.DEFINED_TAKEN_AT_ANOTHER(name=name, min=min(map(str, missing))), bracket.at
             )

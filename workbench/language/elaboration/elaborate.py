@@ -39,6 +39,7 @@ from workbench.language.grammar.syntax import (
     core,
 )
 from workbench.language.naming.patterns import Known
+from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.symbols import SymbolTable
 
@@ -94,9 +95,9 @@ class Elaborator(Scope):
             case Matrix():
                 rows = self.build(node.at, entries_of, self, node)
                 is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
-                if is_row and "rows" in self.table.loose:
+                if is_row and self.allows(Relaxation.ROW_FOR_COLUMN):
                     rows = [[entry] for entry in rows[0]]
-                loosely = "unit" in self.table.loose and len({len(row) for row in rows}) == 1
+                loosely = self.allows(Relaxation.UNIT_TENSOR) and len({len(row) for row in rows}) == 1
                 return self.build(node.at, construct.block, with_scaled_units(rows) if loosely else rows)
             case Chain(relations=((sign, at), *_)):
                 raise Fault(SyntaxCode.RELATION_INSIDE_EXPRESSION(sign=sign), at)
@@ -147,7 +148,7 @@ class Elaborator(Scope):
 
     def with_units(self, terms: Sequence[Term]) -> Sequence[Term]:
         """The terms; in a paper that says so, the numbers beside tensors are multiples of the unit tensor."""
-        if "unit" not in self.table.loose or not any(term.type.kind == "tensor" for term in terms):
+        if not self.allows(Relaxation.UNIT_TENSOR) or not any(term.type.kind == "tensor" for term in terms):
             return terms
         return [_times_unit(term) for term in terms]
 

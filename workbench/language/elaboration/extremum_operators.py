@@ -89,7 +89,7 @@ def _letter(table: SymbolTable, reader: Elaborator, node: Node, members: Members
         declaration = members.letter(name)
         return Symbol(declaration.type, None, declaration)
     symbol = reader.term(node)
-    if not isinstance(symbol, Symbol) or symbol.declaration.name in table.defined:
+    if not isinstance(symbol, Symbol) or symbol.declaration.name in table.defined.members:
         raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_TAKEN(), node.at)
     declaration = symbol.declaration
     fits = declaration.type in (SCALAR, VECTOR) and not (declaration.clock or declaration.of)

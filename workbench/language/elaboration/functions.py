@@ -34,6 +34,7 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.grammar.vocabulary import words_in_a_formula
 from workbench.language.naming.patterns import Known
+from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.spelling import linear
 
 _OR_A_FACTOR = ', or say [conventions] brackets = "factors": what is in one behind it multiplies it'
@@ -49,7 +50,7 @@ def function(row: Row, place: int) -> Factor:
         return own
     if (
         leaf.bare
-        and leaf.name not in row.scope.table.bare_functions
+        and leaf.name not in row.scope.table.conventions.functions
         and all(row.scope.knows(letter) for letter in leaf.name)
     ):
         message = SyntaxCode.FUNCTION_OF_LETTERS(name=leaf.name)
@@ -85,7 +86,7 @@ def function(row: Row, place: int) -> Factor:
 def _is_power_of_value(row: Row, head: str, behind: Node) -> bool:
     """\\sin(x)^2, where the paper says that it is (\\sin x)^2."""
     is_power = isinstance(behind, Scripted) and isinstance(behind.nucleus, Bracket) and behind.sup is not None
-    return is_power and head in OF_ANGLES and "values" in row.scope.table.loose
+    return is_power and head in OF_ANGLES and row.scope.allows(Relaxation.POWERS_OF_VALUES)
 
 
 def _of_the_paper(row: Row, item: Any, leaf: Leaf, place: int) -> Factor | None:
@@ -274,6 +275,6 @@ def _differentiated(row: Row, place: int, found: Rate, rate: Callable[[Term], Te
     run = [row.factor(place + 1)]
     if not isinstance(following, Bracket):
         row.open_head = "d/dt"
-        while run[-1].end < len(row.items) and "near" not in scope.table.loose:
+        while run[-1].end < len(row.items) and not scope.allows(Relaxation.RATE_OF_NEXT_FACTOR):
             run.append(row.factor(run[-1].end))
     return Factor(rate(row.multiply(run)), item.at, run[-1].end, item)

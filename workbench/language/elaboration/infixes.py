@@ -10,6 +10,7 @@ from workbench.core.shapes import scalar_and_vector
 from workbench.core.terms import Apply, Term
 from workbench.language.grammar.syntax import Infix
 from workbench.language.grammar.vocabulary import OWN_SIGNS
+from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.scope import Scope
 
 _AMBIGUOUS = "several products without brackets are ambiguous"
@@ -45,7 +46,7 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
         head = _beside_quaternion(sign, result, operand) or head
         heads.add(head)
         factors = [o for o in operands if o.type.kind != "scalar"]
-        is_row = "dyads" in scope.table.loose and all(o.type.kind == "tensor" for o in factors[1:-1])
+        is_row = scope.allows(Relaxation.DYADS) and all(o.type.kind == "tensor" for o in factors[1:-1])
         if heads & ({"cross", "outer"} if is_row else {"dot", "cross", "outer"}) and len(factors) > 2:
             raise Fault(_AMBIGUOUS, signs[-1].at)
         result = _of_tensors(scope, sign.at, head, result, operand)
@@ -67,7 +68,7 @@ def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool
     first, last = operands[0], operands[-1]
     if first.type.kind != "vector" or last.type.kind != "vector":
         return False
-    if "right" not in scope.table.loose and len({*map(_moved, operands[:-1])}) > 1:
+    if not scope.allows(Relaxation.CROSS_FROM_RIGHT) and len({*map(_moved, operands[:-1])}) > 1:
         return False
     return explained(scope, signs[0], first, last) is None
 
@@ -89,7 +90,7 @@ def _moved(term: Term) -> Term:
 def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Term:
     """a × T takes each column; in a paper of dyads, T × a takes each row, and a · T is Tᵀ a."""
     kinds = (left.type.kind, right.type.kind)
-    has_dyads = "dyads" in scope.table.loose
+    has_dyads = scope.allows(Relaxation.DYADS)
     if head == "cross" and kinds == ("vector", "tensor"):
         return scope.apply(at, "mul", construct.apply("skew", left), right)
     if head == "cross" and kinds == ("tensor", "vector") and has_dyads:
@@ -100,9 +101,13 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
         raise Fault(SyntaxCode.TWO_NUMBERS_IF_THEIR(), at)
     if head == "cross" and "quaternion" in kinds:
         raise Fault(SyntaxCode.QUATERNIONS_THEIR_PRODUCT_OR(), at)
-    if head == "cross" and "reach" in scope.table.loose and (last := _last(left)) is not None:
+    if (
+        head == "cross"
+        and scope.allows(Relaxation.CROSS_OF_LAST_FACTOR)
+        and (last := _last(left)) is not None
+    ):
         return scope.apply(at, "dot", last, scope.apply(at, "cross", last, right))
-    if head == "outer" and "signs" in scope.table.loose and set(kinds) == {"vector"}:
+    if head == "outer" and scope.allows(Relaxation.OWN_SIGN) and set(kinds) == {"vector"}:
         is_pure = scope.table.has_quaternions
         return scope.apply(at, "mul", *map(construct.as_quaternion, (left, right))) if is_pure else left
     if head == "cross" and "vector" not in kinds:

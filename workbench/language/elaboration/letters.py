@@ -327,7 +327,7 @@ class _Lettering:
                 message = SyntaxCode.INTEGER_WITHOUT_RANGE(
                     missing=", ".join(missing), spelling=spelling, first=missing[0]
                 )
-                members = scope.table.defined.get(found[0].name, ())
+                members = scope.table.defined.members.get(found[0].name, ())
                 is_free = not any(place.is_number or place.constant for each in members for place in each)
                 return Unranged(missing[0], message, at) if is_free else Fault(message, at)
         spellings = (spell(letter, s, scope.variables) for s in (scripts, scripts.without_sup(), Scripts()))
@@ -335,7 +335,7 @@ class _Lettering:
 
     def resolved_rate(self, node: Accented, term: Term) -> Term | None:
         """{}^F\\dot{x}, where the paper says that it is the components of \\dot{x} in F."""
-        known = self.scope.table.resolved
+        known = self.scope.table.frames.resolved
         if node.accent == "~" or not isinstance(term, Symbol) or term.declaration.name not in known:
             return None
         if (found := known[term.declaration.name]) is None:

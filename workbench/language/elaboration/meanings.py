@@ -71,7 +71,7 @@ def meaning(
             return Meaning(found[0], sup, found[1], takes_bracket=True)
         if (found := table.find(spelling)) is not None:
             return Meaning(found[0], sup, found[1])
-        if (entry := table.constants.get(spelling.exact)) is not None:
+        if (entry := table.notations.constants.get(spelling.exact)) is not None:
             return Meaning(entry, sup)
     if table.notations.below(scripts.sub):
         bare = meaning(table, variables, leaf, styles, replace(scripts, sub=None), has_bracket)
@@ -86,9 +86,10 @@ def meaning(
 
 def constant(table: SymbolTable, letter: Name, scripts: Scripts) -> Meaning | None:
     """A name that stands for a term in the paper's own notation."""
-    for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())) if table.constants else ():
+    constants = table.notations.constants
+    for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())) if constants else ():
         spelling = spell(letter, tried, ())
-        if spelling is not None and (entry := table.constants.get(spelling.exact)) is not None:
+        if spelling is not None and (entry := constants.get(spelling.exact)) is not None:
             return Meaning(entry, sup)
     return None
 

@@ -242,7 +242,7 @@ def _with_left_scripts(row: Row, place: int) -> Factor:
 
 def _in_frame(scope: Scope, label: Node, column: Matrix) -> Term:
     """{}^B [1; 2; 3], the vector with these components in B."""
-    term, turn = scope.term(column), scope.table.turns.get(spell_label(label) or "")
+    term, turn = scope.term(column), scope.table.frames.orientations.get(spell_label(label) or "")
     if turn is None or term.type != VECTOR:
         raise Fault(SyntaxCode.COMPONENTS_FRAME_OR_VECTOR(), label.at)
     return construct.apply("mul", turn, term)

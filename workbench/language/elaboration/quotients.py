@@ -130,7 +130,7 @@ def _frame_of_time(scope: Scope, time: Node) -> Node | None:
         case Scripted(nucleus=Leaf(text="t") as letter, sub=label, sup=None, primes=0, factorial=False):
             name = spell_label(label) if label is not None else None
             is_symbol = scope.table.symbols.get(Name(letter.text, sub=(name or "",))) is not None
-            return label if name in scope.table.frames and not is_symbol else None
+            return label if name in scope.table.frames.velocities and not is_symbol else None
     return None
 
 

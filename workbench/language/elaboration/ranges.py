@@ -251,7 +251,7 @@ def _is_of_free_numbers(term: Term, table: SymbolTable) -> bool:
     return any(
         isinstance(entry, Symbol)
         and entry.type.kind == "scalar"
-        and not table.defines(entry.declaration.name, entry.index)
+        and not table.defined.covers(entry.declaration.name, entry.index)
         for entry in entries
     )
 

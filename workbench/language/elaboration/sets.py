@@ -145,7 +145,7 @@ def bound_letter(table: SymbolTable, node: Node, members: Members) -> tuple[Symb
     name = letter_name(node)
     if name is None:
         return None
-    if name in table.defined or name in table.constants:
+    if name in table.defined.members or name in table.notations.constants:
         raise Fault(SyntaxCode.DEFINED_CANNOT_ANY_MEMBER(name=name, name_2=members.name), node.at)
     declaration = members.letter(name)
     return table.with_symbol(declaration), Symbol(declaration.type, None, declaration)

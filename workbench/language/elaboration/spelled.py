@@ -59,7 +59,7 @@ def _before_exponential(scope: Scope, item: Node) -> Sequence[Node]:
     """R e^x of Re^x, where R is a symbol: no power stands on the real part."""
     match item:
         case Scripted(nucleus=Leaf(kind="FUNCTION", name="Re", bare=True, at=at), sub=None, sup=Node()):
-            if scope.knows("R") and "Re" not in scope.table.bare_functions:
+            if scope.knows("R") and "Re" not in scope.table.conventions.functions:
                 return Leaf(at, "LETTER", "R"), replace(item, nucleus=Leaf(at + 1, "LETTER", "e"))
     return (item,)
 

@@ -226,7 +226,7 @@ def _variable(letter: str, domain: str, scope: Scope, fresh: bool) -> Variable:
     known = scope.table.symbols.get(name)
     if known is None:
         return Variable(declaration)
-    if fresh or known.name in scope.table.defined:
+    if fresh or known.name in scope.table.defined.members:
         raise GoalError(f"{letter} is a symbol of the paper already")
     if (known.type, known.constant, known.rotation, known.unit) != (
         declaration.type,

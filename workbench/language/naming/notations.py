@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -32,6 +32,7 @@ from workbench.language.grammar.syntax import (
     core,
     is_own_word,
 )
+from workbench.language.naming.declarations import read_key
 from workbench.language.naming.patterns import Known, agrees, fill, occurs, parts_of, same
 from workbench.language.naming.spelling import refuse_operation, spell_label
 
@@ -234,8 +235,10 @@ class Notations:
     def signs(self, sign: str) -> list[Notation]:
         return [entry for entry in self.entries if entry.sign is not None and entry.sign[0] == sign]
 
-    def constants(self) -> Iterable[Notation]:
-        return (entry for entry in self.entries if entry.is_constant)
+    @cached_property
+    def constants(self) -> Mapping[Name, Notation]:
+        """The entries without formal arguments, by the names that they spell."""
+        return {read_key(entry.key)[0]: entry for entry in self.entries if entry.is_constant}
 
     def shapes(self, node: Node) -> list[tuple[Notation, dict[str, Node]]]:
         """Entries that are spelt like the node: brackets, matrices and marks on them."""

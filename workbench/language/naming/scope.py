@@ -40,6 +40,7 @@ from workbench.language.grammar.syntax import (
     core,
 )
 from workbench.language.naming.notations import is_shape
+from workbench.language.naming.reading_conventions import Gradient, Points, Relaxation
 from workbench.language.naming.spelling import Named, in_bracket, linear, linear_or_none, spell_label
 from workbench.language.naming.symbols import SymbolTable
 
@@ -68,6 +69,10 @@ class Scope(ABC):
         self.members: dict[tuple[Named, str], str] = {}
         self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor
 
+    def allows(self, relaxation: Relaxation) -> bool:
+        """Whether the reading is taken."""
+        return self.table.conventions.allow(relaxation)
+
     @abstractmethod
     def term(self, node: Node) -> Term:
         """The term of any node."""
@@ -84,12 +89,12 @@ class Scope(ABC):
             if isinstance(body, Symbol):
                 return construct.zero(body.type)
             raise Fault(SyntaxCode.TENSOR_RATE_IN_FRAME(), at)
-        if body.type.kind != "vector" or (frame is None and not self.table.frames):
+        if body.type.kind != "vector" or (frame is None and not self.table.frames.velocities):
             return self.build(at, construct.derivative, body, order)
         if frame is None:
-            if self.table.dot is None:
+            if self.table.frames.dot is None:
                 raise Fault(SyntaxCode.FRAME_CONVENTIONS_DOT_SAYS(), at)
-            spin = self.table.frames[self.table.dot]
+            spin = self.table.frames.velocities[self.table.frames.dot]
         else:
             spin = self.frame(frame)
         if isinstance(spin, Zero):
@@ -103,7 +108,7 @@ class Scope(ABC):
         return body
 
     def _holds_kept(self, body: Term) -> bool:
-        kept = self.table.kept
+        kept = self.table.frames.constant
         return bool(kept) and any(p.declaration.name in kept for p in body.walk() if isinstance(p, Symbol))
 
     def partial(self, at: int, head: str, body: Term, by: Term) -> Term:
@@ -113,25 +118,25 @@ class Scope(ABC):
         if isinstance(by, Derivative) and isinstance(by.body, Symbol) and by.body.declaration.constant:
             raise Fault(SyntaxCode.DERIVATIVE_RATE_CONSTANT(), at)
         if by.type.kind == "scalar":
-            if body.type.kind == "vector" and self.table.frames:
+            if body.type.kind == "vector" and self.table.frames.velocities:
                 raise Fault(SyntaxCode.PARTIAL_DERIVATIVE_VECTOR_SEEN(), at)
             return self.apply(at, head, body, by)
-        if self.table.gradient is None and by.type.is_column:
+        if self.table.conventions.gradient is None and by.type.is_column:
             raise Fault(SyntaxCode.ROWS_OR_COLUMNS_CONVENTIONS(), at)
         slope = self.apply(at, head, body, by)
-        is_column = self.table.gradient == "column" and body.type.kind == "scalar"
+        is_column = self.table.conventions.gradient is Gradient.COLUMN and body.type.kind == "scalar"
         return construct.apply("transpose", slope) if is_column else slope
 
     def frame(self, label: Node) -> Term:
         """The angular velocity of the frame of that label; \\mathcal{B} is B, where nothing else is."""
         name, plain = spell_label(label) or "", core(label)
-        while name not in self.table.frames and isinstance(plain, Styled):
+        while name not in self.table.frames.velocities and isinstance(plain, Styled):
             plain = core(plain.body)
             name = spell_label(plain) or ""
-        if name not in self.table.frames:
-            known = ", ".join(self.table.frames) or "none"
+        if name not in self.table.frames.velocities:
+            known = ", ".join(self.table.frames.velocities) or "none"
             raise Fault(SyntaxCode.DERIVATIVE_FRAME_FRAMES_DECLARED(name=name, known=known), label.at)
-        return self.table.frames[name]
+        return self.table.frames.velocities[name]
 
     def written(self, node: Node) -> Term | None:
         """The term of a bracket or matrix that the paper spells in a way of its own; None for any other."""
@@ -140,7 +145,7 @@ class Scope(ABC):
     def spelt(self, node: Node) -> Term | None:
         """The same of any node, such as a letter before its argument."""
         found = self.table.notations.shapes(node)
-        if "brackets" in self.table.loose and isinstance(node, Bracket):
+        if isinstance(node, Bracket) and self.allows(Relaxation.MERE_BRACKETS):
             found = []
         is_own = any(not entry.formals for entry, _ in found)
         if not is_own and (named := self.in_bracket(node)) is not None:
@@ -167,7 +172,7 @@ class Scope(ABC):
         if (declared := self.table.symbols.get(pair.name)) is not None:
             term = self.build(node.at, construct.symbol, declared)
             return self.rate(node.at, term, Linear(order), None) if order else term
-        if all(label in self.table.frames for label in pair.labels):
+        if all(label in self.table.frames.velocities for label in pair.labels):
             phrase = f"rotation to {pair.labels[0]} from {pair.labels[1]}"
             message = SyntaxCode.PRODUCT_OR_FRAMES()
             raise Fault(SyntaxCode.NOTATION_WANTED(name=pair.name, message=message, phrase=phrase), node.at)
@@ -183,15 +188,16 @@ class Scope(ABC):
             raise Misfit(fault, at) from None
 
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
-        if head == "mul" and "dyads" in self.table.loose and {x.type.kind for x in arguments} == {"vector"}:
+        are_vectors = head == "mul" and {x.type.kind for x in arguments} == {"vector"}
+        if are_vectors and self.allows(Relaxation.DYADS):
             head = "outer"
         elif head == "mul":
             self._refuse_pure(at, *arguments)
         if head == "mul" and arguments[0].type == type_of_kind("transform"):
-            if isinstance(arguments[1], Zero) and self.table.directions is not None:
+            if isinstance(arguments[1], Zero) and self.table.conventions.points:
                 raise Fault(_WHICH, at)
             column = self.as_point(arguments[1], at)
-            if self.table.keeps_points and column is not arguments[1]:
+            if self.table.conventions.points is Points.VECTORS and column is not arguments[1]:
                 return construct.apply("mul", _FIRST_THREE, construct.apply("mul", arguments[0], column))
             arguments = (arguments[0], column)
         return self.build(at, construct.apply, head, *arguments)
@@ -212,11 +218,11 @@ class Scope(ABC):
 
     def as_point(self, term: Term, at: int) -> Term:
         """The column (p, 1) of a point, where the paper writes p for it; anything else as it is."""
-        if self.table.directions is None or term.type.kind != "vector":
+        if self.table.conventions.points is None or term.type.kind != "vector":
             return term
         own = term.declaration if isinstance(term, Symbol) else None
         is_moved = isinstance(term, Apply) and term.children[0] == _FIRST_THREE
-        if not is_moved and (own is None or own.unit or own.name in self.table.directions):
+        if not is_moved and (own is None or own.unit or own.name in self.table.frames.directions):
             raise Fault(_WHICH, at)
         return construct.block([[term], [construct.number(1)]])
 

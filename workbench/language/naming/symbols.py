@@ -19,7 +19,7 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name, is_prefix
 from workbench.core.reasons import Reason
 from workbench.core.terms import IllFormed, Symbol, Term
-from workbench.core.types import CLOCK, Declaration, Type
+from workbench.core.types import CLOCK, Declaration
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import (
     DUAL_UNIT,
@@ -32,8 +32,11 @@ from workbench.language.naming.declarations import (
     refuse_builtin,
     speaks_of,
 )
-from workbench.language.naming.notations import Notation, Notations
-from workbench.language.naming.spelling import INDEX_LETTERS, Named, Spelling, refuse_operation
+from workbench.language.naming.defined_names import DefinedNames
+from workbench.language.naming.known_frames import KnownFrames
+from workbench.language.naming.notations import Notations
+from workbench.language.naming.reading_conventions import Conventions
+from workbench.language.naming.spelling import INDEX_LETTERS, Spelling, refuse_operation
 
 #: Letters by which unit matrices go.
 UNIT_LETTERS = frozenset({"I", "E", "U"})
@@ -48,43 +51,14 @@ class SymbolTable:
     functions: Mapping[Name, Declaration] = field(default_factory=dict)
     #: the formal arguments of each function symbol, by its name
     formals: Mapping[Name, tuple[Declaration, ...]] = field(default_factory=dict)
-    #: the indices (1, or n+1) at which each name is defined
-    defined: Mapping[Name, tuple[tuple[Linear, ...], ...]] = field(default_factory=dict)
-    #: the names that definitions introduce as a bare 0 or I, and the types that they may have
-    untyped: Mapping[Name, tuple[Type, ...]] = field(default_factory=dict)
-    #: what definitions use although nothing defines it: it must stay primitive
-    primitive: frozenset[Named] = frozenset()
+    #: what the definitions that are read so far define
+    defined: DefinedNames = field(default_factory=DefinedNames)
     #: what the paper spells in a way of its own
     notations: Notations = field(default_factory=Notations)
-    #: the constants of that notation
-    constants: Mapping[Name, Notation] = field(default_factory=dict)
-    #: frame → its angular velocity seen from where \\dot differentiates
-    frames: Mapping[str, Term] = field(default_factory=dict)
-    #: frame → its axes, in a paper that has no components of a vector apart from it
-    turns: Mapping[str, Term] = field(default_factory=dict)
+    frames: KnownFrames = field(default_factory=KnownFrames)
     #: names in brackets that only say what a symbol depends on: f(q)
     arguments: frozenset[Name] = frozenset()
-    #: which of these the definition of a name uses
-    depends: Mapping[Name, frozenset[Name]] = field(default_factory=dict)
-    #: functions that the paper writes without a backslash, though it has their letters as symbols
-    bare_functions: frozenset[str] = frozenset()
-    #: whether ∂f/∂x of a scalar by a vector is a row or a column; None: it is not said
-    gradient: str | None = None
-    #: the frame in which \\dot differentiates vectors; None with frames: it is not said
-    dot: str | None = None
-    #: {}^F x, the components of a vector in another frame than that → what {}^F\\dot{x} is: the matrix and
-    #: the vector whose rate it multiplies; None where it is not said whether it is that or the rate of {}^F x
-    resolved: Mapping[Name, tuple[Term, Term] | None] = field(default_factory=dict)
-    #: what is constant in that frame, and turns with it
-    kept: frozenset[Name] = frozenset()
-    #: where a transform acts on points as columns of four: the vectors that are no points
-    directions: frozenset[Name] | None = None
-    #: whether T p of a point p is the moved point itself, R p + t
-    keeps_points: bool = False
-    #: what is read loosely: "dyads", where x y is x ⊗ y and x · T is Tᵀ x; "unit", where 1 may be a tensor;
-    #: "values", where \\sin(x)^2 is (\\sin x)^2; "near", where \\frac{d}{dt} x y is \\dot{x} y; "none", where
-    #: letters and accents suggest nothing
-    loose: frozenset[str] = frozenset()
+    conventions: Conventions = field(default_factory=Conventions)
     #: whether what it says of an unknown symbol names those that are close
     names_close: bool = True
     #: whether the table of which this is a part has a quaternion
@@ -158,30 +132,22 @@ class SymbolTable:
             symbols={name: own for name, own in self.symbols.items() if name in names or own.name in names},
             functions={name: own for name, own in self.functions.items() if name in bare},
             formals={name: own for name, own in self.formals.items() if name in names},
-            defined={name: own for name, own in self.defined.items() if name in names},
-            untyped={},
-            primitive=frozenset(),
-            constants={},
+            defined=self.defined.part(names),
+            frames=self.frames.part(names),
             arguments=frozenset(),
-            depends={},
-            resolved={name: own for name, own in self.resolved.items() if name in names},
-            kept=self.kept & names,
-            directions=None if self.directions is None else self.directions & names,
             beside_quaternions=self.has_quaternions,
         )
 
     def with_notations(self, specs: Mapping[str, Any]) -> SymbolTable:
         """This table, and the notation of the paper. Raises SpecError."""
         notations = Notations.build(specs)
-        constants = {}
-        for entry in notations.constants():
+        for entry in (each for each in notations.entries if each.is_constant):
             name, index = read_key(entry.key)
             if index or name in self.symbols:
                 raise SpecError("it is a symbol too" if not index else "an index in a notation", entry.key)
             if name.sup:
                 refuse_operation(name, entry.key)
-            constants[name] = entry
-        return replace(self, notations=notations, constants=constants)
+        return replace(self, notations=notations)
 
     def with_specs(self, specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
         """This table and more symbols, none of which it has yet. Raises SpecError."""
@@ -211,7 +177,7 @@ class SymbolTable:
         for name, index in spelling.candidates():
             declaration = known.get(name)
             if declaration is not None:
-                is_known = not declaration.introduced or self.defines(declaration.name, index)
+                is_known = not declaration.introduced or self.defined.covers(declaration.name, index)
                 return (declaration, index) if is_known else None
         return None
 
@@ -253,16 +219,6 @@ class SymbolTable:
         """Whether a symbol has this letter behind this \\Delta, with whatever scripts."""
         return (letter, Name.styled(styles, letter).styles) in self._prefixed
 
-    def defines(self, name: Name, index: tuple[Linear, ...]) -> bool:
-        """Whether a definition covers this member: its own, or one for n or n + c."""
-        return any(
-            all(
-                place == wanted if place.is_number else not wanted.is_number or int(wanted) >= place.constant
-                for place, wanted in zip(member, index, strict=True)
-            )
-            for member in self.defined.get(name, ())
-        )
-
     def check_arguments(self, function: Declaration, arguments: Sequence[Term]) -> None:
         """Raises IllFormed where an argument is not what the formal one is."""
         for formal, argument in zip(self.formals[function.name], arguments, strict=False):
@@ -285,7 +241,7 @@ class SymbolTable:
         for name, _ in spelling.candidates():
             declaration = self.symbols.get(name) or self.functions.get(name)
             if declaration is not None and declaration.introduced:
-                known = (declaration.name.shown(member) for member in self.defined[declaration.name])
+                known = (declaration.name.shown(member) for member in self.defined.members[declaration.name])
                 return SyntaxCode.NOT_DEFINED(text=text, known=", ".join(known))
         if not self.names_close:
             return SyntaxCode.UNKNOWN_SYMBOL(text=text)

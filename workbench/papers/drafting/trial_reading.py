@@ -82,7 +82,7 @@ class Reader:
             if guess.name == "e" and self.has_exponentials:
                 continue
             with suppress(SpecError, ReadError):
-                if read_key(guess.name)[0] not in self.ground.constants:
+                if read_key(guess.name)[0] not in self.ground.notations.constants:
                     specs[guess.name] = guess.spec
                     self.guesses[guess.name] = guess
         while specs:

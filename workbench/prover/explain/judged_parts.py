@@ -66,7 +66,8 @@ class _Reach:
             self._of.setdefault(definition.declaration.name, []).append(definition)
         self._next: dict[Name, frozenset[Name]] = {}
         self._parts: dict[frozenset[Name], Notation] = {}
-        always = (tuple(notation.motion), notation.symbols.frames, notation.symbols.turns)
+        frames = notation.symbols.frames
+        always = (tuple(notation.motion), frames.velocities, frames.orientations)
         self._always = told(always).names
 
     @cached_property

@@ -21,6 +21,7 @@ from workbench.core.terms import Apply, Definition, Power, Relation, Symbol, Ter
 from workbench.core.verdict import Counterexample, Verdict
 from workbench.engines.inventory.angle_combinations import sum_of_products
 from workbench.language.definitions import Definitions, expand, only_turns
+from workbench.language.naming.reading_conventions import Relaxation
 from workbench.prover.decide.closed_formulas import is_of_numbers
 from workbench.prover.decide.families import mapped
 from workbench.prover.explain.decide_under_facts import Decider
@@ -69,7 +70,7 @@ def _of_two_indices(claim: Claim) -> str | None:
         if not isinstance(symbol, Symbol):
             continue
         own, (number, *others) = symbol.declaration.name, symbol.index or (Linear(0),)
-        is_said = others or not number.is_number or claim.notation.symbols.defines(own, symbol.index)
+        is_said = others or not number.is_number or claim.notation.symbols.defined.covers(own, symbol.index)
         if not is_said and int(number) > 9:
             return own.shown(symbol.index)
     return None
@@ -110,7 +111,8 @@ def _holds_nearby(claim: Claim, decider: Decider) -> bool:
     if not differentiates_product(claim.printed):
         return False
     symbols = claim.notation.symbols
-    near = replace(claim.notation, symbols=replace(symbols, loose=symbols.loose | {"near"}))
+    conventions = symbols.conventions.relaxed(Relaxation.RATE_OF_NEXT_FACTOR)
+    near = replace(claim.notation, symbols=replace(symbols, conventions=conventions))
     with suppress(ReadError, IllFormedAt, ValueError):
         statement, _ = read_statement(claim.printed.latex, near, claim.orders)
         return statement != claim.printed.statement and decider.holds((), statement)

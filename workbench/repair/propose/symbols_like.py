@@ -43,4 +43,4 @@ def symbols_like(
 
 
 def _is_known(declaration: Declaration, index: tuple[Linear, ...], table: SymbolTable) -> bool:
-    return not declaration.introduced or table.defines(declaration.name, index)
+    return not declaration.introduced or table.defined.covers(declaration.name, index)

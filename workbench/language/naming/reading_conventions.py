@@ -1,0 +1,96 @@
+"""The conventions of a paper where papers differ: which readings it takes, and which it excludes."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+
+
+class Gradient(StrEnum):
+    """What ∂f/∂x of a scalar by a column is."""
+
+    ROW = "row"
+    COLUMN = "column"
+
+
+class Points(StrEnum):
+    """What T p of a transform and a point is: a column of four, or the moved point R p + t itself."""
+
+    HOMOGENEOUS = "homogeneous"
+    VECTORS = "vectors"
+
+
+class Relaxation(StrEnum):
+    """A reading that the reader takes only where the paper states it, or tries where no other fits."""
+
+    #: x y of vectors is x ⊗ y, and x · T is Tᵀ x
+    DYADS = "dyads"
+    #: 1 may be the unit tensor
+    UNIT_TENSOR = "unit"
+    #: \\sin(x)^2 is (\\sin x)^2
+    POWERS_OF_VALUES = "values"
+    #: a × b × c is a × (b × c)
+    CROSS_FROM_RIGHT = "right"
+    #: k (x) is the product k x
+    FACTORS_IN_BRACKETS = "factors"
+    #: \\frac{d}{dt} x y is \\dot{x} y
+    RATE_OF_NEXT_FACTOR = "near"
+    #: the bracket behind a symbol with an accent holds its arguments
+    ARGUMENTS_IN_BRACKET = "arguments"
+    #: a bracket is no notation of the paper
+    MERE_BRACKETS = "brackets"
+    #: × behind a row and a column takes the column alone
+    CROSS_OF_LAST_FACTOR = "reach"
+    #: a row that is written out is a column
+    ROW_FOR_COLUMN = "rows"
+    #: ⊗ of vectors is a sign of the paper's own
+    OWN_SIGN = "signs"
+
+
+#: What a paper excludes by a value of [conventions].
+_EXCLUDED = {"matrices": Relaxation.DYADS, "scalar": Relaxation.UNIT_TENSOR}
+
+
+@dataclass(frozen=True)
+class Conventions:
+    """How a paper writes.
+
+    loose, excluded: the readings that it takes, and that it states not to take.   suggestive: whether a
+    letter or an accent suggests what a symbol is.   functions: those that it writes without a backslash,
+    though it has their letters as symbols.   queries: a log of the relaxations that a reader asked for."""
+
+    gradient: Gradient | None = None
+    points: Points | None = None
+    loose: frozenset[Relaxation] = frozenset()
+    excluded: frozenset[Relaxation] = frozenset()
+    suggestive: bool = True
+    functions: frozenset[str] = frozenset()
+    queries: set[Relaxation] | None = field(default=None, compare=False, repr=False)
+
+    @staticmethod
+    def build(chosen: Mapping[str, str], functions: Collection[str] = ()) -> Conventions:
+        """Returns the conventions that the keys of [conventions] choose; an unknown value changes nothing."""
+        values = set(chosen.values())
+        return Conventions(
+            gradient=Gradient(chosen["gradient"]) if "gradient" in chosen else None,
+            points=Points(chosen["points"]) if "points" in chosen else None,
+            loose=frozenset(each for each in Relaxation if each in values),
+            excluded=frozenset(each for value, each in _EXCLUDED.items() if value in values),
+            suggestive=chosen.get("letters") != "none",
+            functions=frozenset(functions),
+        )
+
+    def allow(self, relaxation: Relaxation) -> bool:
+        """Returns whether the reading is taken, and logs the query."""
+        if self.queries is not None:
+            self.queries.add(relaxation)
+        return relaxation in self.loose
+
+    def relaxed(self, *relaxations: Relaxation) -> Conventions:
+        """Returns the same conventions, where these readings are taken, too."""
+        return replace(self, loose=self.loose.union(relaxations), queries=None)
+
+    def logged(self) -> Conventions:
+        """Returns the same conventions with an empty log of queries."""
+        return replace(self, queries=set())

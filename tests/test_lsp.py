@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -184,3 +185,52 @@ async def typed(folder: Path) -> dict[str, object]:
 def test_quick_fix_edits_what_is_typed_and_it_is_judged_unsaved(tmp_path: Path) -> None:
     found = asyncio.run(typed(tmp_path))
     assert found == {"title": "Change the sign of b × a", "new": "-", "after": (), "on disk": TYPED}
+
+
+SLOW = """import time, workbench.app.servers.lsp as lsp
+lsp.with_corrections = lambda judged, found: (time.sleep(8), found(), judged)[2]
+from workbench.app.commands.commands import main
+main(['lsp'])
+"""
+
+
+async def while_searching(folder: Path) -> tuple[float, list]:
+    """The seconds until a hover and the verdicts on a changed text are there, during a long search."""
+    client = client_module.BaseLanguageClient("test", "1")
+    published: list[list] = []
+    came = asyncio.Event()
+
+    @client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+    def on_diagnostics(params: types.PublishDiagnosticsParams) -> None:
+        published.append(params.diagnostics)
+        came.set()
+
+    await client.start_io(sys.executable, "-c", SLOW)
+    await client.initialize_async(
+        types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
+    )
+    client.initialized(types.InitializedParams())
+    uri = (folder / "typed.tex").as_uri()
+    (folder / "typed.tex").write_text(TYPED)
+    item = types.TextDocumentItem(uri, "latex", 1, TYPED)
+    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
+    await asyncio.wait_for(came.wait(), 60)
+    came.clear()
+    start = time.monotonic()
+    right = types.TextDocumentContentChangeWholeDocument(TYPED.replace("= b", "= -b"))
+    client.text_document_did_change(
+        types.DidChangeTextDocumentParams(types.VersionedTextDocumentIdentifier(2, uri), [right])
+    )
+    document = types.TextDocumentIdentifier(uri)
+    await client.text_document_hover_async(types.HoverParams(document, types.Position(3, 6)))
+    await asyncio.wait_for(came.wait(), 60)
+    seconds = time.monotonic() - start
+    await client.shutdown_async(None)
+    client.exit(None)
+    await client.stop()
+    return seconds, published[1]
+
+
+def test_verdicts_do_not_wait_for_a_search(tmp_path: Path) -> None:
+    seconds, after = asyncio.run(while_searching(tmp_path))
+    assert seconds < 6 and not after

@@ -19,6 +19,7 @@ from workbench.app.pipeline import dask_workers
 from workbench.app.pipeline.judge_claims import PaperJudge, forms
 from workbench.app.pipeline.many_papers import judge_papers
 from workbench.app.pipeline.verdict_keys import Memory
+from workbench.app.servers import watch
 from workbench.papers import load_paper
 
 HEAD = 'title = "p"\n[symbols]\na = { kind = "vector" }\nb = { kind = "vector" }\n'
@@ -160,6 +161,14 @@ def test_a_watched_paper_is_judged_again_when_it_changes(tmp_path: Path) -> None
             assert time.monotonic() - start < 15  # a second on a quiet machine
         finally:
             process.terminate()  # what runs in the background may not hear SIGINT
+
+
+def test_a_watched_text_without_a_model_is_drafted(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    path = tmp_path / "plain.tex"
+    path.write_text("\\[ \\mathbf{a} \\times \\mathbf{b} = \\mathbf{b} \\times \\mathbf{a} \\]\n")
+    assert path in watch._judged(path, "text", None, 1, None, None, {"motions": False})
+    told = capsys.readouterr().out
+    assert "drafted a model of plain.tex" in told and "1 warning" in told
 
 
 def _until(process: subprocess.Popen, words: str) -> str:

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.app.commands.ask import print_questions
 from workbench.app.commands.judging_options import engine_options, judged_papers, proposals_flag
 from workbench.app.commands.options import Unusable, memory_of_verdicts, reports_faults
 from workbench.app.commands.printed import print_judged
+from workbench.app.servers.warm import Judged, Loaded, loaded_file
 
 if TYPE_CHECKING:
-    from workbench.papers import Paper, PaperError
-    from workbench.papers.drafting.judged_draft import Draft
-    from workbench.prover.results.claim_results import ClaimResult
     from workbench.source.documents.source_edits import SourceEdit
 
 FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
@@ -110,55 +108,34 @@ def check(
         return
     from workbench.app.commands.fix import diff_of, proved_edits
     from workbench.app.commands.judging_options import print_faults
-    from workbench.app.commands.repair_commands import with_proposals
-    from workbench.papers import PaperError, load_paper
-    from workbench.papers.drafting.judged_draft import draft_of, needs_draft, on_drafted_kinds
+    from workbench.papers import PaperError
 
-    drafts: dict[int, Draft] = {}
-    papers: list[tuple[str, Paper]] = []
+    loaded: list[tuple[str, Loaded]] = []
     unusable: list[PaperError] = []
     with memory_of_verdicts(engines["cache"]) as memory:
         for file in dict.fromkeys(map(_read_from, files)):
             try:
-                paper = load_paper(file, faults=[], store=memory)
-                if needs_draft(paper):
-                    drafts[len(papers)] = draft = draft_of(file)
-                    paper = draft.paper
-                papers.append((str(file), paper))
+                loaded.append((str(file), loaded_file(file, memory)))
             except PaperError as error:
                 unusable += error.faults
-    found = judged_papers(papers, jobs, scheduler, **engines)
-    judged = [
-        (paper, on_drafted_kinds(drafts[place], results) if place in drafts else results)
-        for place, ((_, paper), results) in enumerate(zip(papers, found, strict=True))
-    ]
-    if ask and form == "text" and json_out is None:
-        judged = _asked(judged, drafts, engines)
-    if form == "text" and json_out is None and not diff:
-        for draft in drafts.values():
-            click.echo(draft.summary)
-    wanted, cache = proposals or fix or diff, engines["cache"]
-    judged = [
-        (paper, with_proposals(results, wanted, cache, False, paper, repair_seconds))
-        for paper, results in judged
-    ]
+    found = judged_papers([(name, each.paper) for name, each in loaded], jobs, scheduler, **engines)
+    judged = [each.judged(results) for (_, each), results in zip(loaded, found, strict=True)]
+    is_text = form == "text" and json_out is None
+    if ask and is_text:
+        judged = [_asked(each, engines) for each in judged]
+    judged = [_corrected(each, proposals or fix or diff, engines["cache"], repair_seconds) for each in judged]
     if report_out is not None and judged:
-        _write_report(*judged[0], report_out)
-    edits = proved_edits([result for _, results in judged for result in results])
+        _write_report(judged[0], report_out)
+    edits = proved_edits([result for each in judged for result in each.results])
     if diff:
         print_faults(unusable)
         click.echo(diff_of(edits), nl=False)
     else:
-        print_judged(judged, json_out, form, unusable, quiet, verbose)
-        if form == "text" and json_out is None and not (quiet or ask):
-            for place, draft in drafts.items():
-                print_questions(draft, judged[place][1])
+        print_judged(judged, json_out, form, unusable, quiet, verbose, asks=not (quiet or ask))
     if fix and _fixed(edits):
         context = click.get_current_context()
         context.invoke(check, **{**context.params, "fix": False})
-    sys.exit(
-        max([_status(paper, results, strict) for paper, results in judged], default=2) if not unusable else 2
-    )
+    sys.exit(max([_status(each, strict) for each in judged], default=2) if not unusable else 2)
 
 
 def _read_from(file: Path) -> Path:
@@ -172,11 +149,11 @@ def _read_from(file: Path) -> Path:
     return path
 
 
-def _write_report(paper: Paper, results: Sequence[ClaimResult], out: Path) -> None:
+def _write_report(judged: Judged, out: Path) -> None:
     from workbench.certificates.certify import with_certificates
     from workbench.report.render import write_report
 
-    for path in write_report(paper, with_certificates(results, paper), out):
+    for path in write_report(judged.paper, with_certificates(judged.results, judged.paper), out):
         click.echo(str(path), err=True)
 
 
@@ -194,28 +171,30 @@ def _fixed(edits: dict[Path, list[SourceEdit]]) -> bool:
     return True
 
 
-def _asked(
-    judged: list[tuple[Paper, list[ClaimResult]]], drafts: dict[int, Draft], engines: dict[str, Any]
-) -> list[tuple[Paper, list[ClaimResult]]]:
+def _asked(judged: Judged, engines: dict[str, Any]) -> Judged:
     """Returns the results after the author has answered."""
     from workbench.app.commands.ask import ask
-    from workbench.papers.drafting.judged_draft import on_drafted_kinds
 
-    made = list(judged)
-    for place, before in drafts.items():
-        if (draft := ask(before, judged[place][1])) is not None:
-            (results,) = judged_papers([(str(draft.paper.paths[0]), draft.paper)], None, None, **engines)
-            made[place] = (draft.paper, on_drafted_kinds(draft, results))
-            drafts[place] = draft
-    return made
+    if judged.draft is None or (draft := ask(judged.draft, judged.results)) is None:
+        return judged
+    (results,) = judged_papers([(str(draft.paper.paths[0]), draft.paper)], None, None, **engines)
+    return Loaded(draft.paper, draft).judged(results)
 
 
-def _status(paper: Paper, results: Sequence[ClaimResult], strict: bool) -> int:
+def _corrected(judged: Judged, wanted: bool, cache: bool, seconds: float) -> Judged:
+    from workbench.app.commands.repair_commands import with_proposals
+
+    results = with_proposals(judged.results, wanted, cache, False, judged.paper, seconds)
+    return replace(judged, results=results)
+
+
+def _status(judged: Judged, strict: bool) -> int:
     from workbench.core.verdict import Grade, Outcome
     from workbench.papers.texts.text_paper import TextPaper
 
-    is_text = isinstance(paper, TextPaper)
-    if is_text and all(result.verdict.outcome is Outcome.UNCHECKED for result in results):
+    is_text = isinstance(judged.paper, TextPaper)
+    if is_text and all(result.verdict.outcome is Outcome.UNCHECKED for result in judged.results):
         return 2
     faults = {Grade.ERROR, Grade.WARNING} if strict else {Grade.ERROR}
-    return 1 if paper.faults or any(result.shown in faults for result in results) else 0
+    is_faulty = judged.paper.faults or any(result.shown in faults for result in judged.results)
+    return 1 if is_faulty else 0

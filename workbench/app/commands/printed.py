@@ -9,51 +9,59 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from workbench.app.commands.ask import print_questions
 from workbench.app.commands.judging_options import print_faults, print_results, write_atomically
 from workbench.app.commands.options import json_text, print_json
 from workbench.report.counts import versions
 from workbench.report.to_json import report_json
 
 if TYPE_CHECKING:
+    from workbench.app.servers.warm import Judged
     from workbench.papers import Paper, PaperError
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.prover.results.claim_results import ClaimResult
 
 
 def print_judged(
-    judged: Sequence[tuple[Paper, Sequence[ClaimResult]]],
+    judged: Sequence[Judged],
     json_out: str | None,
     form: str,
     unusable: Sequence[PaperError] = (),
     quiet: bool = False,
     verbose: bool = False,
+    asks: bool = True,
 ) -> None:
     """`unusable`: what is wrong in papers of which nothing could be judged.   quiet, verbose: how much of a
-    text is told."""
+    text is told.   asks: whether the questions of drafts are."""
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, unusable, form)
         return
     print_faults(unusable)
     if form == "json" or json_out is not None:
-        told = [report_json(paper, results) | _faults_json(paper) for paper, results in judged]
+        told = [report_json(each.paper, each.results) | _faults_json(each.paper) for each in judged]
         told += [{"faults": [_fault_json(fault) for fault in unusable]}] if unusable else []
         text = json_text(told[0] if len(told) == 1 else told)
         if form == "json" or json_out is None or json_out == "-":
             click.echo(text, nl=False)
             return
         write_atomically(Path(json_out), text)
-    for paper, results in judged:
-        _print_text(paper, results, quiet, verbose, len(judged) > 1)
+    drafts = [(each.draft, each.results) for each in judged if each.draft is not None]
+    if json_out is None:
+        for draft, _ in drafts:
+            click.echo(draft.summary)
+    for each in judged:
+        _print_text(each.paper, each.results, quiet, verbose, len(judged) > 1)
+    if json_out is None and asks:
+        for draft, results in drafts:
+            print_questions(draft, results)
 
 
-def _print_findings(
-    judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], unusable: Sequence[PaperError], form: str
-) -> None:
+def _print_findings(judged: Sequence[Judged], unusable: Sequence[PaperError], form: str) -> None:
     from workbench.app.commands.carets import lines_of
     from workbench.report.findings import fault_finding, findings, github, rdjsonl, sarif
 
     found = [fault_finding(fault, Path()) for fault in unusable]
-    found += [finding for paper, results in judged for finding in findings(paper, results)]
+    found += [finding for each in judged for finding in findings(each.paper, each.results)]
     if form == "github":
         click.echo(github(found), nl=False)
     elif form == "sarif":

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Mapping
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -53,22 +55,77 @@ class Known:
     told: set[Path] = field(default_factory=set)
 
 
+class Superseded(Exception):
+    """The text was changed, so that what is being found of it is of no use."""
+
+
+class Desk:
+    """Where texts are judged: beside the loop that serves the editor, which never waits. Verdicts have a
+    thread of their own, so that they do not wait for a search for corrections either."""
+
+    def __init__(self, server: LanguageServer, motions: bool) -> None:
+        self.server, self.motions = server, motions
+        self.known: dict[Path, Known] = {}
+        self._turns: dict[Path, int] = {}
+        self._judging, self._searching = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
+
+    async def judge(self, path: Path, without: Path | None = None) -> None:
+        """Publishes the verdicts on a file, and again with the corrections, if a search finds any; nothing
+        once it is to be judged anew.   without: the file whose text on disk counts."""
+        from workbench.core.verdict import Grade
+        from workbench.papers import PaperError
+        from workbench.report.findings import fault_finding
+
+        still = self._turn(path)
+        buffers = {each: text for each, text in _buffers(self.server).items() if each != without}
+        judge = partial(judged_file, path, buffers, self.motions, progress=lambda _: still())
+        loop = asyncio.get_running_loop()
+        try:
+            judged = await loop.run_in_executor(self._judging, judge)
+            still()
+            _tell_judged(self.server, self.known, path, judged)
+            if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
+                search = partial(with_corrections, judged, found=still)
+                corrected = await loop.run_in_executor(self._searching, search)
+                still()
+                if any(result.edits for result in corrected.results):
+                    _tell_judged(self.server, self.known, path, corrected)
+        except Superseded:
+            return
+        except PaperError as error:
+            still()
+            _tell(self.server, self.known, path, [fault_finding(fault, path) for fault in error.faults], None)
+
+    def _turn(self, path: Path) -> Callable[[], None]:
+        """Begins a turn of a file; what is returned raises Superseded once there is a later one."""
+        turn = self._turns[path] = self._turns.get(path, 0) + 1
+
+        def still() -> None:
+            if self._turns.get(path) != turn:
+                raise Superseded
+
+        return still
+
+    def close(self) -> None:
+        """Ends what is being found."""
+        self._turns.clear()
+        for executor in (self._judging, self._searching):
+            executor.shutdown(wait=False, cancel_futures=True)
+
+
 def server_for(motions: bool) -> LanguageServer:
     """Raises ImportError without pygls."""
     from lsprotocol import types as lsp_types
     from pygls.lsp.server import LanguageServer
 
     server = LanguageServer("workbench", version("kinematics-workbench"))
-    known: dict[Path, Known] = {}
+    desk = Desk(server, motions)
     newest: dict[str, int] = {}
 
-    def judge(uri: str, is_saved: bool = False) -> None:
+    async def judge(uri: str, is_saved: bool = False) -> None:
         path = Path(server.workspace.get_text_document(uri).path)
         if path.suffix.lower() != ".toml" or _is_paper(path):
-            buffers = _buffers(server)
-            if is_saved:
-                buffers.pop(path, None)
-            _judge(server, known, path, buffers, motions)
+            await desk.judge(path, path if is_saved else None)
 
     @server.feature(lsp_types.TEXT_DOCUMENT_DID_CHANGE)
     async def changed(params: lsp_types.DidChangeTextDocumentParams) -> None:
@@ -76,20 +133,24 @@ def server_for(motions: bool) -> LanguageServer:
         newest[uri] = number
         await asyncio.sleep(_PAUSE)
         if newest[uri] == number:
-            judge(uri)
+            await judge(uri)
 
     @server.feature(lsp_types.TEXT_DOCUMENT_DID_OPEN)
-    def opened(params: lsp_types.DidOpenTextDocumentParams) -> None:
-        judge(params.text_document.uri)
+    async def opened(params: lsp_types.DidOpenTextDocumentParams) -> None:
+        await judge(params.text_document.uri)
 
     @server.feature(lsp_types.TEXT_DOCUMENT_DID_SAVE)
-    def saved(params: lsp_types.DidSaveTextDocumentParams) -> None:
-        judge(params.text_document.uri, is_saved=True)
+    async def saved(params: lsp_types.DidSaveTextDocumentParams) -> None:
+        await judge(params.text_document.uri, is_saved=True)
+
+    @server.feature(lsp_types.SHUTDOWN)
+    def stopped(params: None) -> None:
+        desk.close()
 
     @server.feature(lsp_types.TEXT_DOCUMENT_HOVER)
     def hover(params: lsp_types.HoverParams) -> lsp_types.Hover | None:
         path = Path(server.workspace.get_text_document(params.text_document.uri).path)
-        for result in (result for each in known.values() for result in each.judged.results):
+        for result in (result for each in desk.known.values() for result in each.judged.results):
             where = _range(server, _whole(result))
             if _whole(result).file.resolve() == path.resolve() and _holds(where, params.position):
                 content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, _told(result))
@@ -123,30 +184,6 @@ def _is_paper(path: Path) -> bool:
     except OSError:
         return False
     return "[[claim]]" in text or "source" in text
-
-
-def _judge(
-    server: LanguageServer,
-    known: dict[Path, Known],
-    path: Path,
-    buffers: Mapping[Path, str],
-    motions: bool,
-) -> None:
-    """Publishes the verdicts, and again with the corrections, if a search finds any."""
-    from workbench.core.verdict import Grade
-    from workbench.papers import PaperError
-    from workbench.report.findings import fault_finding
-
-    try:
-        judged = judged_file(path, buffers, motions)
-    except PaperError as error:
-        _tell(server, known, path, [fault_finding(fault, path) for fault in error.faults], None)
-        return
-    _tell_judged(server, known, path, judged)
-    if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
-        corrected = with_corrections(judged)
-        if any(result.edits for result in corrected.results):
-            _tell_judged(server, known, path, corrected)
 
 
 def _tell_judged(server: LanguageServer, known: dict[Path, Known], path: Path, judged: Judged) -> None:

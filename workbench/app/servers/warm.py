@@ -1,8 +1,8 @@
-"""One text judged again and again in one process: for editors and assistants."""
+"""One sequence from a file to its verdicts, once or again and again in one process."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,8 +11,10 @@ from workbench.app.commands.options import memory_of_verdicts
 from workbench.source.toml.file_bytes import unsaved
 
 if TYPE_CHECKING:
+    from workbench.app.pipeline.verdict_keys import Memory
     from workbench.papers import Paper
     from workbench.papers.drafting.judged_draft import Draft
+    from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
 
 #: Seconds for the search for a correction of one claim, where somebody waits.
@@ -20,40 +22,75 @@ SEARCH_SECONDS = 5.0
 
 
 @dataclass(frozen=True)
-class Judged:
-    """A text, or a paper file, with its results. draft: the model that was drafted for it, if it has none."""
+class Loaded:
+    """A text, or a paper file. draft: the model that was drafted for it, if it has none."""
 
     paper: Paper
-    results: Sequence[ClaimResult]
+    draft: Draft | None = None
+
+    def judged(self, results: Sequence[ClaimResult]) -> Judged:
+        """Returns the results with the basis that the kinds of the draft have."""
+        from workbench.papers.drafting.judged_draft import on_drafted_kinds
+
+        own = results if self.draft is None else on_drafted_kinds(self.draft, results)
+        return Judged(self.paper, list(own), self.draft)
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A text, or a paper file, with its results. draft: as in `Loaded`."""
+
+    paper: Paper
+    results: list[ClaimResult]
     draft: Draft | None = None
 
 
-def judged_file(path: Path, buffers: Mapping[Path, str] | None = None, motions: bool = False) -> Judged:
-    """The verdicts on a file; verdicts that are remembered are not found again.   buffers: files that read
-    otherwise than on disk.   Raises PaperError."""
-    from workbench.app.pipeline.judge_claims import judge_paper
+def loaded_file(path: Path, memory: Memory | None = None, answers: Sequence[Answer] = ()) -> Loaded:
+    """Returns a file as it is read; a text without a model, under a drafted one.   answers: of its author to
+    the questions of the draft.   Raises PaperError."""
     from workbench.papers import load_paper
-    from workbench.papers.drafting.judged_draft import draft_of, needs_draft, on_drafted_kinds
+    from workbench.papers.drafting.draft_model import ingest
+    from workbench.papers.drafting.judged_draft import draft_from, needs_draft
+    from workbench.papers.drafting.questions_to_author import answered
+
+    paper = load_paper(path, faults=[], store=memory)
+    if not needs_draft(paper):
+        return Loaded(paper)
+    found = ingest(path)
+    for answer in answers:
+        found = answered(found, answer)
+    draft = draft_from(found)
+    return Loaded(draft.paper, draft)
+
+
+def judged_file(
+    path: Path,
+    buffers: Mapping[Path, str] | None = None,
+    motions: bool = False,
+    answers: Sequence[Answer] = (),
+    progress: Callable[[ClaimResult], None] = lambda result: None,
+) -> Judged:
+    """Returns the verdicts on a file; verdicts that are remembered are not found again.   buffers: files that
+    read otherwise than on disk.   progress: sees each result as soon as it is there.   Raises PaperError."""
+    from workbench.app.pipeline.judge_claims import judge_paper
 
     with unsaved(buffers or {}), memory_of_verdicts(True) as memory:
-        paper, draft = load_paper(path, faults=[]), None
-        if needs_draft(paper):
-            draft = draft_of(path)
-            paper = draft.paper
-        results = judge_paper(paper, memory=memory, motions=motions, jobs=1)
-        if draft is not None:
-            results = on_drafted_kinds(draft, results)
-    return Judged(paper, results, draft)
+        loaded = loaded_file(path, memory, answers)
+        return loaded.judged(judge_paper(loaded.paper, (), progress, 1, memory=memory, motions=motions))
 
 
-def with_corrections(judged: Judged, seconds: float = SEARCH_SECONDS) -> Judged:
-    """The same with the corrections that a short search proves, as edits of the text."""
+def with_corrections(
+    judged: Judged, seconds: float = SEARCH_SECONDS, found: Callable[[], None] = lambda: None
+) -> Judged:
+    """Returns the same with the corrections that a short search proves, as edits of the text.   found: called
+    after each search; what it raises ends the others."""
     from workbench.app.pipeline.result_proposals import with_proposals
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.repair.author_edits import with_author_edits
     from workbench.repair.propose.search_limits import Limits
 
     with memory_of_verdicts(True) as memory:
-        results = with_proposals(judged.results, Limits(seconds=seconds), memory=memory, beside_right=False)
+        limits = Limits(seconds=seconds)
+        results = with_proposals(judged.results, limits, lambda _: found(), memory, beside_right=False)
     text = judged.paper.text if isinstance(judged.paper, TextPaper) else None
-    return replace(judged, results=with_author_edits(results, text))
+    return replace(judged, results=list(with_author_edits(results, text)))

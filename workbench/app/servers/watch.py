@@ -13,7 +13,6 @@ from workbench.app.commands.options import memory_of_verdicts
 
 if TYPE_CHECKING:
     from workbench.papers import Paper
-    from workbench.prover.results.claim_results import ClaimResult
 
 #: Milliseconds for which an editor may go on writing before its file is read.
 _PAUSE = 100
@@ -82,23 +81,22 @@ def _judged(
     from workbench.app.commands.judging_options import print_faults
     from workbench.app.commands.printed import print_judged
     from workbench.app.pipeline.judge_claims import judge_paper
-    from workbench.papers import PaperError, load_paper
+    from workbench.app.servers.warm import loaded_file
+    from workbench.papers import PaperError
 
     start = monotonic()
     try:
-        paper = load_paper(file, faults=[])
-        results = judge_paper(paper, (), _unseen, jobs, budget=budget, memory=memory, **engines)
+        loaded = loaded_file(file, memory)
+        judged = loaded.judged(
+            judge_paper(loaded.paper, (), lambda _: None, jobs, budget=budget, memory=memory, **engines)
+        )
     except PaperError as error:
         print_faults(error.faults)
         return before or [file, file.with_suffix(".toml")]
-    print_judged([(paper, results)], None, form)
+    print_judged([judged], None, form)
     if form == "text":
         click.echo(f"{file}: judged in {monotonic() - start:.1f} s; waiting for changes")
-    return [file, *paths_of(paper)]
-
-
-def _unseen(result: ClaimResult) -> None:
-    """A result that is shown with the others."""
+    return [file, *paths_of(judged.paper)]
 
 
 def paths_of(paper: Paper) -> list[Path]:

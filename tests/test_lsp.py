@@ -187,8 +187,8 @@ def test_quick_fix_edits_what_is_typed_and_it_is_judged_unsaved(tmp_path: Path) 
     assert found == {"title": "Change the sign of b × a", "new": "-", "after": (), "on disk": TYPED}
 
 
-SLOW = """import time, workbench.app.servers.lsp as lsp
-lsp.with_corrections = lambda judged, found: (time.sleep(8), found(), judged)[2]
+SLOW = """import time, workbench.app.servers.desk as desk
+desk.with_corrections = lambda judged, found: (time.sleep(8), found(), judged)[2]
 from workbench.app.commands.commands import main
 main(['lsp'])
 """

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from workbench.app.commands.options import Unusable
-from workbench.app.servers.warm import Judged, judged_file, with_corrections
+from workbench.app.servers.desk import Desk, Superseded, Turn
+from workbench.app.servers.warm import Judged
 from workbench.core.code_labels import suffix
 from workbench.core.codes.syntax_codes import UNKNOWN_SYMBOLS
 from workbench.core.codes.verdict_codes import WAITS_FOR_ITS_AUTHOR
@@ -55,77 +54,23 @@ class Known:
     told: set[Path] = field(default_factory=set)
 
 
-class Superseded(Exception):
-    """The text was changed, so that what is being found of it is of no use."""
-
-
-class Desk:
-    """Where texts are judged: beside the loop that serves the editor, which never waits. Verdicts have a
-    thread of their own, so that they do not wait for a search for corrections either."""
-
-    def __init__(self, server: LanguageServer, motions: bool) -> None:
-        self.server, self.motions = server, motions
-        self.known: dict[Path, Known] = {}
-        self._turns: dict[Path, int] = {}
-        self._judging, self._searching = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
-
-    async def judge(self, path: Path, without: Path | None = None) -> None:
-        """Publishes the verdicts on a file, and again with the corrections, if a search finds any; nothing
-        once it is to be judged anew.   without: the file whose text on disk counts."""
-        from workbench.core.verdict import Grade
-        from workbench.papers import PaperError
-        from workbench.report.findings import fault_finding
-
-        still = self._turn(path)
-        buffers = {each: text for each, text in _buffers(self.server).items() if each != without}
-        judge = partial(judged_file, path, buffers, self.motions, progress=lambda _: still())
-        loop = asyncio.get_running_loop()
-        try:
-            judged = await loop.run_in_executor(self._judging, judge)
-            still()
-            _tell_judged(self.server, self.known, path, judged)
-            if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
-                search = partial(with_corrections, judged, found=still)
-                corrected = await loop.run_in_executor(self._searching, search)
-                still()
-                if any(result.edits for result in corrected.results):
-                    _tell_judged(self.server, self.known, path, corrected)
-        except Superseded:
-            return
-        except PaperError as error:
-            still()
-            _tell(self.server, self.known, path, [fault_finding(fault, path) for fault in error.faults], None)
-
-    def _turn(self, path: Path) -> Callable[[], None]:
-        """Begins a turn of a file; what is returned raises Superseded once there is a later one."""
-        turn = self._turns[path] = self._turns.get(path, 0) + 1
-
-        def still() -> None:
-            if self._turns.get(path) != turn:
-                raise Superseded
-
-        return still
-
-    def close(self) -> None:
-        """Ends what is being found."""
-        self._turns.clear()
-        for executor in (self._judging, self._searching):
-            executor.shutdown(wait=False, cancel_futures=True)
-
-
 def server_for(motions: bool) -> LanguageServer:
     """Raises ImportError without pygls."""
     from lsprotocol import types as lsp_types
     from pygls.lsp.server import LanguageServer
 
     server = LanguageServer("workbench", version("kinematics-workbench"))
-    desk = Desk(server, motions)
+    desk = Desk(motions)
+    known: dict[Path, Known] = {}
     newest: dict[str, int] = {}
 
     async def judge(uri: str, is_saved: bool = False) -> None:
         path = Path(server.workspace.get_text_document(uri).path)
         if path.suffix.lower() != ".toml" or _is_paper(path):
-            await desk.judge(path, path if is_saved else None)
+            buffers = _buffers(server)
+            if is_saved:
+                buffers.pop(path, None)
+            await _judge(server, known, desk.turn(path), path, buffers)
 
     @server.feature(lsp_types.TEXT_DOCUMENT_DID_CHANGE)
     async def changed(params: lsp_types.DidChangeTextDocumentParams) -> None:
@@ -150,7 +95,7 @@ def server_for(motions: bool) -> LanguageServer:
     @server.feature(lsp_types.TEXT_DOCUMENT_HOVER)
     def hover(params: lsp_types.HoverParams) -> lsp_types.Hover | None:
         path = Path(server.workspace.get_text_document(params.text_document.uri).path)
-        for result in (result for each in desk.known.values() for result in each.judged.results):
+        for result in (result for each in known.values() for result in each.judged.results):
             where = _range(server, _whole(result))
             if _whole(result).file.resolve() == path.resolve() and _holds(where, params.position):
                 content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, _told(result))
@@ -184,6 +129,28 @@ def _is_paper(path: Path) -> bool:
     except OSError:
         return False
     return "[[claim]]" in text or "source" in text
+
+
+async def _judge(
+    server: LanguageServer, known: dict[Path, Known], turn: Turn, path: Path, buffers: Mapping[Path, str]
+) -> None:
+    """Publishes the verdicts, and again with the corrections, if a search finds any; nothing once the file is
+    to be judged anew."""
+    from workbench.core.verdict import Grade
+    from workbench.papers import PaperError
+    from workbench.report.findings import fault_finding
+
+    try:
+        judged = await turn.verdicts(path, buffers)
+        _tell_judged(server, known, path, judged)
+        if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
+            corrected = await turn.corrections(judged)
+            if any(result.edits for result in corrected.results):
+                _tell_judged(server, known, path, corrected)
+    except Superseded:
+        return
+    except PaperError as error:
+        _tell(server, known, path, [fault_finding(fault, path) for fault in error.faults], None)
 
 
 def _tell_judged(server: LanguageServer, known: dict[Path, Known], path: Path, judged: Judged) -> None:

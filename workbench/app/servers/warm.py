@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from workbench.app.commands.options import memory_of_verdicts
-from workbench.source.toml.file_bytes import unsaved
+from workbench.source.toml.file_bytes import unsaved, within
 
 if TYPE_CHECKING:
     from workbench.app.pipeline.verdict_keys import Memory
@@ -69,12 +69,14 @@ def judged_file(
     motions: bool = False,
     answers: Sequence[Answer] = (),
     progress: Callable[[ClaimResult], None] = lambda result: None,
+    folder: Path | None = None,
 ) -> Judged:
     """Returns the verdicts on a file; verdicts that are remembered are not found again.   buffers: files that
-    read otherwise than on disk.   progress: sees each result as soon as it is there.   Raises PaperError."""
+    read otherwise than on disk.   progress: sees each result as soon as it is there.   folder: outside of it
+    no file is read.   Raises PaperError."""
     from workbench.app.pipeline.judge_claims import judge_paper
 
-    with unsaved(buffers or {}), memory_of_verdicts(True) as memory:
+    with unsaved(buffers or {}), within(folder), memory_of_verdicts(True) as memory:
         loaded = loaded_file(path, memory, answers)
         return loaded.judged(judge_paper(loaded.paper, (), progress, 1, memory=memory, motions=motions))
 

@@ -10,6 +10,17 @@ from pathlib import Path
 from workbench.core.paper_errors import PaperError
 
 _unsaved: ContextVar[Mapping[Path, bytes]] = ContextVar("unsaved", default={})  # noqa: B039
+_folder: ContextVar[Path | None] = ContextVar("folder", default=None)
+
+
+@contextmanager
+def within(folder: Path | None) -> Iterator[None]:
+    """Within it no file outside of the folder is read, whatever a text or a link says; None: no limit."""
+    token = _folder.set(folder.resolve() if folder is not None else None)
+    try:
+        yield
+    finally:
+        _folder.reset(token)
 
 
 @contextmanager
@@ -23,13 +34,16 @@ def unsaved(texts: Mapping[Path, str]) -> Iterator[None]:
 
 
 def file_bytes(path: Path, expected: str, most: int) -> bytes:
-    """Raises PaperError for what is no such file, cannot be read, or has more than `most` bytes."""
+    """Raises PaperError for what is no such file, cannot or must not be read, or has more than `most`
+    bytes."""
     fault = None
-    buffers = _unsaved.get()
+    buffers, folder = _unsaved.get(), _folder.get()
     try:
         if buffers and (buffer := buffers.get(path.resolve())) is not None and len(buffer) <= most:
             return buffer
-        if path.is_dir():
+        if folder is not None and not path.resolve().is_relative_to(folder):
+            fault = "is outside of the folder of the text, and is not read here"
+        elif path.is_dir():
             fault = f"is a directory; expected {expected}"
         elif path.exists() and not path.is_file():
             fault = f"is not a regular file; expected {expected}"

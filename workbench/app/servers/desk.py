@@ -1,0 +1,85 @@
+"""Texts judged beside a loop that serves an editor or a page, which never waits for them."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+from workbench.app.servers.warm import Judged, judged_file, with_corrections
+
+if TYPE_CHECKING:
+    from workbench.papers.drafting.questions_to_author import Answer
+
+Result = TypeVar("Result")
+
+
+class Superseded(Exception):
+    """The text was changed, so that what is being found of it is of no use."""
+
+
+class Desk:
+    """Judges and corrects texts, each in turns: a new turn ends the one before. Verdicts have a thread of
+    their own, so that they do not wait for a search for corrections."""
+
+    def __init__(self, motions: bool = False, folder: Path | None = None) -> None:
+        """folder: outside of it no file is read; None for no limit."""
+        self._motions, self._folder = motions, folder
+        self._turns: dict[Hashable, int] = {}
+        self._judging, self._searching = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
+
+    def turn(self, text: Hashable) -> Turn:
+        """Begins a turn of a text."""
+        self._turns[text] = self._turns.get(text, 0) + 1
+        return Turn(self, text, self._turns[text])
+
+    def close(self) -> None:
+        """Ends what is being found."""
+        self._turns.clear()
+        for executor in (self._judging, self._searching):
+            executor.shutdown(wait=False, cancel_futures=True)
+
+    def is_of(self, text: Hashable, turn: int) -> bool:
+        return self._turns.get(text) == turn
+
+
+class Turn:
+    """One turn of a text at a desk. judged: how many of its claims are."""
+
+    def __init__(self, desk: Desk, text: Hashable, number: int) -> None:
+        self._desk, self._text, self._number = desk, text, number
+        self.judged = 0
+
+    async def verdicts(
+        self, path: Path, buffers: Mapping[Path, str], answers: Sequence[Answer] = ()
+    ) -> Judged:
+        """Returns the verdicts on a file. Raises PaperError, and Superseded if a later turn has begun."""
+
+        def seen(_: object) -> None:
+            self.judged += 1
+            self._check()
+
+        desk = self._desk
+        judge = partial(judged_file, path, buffers, desk._motions, answers, seen, desk._folder)
+        return await self._run(desk._judging, judge)
+
+    async def corrections(self, judged: Judged) -> Judged:
+        """Returns the verdicts with what a search proves. Raises Superseded."""
+        return await self._run(self._desk._searching, partial(with_corrections, judged, found=self._check))
+
+    def _check(self) -> None:
+        if not self._desk.is_of(self._text, self._number):
+            raise Superseded
+
+    async def _run(self, executor: ThreadPoolExecutor, work: Callable[[], Result]) -> Result:
+        def checked() -> Result:
+            self._check()
+            return work()
+
+        try:
+            return await asyncio.get_running_loop().run_in_executor(executor, checked)
+        finally:
+            self._check()

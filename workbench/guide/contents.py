@@ -21,6 +21,7 @@ PARTS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
             "laws",
             "macros",
             "many-papers",
+            "page",
             "ci",
             "editor",
             "assistant",

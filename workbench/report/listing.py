@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from workbench.core.code_labels import suffix
@@ -51,12 +51,18 @@ class Open:
 
 @dataclass(frozen=True)
 class Row:
-    """One display. grade: the most serious of its formulas."""
+    """One display. grade: the most serious of its formulas.   results: on each of them."""
 
     name: str
     grade: Grade
     word: str
     remark: str
+    results: tuple[ClaimResult, ...] = field(default=(), repr=False, compare=False)
+
+    @property
+    def items(self) -> list[Item]:
+        """What is wrong in it."""
+        return list(_items(self.name, self.results))
 
 
 @dataclass(frozen=True)
@@ -99,9 +105,8 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
     rows: list[Row] = []
     items: list[Item] = []
     for display, own in groups:
-        name = display_name(display, own[0])
-        rows.append(_row(name, own))
-        items += _items(name, own)
+        rows.append(replace(_row(display_name(display, own[0]), own), results=tuple(own)))
+        items += rows[-1].items
     items.sort(key=lambda item: _RANKS.index(item.grade))
     file = paper.text.path if paper.text else paper.paths[0]
     notes = tuple(

@@ -19,7 +19,7 @@ from workbench.context.claims import Paper
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.report import ReportError, erratum_note, html_page, markdown_text, wording
 from workbench.report.corrected_text import errata_diff
-from workbench.report.document import document_of
+from workbench.report.document import Document, document_of
 from workbench.report.errata_json import errata_json
 from workbench.report.pictures import all_errors
 from workbench.report.shown_kinds import SHOWN
@@ -61,15 +61,26 @@ def render(paper: Paper, results: Sequence[ClaimResult], source: Path | None = N
     read = source or _own_text(paper)
     if read is not None and (patch := errata_diff(_content(read), read.name, results)):
         texts["errata.diff"] = patch
-    picture, sent = all_errors(document.rows), ["erratum.tex", *(n for n in texts if n.startswith("errata"))]
+    sent = ["erratum.tex", *(n for n in texts if n.startswith("errata"))]
     for name, environment in (
         ("report.md", _environment(markdown_text.FILTERS)),
         ("report.html", _environment(html_page.FILTERS, is_html=True)),
         ("erratum.tex", _tex_environment()),
     ):
-        template = environment.get_template(name + ".j2")
-        texts[name] = template.render(document=document, picture=picture, sent=sent, **_shared())
+        texts[name] = _filled(environment, name, document, sent)
     return texts
+
+
+def page_of(paper: Paper, results: Sequence[ClaimResult]) -> str:
+    """The report as one page that needs no other file. Raises ReportError for what cannot be set."""
+    return _filled(
+        _environment(html_page.FILTERS, is_html=True), "report.html", document_of(paper, results), ()
+    )
+
+
+def _filled(environment: Environment, name: str, document: Document, sent: Sequence[str]) -> str:
+    template = environment.get_template(name + ".j2")
+    return template.render(document=document, picture=all_errors(document.rows), sent=sent, **_shared())
 
 
 def _own_text(paper: Paper) -> Path | None:

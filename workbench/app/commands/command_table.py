@@ -59,6 +59,13 @@ COMMANDS = (
     ),
     Entry(
         "Check",
+        "serve",
+        "workbench.app.commands.serve:serve",
+        "Show a page that judges a text as you type (extra page).",
+        ("workbench serve", "workbench serve paper.tex --open"),
+    ),
+    Entry(
+        "Check",
         "lsp",
         "workbench.app.servers.lsp:lsp",
         "Serve an editor: verdicts as you type (extra lsp).",

@@ -31,6 +31,12 @@ class Desk:
         self._turns: dict[Hashable, int] = {}
         self._judging, self._searching = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
 
+    def prepare(self) -> None:
+        """Loads what judging needs, before anybody waits for it."""
+        from workbench.prover.preload import load_engines
+
+        self._judging.submit(load_engines)
+
     def turn(self, text: Hashable) -> Turn:
         """Begins a turn of a text."""
         self._turns[text] = self._turns.get(text, 0) + 1

@@ -85,6 +85,8 @@ def answered(ingested: Ingested, answer: Answer) -> Ingested:
         else each
         for each in ingested.proposals
     ]
+    if not kept:
+        return ingested  # the text speaks of no frame any more
     proposal = replace(kept[-1], table=answer.table, entries=entries, why="the author says so", question="")
     return replace(ingested, proposals=[*kept, proposal], confirmed=confirmed)
 

@@ -1,0 +1,300 @@
+"""The server behind `workbench serve`: verdicts for its own page only, and no file beyond the given folder."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import threading
+from importlib.resources import files
+from pathlib import Path
+from urllib.request import urlopen
+
+import pytest
+
+pytest.importorskip("uvicorn")
+from click.testing import CliRunner
+from page_server import Served, served
+
+from workbench.app.commands.commands import main
+from workbench.app.servers.desk import Turn
+from workbench.app.servers.page import page_app
+from workbench.app.servers.page.page_view import Places
+
+FALSE = r"\[ \mathbf{a} \times \mathbf{b} = \mathbf{b} \times \mathbf{a} \]" + "\n"
+TRUE = FALSE.replace("= ", "= -")
+
+
+@pytest.fixture(scope="module")
+def scratch():
+    with served() as page:
+        yield page
+
+
+@pytest.fixture
+def on_disk(tmp_path: Path):
+    (tmp_path / "folder").mkdir()
+    path = tmp_path / "folder" / "paper.tex"
+    path.write_text(FALSE)
+    with served(path) as page:
+        yield page, path
+
+
+def grades(view: dict) -> list[str]:
+    return [each["grade"] for each in view["displays"]]
+
+
+def test_a_false_display_is_corrected_by_its_edits(scratch: Served) -> None:
+    status, view = scratch.call("check", text="é𝒳 " + FALSE)
+    assert status == 200 and grades(view) == ["warning"] and view["findings"][0]["level"] == "warning"
+    assert "refuted" in view["findings"][0]["message"]
+    status, view = scratch.call("corrections")
+    (edit,) = view["displays"][0]["items"][0]["edits"]
+    text = ("é𝒳 " + FALSE).encode("utf-16-le")
+    start, end = (2 * place for place in edit["place"])
+    corrected = (text[:start] + edit["new"].encode("utf-16-le") + text[end:]).decode("utf-16-le")
+    assert corrected == "é𝒳 " + TRUE, "places count units of UTF-16"
+    assert grades(scratch.call("check", text=corrected)[1]) == ["ok"]
+
+
+def test_an_answer_judges_anew(scratch: Served) -> None:
+    before = scratch.call("check", text=FALSE)[1]
+    assert {each["label"]: each["kind"] for each in before["assumptions"]} == {
+        r"\mathbf{a}": "vector",
+        r"\mathbf{b}": "vector",
+    }
+    answers = [
+        {"table": "symbols", "key": each["key"], "value": '"vector"'} for each in before["assumptions"]
+    ]
+    after = scratch.call("check", text=FALSE, answers=answers)[1]
+    assert grades(after) == ["error"], "what the author says is declared"
+    assert {each["basis"] for each in after["assumptions"]} == {"asked"}
+    status, model = scratch.call("model")
+    assert status == 200 and model["name"] == "text.toml" and "'\\mathbf{a}'" in model["model"]
+
+
+def test_the_report_is_one_page(scratch: Served) -> None:
+    scratch.call("check", text=FALSE)
+    status, report = scratch.call("report")
+    assert (
+        status == 200
+        and report["html"].lower().startswith("<!doctype html>")
+        and "errata.json" not in report["html"]
+    )
+
+
+def test_another_page_gets_nothing(scratch: Served) -> None:
+    token = scratch.page.token
+    assert scratch.request("GET", "/", Host="evil.example")[0] == 403
+    assert scratch.request("POST", "/api/text", {}, X_Workbench_Token=token, Host="evil.example")[0] == 403
+    assert (
+        scratch.request("POST", "/api/text", {}, X_Workbench_Token=token, Origin="http://evil.example")[0]
+        == 403
+    )
+    assert scratch.request("POST", "/api/text", {})[0] == 401
+    assert scratch.request("POST", "/api/text", {}, X_Workbench_Token="x" + token)[0] == 401
+    assert scratch.request("GET", "/api/text", X_Workbench_Token=token)[0] == 405
+    status, headers, body = scratch.request("GET", "/")
+    assert status == 200 and "access-control-allow-origin" not in headers and token.encode() not in body
+    assert "default-src 'none'" in headers["content-security-policy"]
+
+
+@pytest.mark.parametrize(
+    "name", ["../page_app.py", "..%2fpage_app.py", "page.html", "%2fetc%2fhostname", "none.js"]
+)
+def test_only_the_files_of_the_page_are_given(scratch: Served, name: str) -> None:
+    assert scratch.request("GET", f"/static/{name}")[0] == 404
+
+
+@pytest.mark.parametrize("name", ["page.js", "codemirror.js", "page.css", "codemirror.LICENSE"])
+def test_the_files_of_the_page_are_given(scratch: Served, name: str) -> None:
+    status, headers, _ = scratch.request("GET", f"/static/{name}")
+    assert status == 200 and headers["content-type"].startswith("text/")
+
+
+BAD = {
+    "no JSON": (b"{", 400),
+    "no object": (b"[]", 400),
+    "a deep one": (b"[" * 100_000, 400),
+    "half a character": (b'{"tab": "t", "text": "\\ud800"}', 400),
+    "no text": (b'{"tab": "t"}', 400),
+    "no tab": (b'{"text": ""}', 400),
+    "no such table": (b'{"tab": "t", "text": "", "answers": [{"table": "source", "key": "a", "value": "1"}]}', 400),
+    "two entries": (
+        b'{"tab": "t", "text": "", "answers": [{"table": "symbols", "key": "a", "value": "1\\nb = 2"}]}', 400,
+    ),
+    "another document": (b'{"tab": "t", "text": "", "document": "file"}', 400),
+    "another suffix": (b'{"tab": "t", "text": "", "suffix": "/../x.tex"}', 400),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("body,status", BAD.values(), ids=BAD)
+def test_a_bad_request_is_one_error(scratch: Served, body: bytes, status: int) -> None:
+    got, _, told = scratch.request("POST", "/api/check", body, X_Workbench_Token=scratch.page.token)
+    assert got == status and json.loads(told)["error"]
+
+
+def test_a_text_that_is_too_large_is_refused(scratch: Served) -> None:
+    assert scratch.call("check", text="x" * (page_app.MOST_BYTES + 1))[0] == 400
+    assert scratch.call("check", text="é" * (page_app.MOST_BYTES - 1))[0] == 413
+    token = scratch.page.token
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(page_app, "_MOST_BODY", 10)
+        assert scratch.request("POST", "/api/check", b" " * 11, X_Workbench_Token=token)[0] == 413
+
+
+def test_no_file_outside_of_the_folder_is_read(on_disk, tmp_path: Path) -> None:
+    page, path = on_disk
+    secret = tmp_path / "secret.tex"
+    secret.write_text(r"\[ \mathbf{s} = \mathbf{s} + \mathbf{s} \]")
+    (path.parent / "link.tex").symlink_to(secret)
+    inputs = [str(secret), "../secret", "../secret.tex", "link", "/etc/hostname"]
+    text = FALSE + "".join(f"\\input{{{each}}}\n" for each in inputs)
+    for document in ("file", "scratch"):
+        status, view = page.call("check", text=text, document=document)
+        assert status == 200 and len(view["displays"]) == 1 and "mathbf{s}" not in json.dumps(view)
+        assert len(view["faults"]) >= len(inputs) - 1
+    (path.parent / "part.tex").write_text(TRUE)
+    _, view = page.call("check", text=FALSE + r"\input{part}", document="file")
+    assert grades(view) == ["warning", "ok"], "a part in the folder is read"
+    assert [each["file"] for each in view["displays"]] == [None, "part.tex"]
+
+
+def test_what_a_text_says_is_not_carried_out(scratch: Served, tmp_path: Path) -> None:
+    touched = tmp_path / "touched"
+    text = rf"""\immediate\write18{{touch {touched}}}\openout5={touched}\directlua{{os.execute('touch {touched}')}}
+\[ \text{{<img src=x onerror=alert(1)>}} = \mathbf{{<script>}} \]
+\[ __import__('os').system('touch {touched}') = {{{{ 7*7 }}}} \]
+\begin{{equation}}\label{{<b>x</b>}} a = a + 1 \end{{equation}}
+"""
+    status, view = scratch.call("check", text=text)
+    assert status == 200 and not touched.exists()
+    html = json.dumps(
+        [[each["formulas"], each["items"], each["details"], each["remark"]] for each in view["displays"]]
+    )
+    assert "<img" not in html and "<script" not in html and "<b>" not in html
+
+
+def test_the_file_is_saved_unless_it_changed(on_disk) -> None:
+    page, path = on_disk
+    _, told = page.call("text")
+    assert told["text"] == FALSE and told["model"] is None
+    assert "text" not in page.call("text", stamp=told["stamp"])[1]
+    status, saved = page.call("save", text=TRUE, stamp=told["stamp"])
+    assert status == 200 and path.read_text() == TRUE and list(path.parent.iterdir()) == [path]
+    path.write_text("other")
+    status, error = page.call("save", text=FALSE, stamp=saved["stamp"])
+    assert status == 412 and "changed" in error["error"] and path.read_text() == "other"
+
+
+def test_line_ends_and_mark_of_the_file_are_kept(tmp_path: Path) -> None:
+    path = tmp_path / "paper.tex"
+    path.write_bytes(b"\xef\xbb\xbf" + FALSE.replace("\n", "\r\n").encode())
+    with served(path) as page:
+        _, told = page.call("text")
+        assert told["text"] == FALSE
+        assert page.call("save", text=TRUE, stamp=told["stamp"])[0] == 200
+    assert path.read_bytes() == b"\xef\xbb\xbf" + TRUE.replace("\n", "\r\n").encode()
+
+
+def test_the_model_is_written_once(on_disk) -> None:
+    page, path = on_disk
+    page.call("check", text=FALSE, document="file")
+    assert page.call("model", write=True)[0] == 200 and path.with_suffix(".toml").exists()
+    assert page.call("model", write=True)[0] == 412
+    view = page.call("check", text=FALSE, document="file")[1]
+    assert not view["drafted"] and not view["assumptions"]
+    assert page.call("model")[0] == 400
+
+
+def test_tabs_do_not_disturb_each_other(scratch: Served) -> None:
+    scratch.call("check", tab="one", text=FALSE)
+    scratch.call("check", tab="two", text=TRUE)
+    assert grades(scratch.call("corrections", tab="one")[1]) == ["warning"]
+    assert grades(scratch.call("corrections", tab="two")[1]) == ["ok"]
+    assert scratch.call("corrections", tab="three")[0] == 409
+
+
+def test_a_later_text_of_a_tab_ends_the_earlier(scratch: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+    began, go = threading.Event(), threading.Event()
+    check = Turn._check
+
+    def slow(turn: Turn) -> None:
+        began.set()
+        go.wait(30)
+        check(turn)
+
+    monkeypatch.setattr(Turn, "_check", slow)
+    first: list[tuple[int, dict]] = []
+    thread = threading.Thread(target=lambda: first.append(scratch.call("check", text=FALSE)))
+    thread.start()
+    assert began.wait(30)
+    second: list[tuple[int, dict]] = []
+    other = threading.Thread(target=lambda: second.append(scratch.call("check", text=TRUE)))
+    other.start()
+    while scratch.page._tabs["t"].text != TRUE:
+        pass
+    go.set()
+    thread.join(60)
+    other.join(60)
+    assert first == [(409, {"error": "superseded"})] and grades(second[0][1]) == ["ok"]
+
+
+def test_a_text_that_cannot_be_judged_says_why(scratch: Served) -> None:
+    status, view = scratch.call("check", text="no formula")
+    assert status == 200 and view["displays"] == [] and "no displayed equation" in view["faults"][0]
+
+
+@pytest.mark.parametrize(
+    "text,line,column,place",
+    [("ab\ncd", 2, 1, 3), ("𝒳b\nc", 1, 2, 2), ("𝒳\nc", 2, 2, 4), ("a", 9, 9, 1), ("a", 0, 0, 0)],
+)
+def test_places_count_units_of_utf_16(text: str, line: int, column: int, place: int) -> None:
+    assert Places(text).at(line, column) == place
+
+
+GUIDE = files("workbench.guide").joinpath("howto/page.md").read_text("utf-8")
+COMMANDS = re.findall(r"^workbench serve.*$", GUIDE, flags=re.M)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_the_commands_of_the_guide_serve_until_interrupted(command: str, tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(re.search(r"```latex\n(.*?)```", GUIDE, re.S)[1])
+    words = [word if word != "8000" else "0" for word in shlex.split(command)[1:]]
+    code = "from workbench.app.commands.commands import main; main()"
+    with subprocess.Popen(
+        [sys.executable, "-uc", code, *words], cwd=tmp_path, stdout=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            address = re.search(r"http://127\.0\.0\.1:\d+/#token=\S+", process.stdout.readline())[0]
+            with urlopen(address) as answer:
+                assert b"workbench" in answer.read()
+        finally:
+            process.send_signal(signal.SIGTERM)
+        process.wait(30)
+
+
+@pytest.mark.parametrize(
+    "words,message",
+    [
+        (["missing.tex"], "no such file"),
+        (["paper.pdf"], "expected a text"),
+        (["paper.tex", "--port", "1"], "cannot be used"),
+    ],
+)
+def test_what_cannot_be_served_is_one_error(
+    words: list[str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("paper.tex").write_text(FALSE)
+    if "--port" in words:
+        monkeypatch.setattr("socket.socket.bind", _refused)
+    done = CliRunner().invoke(main, ["serve", *words])
+    assert done.exit_code == 2 and message in done.output
+
+
+def _refused(*_: object) -> None:
+    raise PermissionError(13, "Permission denied")

@@ -1,0 +1,55 @@
+"""workbench serve: a page on this machine that judges a text as it is written."""
+
+from __future__ import annotations
+
+import socket
+import webbrowser
+from pathlib import Path
+
+import click
+
+from workbench.app.commands.options import Unusable, reports_faults
+
+
+@click.command()
+@click.argument("file", required=False, type=click.Path(path_type=Path))
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=0, help="The port; 0, the default, takes a free one."
+)
+@click.option("--open/--no-open", "opens", default=False, help="Open the page in the browser.")
+@reports_faults
+def serve(file: Path | None, port: int, opens: bool) -> None:
+    """Show a page on this machine that judges a text as you type. FILE is the text to begin with; without it,
+    paste one.
+
+    Only this machine is served, and only who has the printed address. No file outside of the folder of FILE
+    is read; none but FILE and its new model is written. Ctrl-C ends it. Needs the extra page."""
+    try:
+        from uvicorn import Config, Server
+
+        from workbench.app.servers.page.page_app import Page
+    except ImportError:
+        raise Unusable("the page needs the extra page: pip install 'kinematics-workbench[page]'") from None
+    from workbench.app.servers.page.page_file import PageFile
+    from workbench.source.documents import SUFFIXES
+
+    if file is not None and file.suffix.lower() not in SUFFIXES:
+        raise Unusable(f"{file}: expected a text ({', '.join(sorted(SUFFIXES))})")
+    text = None if file is None else PageFile(file)
+    with socket.socket() as listener:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            listener.bind(("127.0.0.1", port))
+        except OSError as error:
+            raise Unusable(f"--port {port}: cannot be used: {error.strerror or error}") from None
+        listener.listen()
+        page = Page(listener.getsockname()[1], text)
+        address = f"http://127.0.0.1:{listener.getsockname()[1]}/#token={page.token}"
+        click.echo(f"{file or 'the page'}: open {address}\nCtrl-C ends it")
+        if opens:
+            webbrowser.open(address)
+        try:
+            config = Config(page.app, log_level="error", access_log=False, timeout_graceful_shutdown=1)
+            Server(config).run(sockets=[listener])
+        finally:
+            page.close()

@@ -1,0 +1,304 @@
+"""The server behind the page: judges what stands in a browser, for one person on one machine."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import secrets
+import tempfile
+import tomllib
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from hmac import compare_digest
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import HTMLResponse, JSONResponse, Response
+from starlette.routing import Route
+
+from workbench.app.servers.desk import Desk, Superseded, Turn
+from workbench.app.servers.page.page_file import MOST_BYTES, Changed, PageFile
+from workbench.app.servers.page.page_view import fault_view, page_view
+from workbench.app.servers.warm import Judged
+from workbench.papers import PaperError
+from workbench.papers.drafting.questions_to_author import Answer
+from workbench.report import ReportError
+from workbench.source.documents import SUFFIXES
+
+#: Seconds for one request; what takes longer is told, and given up.
+SECONDS = 120.0
+#: Of how many tabs the last verdicts are kept.
+_MOST_TABS = 16
+#: How often a character may be written in JSON as six, and some for the rest.
+_MOST_BODY = 6 * MOST_BYTES + 100_000
+_TYPES = {".js": "text/javascript", ".css": "text/css", ".LICENSE": "text/plain"}
+_ANSWERED = frozenset({"symbols", "definitions", "points"})
+_HEADERS = {
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cache-Control": "no-store",
+}
+
+
+class Refused(Exception):
+    """A request that is not answered. status: that of HTTP."""
+
+    def __init__(self, status: int, message: str) -> None:
+        super().__init__(message)
+        self.status = status
+
+
+@dataclass
+class Tab:
+    """What was judged last in one tab of a browser, and what is being judged."""
+
+    turn: Turn
+    count: int = 0
+    judged: Judged | None = None
+    answers: tuple[Answer, ...] = ()
+    text: str = ""
+    path: Path = Path()
+
+
+class Page:
+    """The page of one start of the server. token: what each request must show.   file: the text on disk,
+    if the page was started with one."""
+
+    def __init__(self, port: int, file: PageFile | None = None, token: str | None = None) -> None:
+        self.token, self.file = token or secrets.token_urlsafe(24), file
+        self._hosts = {f"127.0.0.1:{port}", f"localhost:{port}"}
+        self._empty = tempfile.TemporaryDirectory(prefix="workbench-")
+        self._desks = {"scratch": Desk(folder=Path(self._empty.name))}
+        if file is not None:
+            self._desks["file"] = Desk(folder=file.path.parent)
+        for desk in self._desks.values():
+            desk.prepare()
+        self._tabs: dict[str, Tab] = {}
+        calls = {
+            "text": self._text,
+            "check": self._check,
+            "corrections": self._corrections,
+            "progress": self._progress,
+            "save": self._save,
+            "model": self._model,
+            "report": self._report,
+        }
+        routes = [Route("/", self._index), Route("/static/{name}", self._static)]
+        routes += [Route(f"/api/{name}", self._call(call), methods=["POST"]) for name, call in calls.items()]
+        self.app = Starlette(routes=routes)
+
+    def close(self) -> None:
+        for desk in self._desks.values():
+            desk.close()
+        self._empty.cleanup()
+
+    def _guard(self, request: Request) -> None:
+        """Raises Refused for a request of another page, or under another name of this machine."""
+        if request.headers.get("host", "") not in self._hosts:
+            raise Refused(403, "expected a request to 127.0.0.1")
+        origin = request.headers.get("origin")
+        if origin is not None and origin not in {f"http://{host}" for host in self._hosts}:
+            raise Refused(403, "expected a request of this page")
+
+    async def _index(self, request: Request) -> Response:
+        try:
+            self._guard(request)
+        except Refused as error:
+            return Response(str(error), error.status, headers=_HEADERS)
+        nonce = secrets.token_urlsafe(16)
+        page = files("workbench.app.servers.page").joinpath("static/page.html").read_text("utf-8")
+        policy = (
+            f"default-src 'none'; script-src 'self'; style-src 'self' 'nonce-{nonce}'; connect-src 'self';"
+            " img-src data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+        )
+        headers = {**_HEADERS, "Content-Security-Policy": policy}
+        return HTMLResponse(page.replace("{{ nonce }}", nonce), headers=headers)
+
+    async def _static(self, request: Request) -> Response:
+        try:
+            self._guard(request)
+        except Refused as error:
+            return Response(str(error), error.status, headers=_HEADERS)
+        own = {each.name: each for each in files("workbench.app.servers.page").joinpath("static").iterdir()}
+        found = own.get(request.path_params["name"])
+        if found is None or found.name == "page.html":
+            return Response("no such file", 404, headers=_HEADERS)
+        return Response(found.read_bytes(), media_type=_TYPES[Path(found.name).suffix], headers=_HEADERS)
+
+    def _call(
+        self, call: Callable[[dict[str, Any]], Awaitable[dict[str, Any]]]
+    ) -> Callable[[Request], Awaitable[Response]]:
+        """A call of the page: its JSON in, JSON out, an error as a status and a message."""
+
+        async def answered(request: Request) -> Response:
+            try:
+                self._guard(request)
+                if not compare_digest(request.headers.get("x-workbench-token", ""), self.token):
+                    raise Refused(
+                        401, "this page is of another start of the server: open the printed address"
+                    )
+                data = await asyncio.wait_for(call(await _body(request)), SECONDS)
+                return JSONResponse(data, headers=_HEADERS)
+            except Refused as error:
+                status, message = error.status, str(error)
+            except Superseded:
+                status, message = 409, "superseded"
+            except Changed as error:
+                status, message = 412, str(error)
+            except TimeoutError:
+                status, message = 503, f"not judged within {SECONDS:.0f} seconds; given up"
+            except (PaperError, ReportError, OSError) as error:
+                status, message = 422, str(error)
+            except ClientDisconnect:
+                return Response(status_code=499)
+            return JSONResponse({"error": message}, status, headers=_HEADERS)
+
+        return answered
+
+    async def _text(self, data: dict[str, Any]) -> dict[str, Any]:
+        """The text on disk."""
+        if self.file is None:
+            return {"name": None}
+        text, stamp = self.file.read()
+        if data.get("stamp") == stamp:
+            return {"name": self.file.name, "stamp": stamp}
+        model = self.file.model.name if self.file.model.exists() else None
+        return {"name": self.file.name, "stamp": stamp, "text": text, "model": model}
+
+    async def _check(self, data: dict[str, Any]) -> dict[str, Any]:
+        """The verdicts on what stands in a tab."""
+        path, desk = self._place(data)
+        text, answers = _text_of(data), _answers_of(data)
+        name = _string(data, "tab")
+        tab = Tab(desk.turn(name), answers=answers, text=text, path=path)
+        self._tabs.pop(name, None)
+        self._tabs[name] = tab
+        while len(self._tabs) > _MOST_TABS:
+            del self._tabs[next(iter(self._tabs))]
+        try:
+            tab.judged = await tab.turn.verdicts(path, {path: text}, answers)
+        except PaperError as error:
+            return fault_view(error.faults)
+        except asyncio.CancelledError:
+            desk.turn(name)  # ends what is being judged
+            raise
+        return page_view(tab.judged, path, text, answers)
+
+    async def _corrections(self, data: dict[str, Any]) -> dict[str, Any]:
+        """The verdicts of the last check with the corrections that a search proves."""
+        tab = self._judged_tab(data)
+        assert tab.judged is not None
+        tab.judged = await tab.turn.corrections(tab.judged)
+        return page_view(tab.judged, tab.path, tab.text, tab.answers)
+
+    async def _progress(self, data: dict[str, Any]) -> dict[str, Any]:
+        tab = self._tabs.get(_string(data, "tab"))
+        return {"judged": tab.turn.judged if tab else 0}
+
+    async def _save(self, data: dict[str, Any]) -> dict[str, Any]:
+        """Writes the text into the file that the page was started with."""
+        if self.file is None:
+            raise Refused(400, "there is no file; start `workbench serve FILE`")
+        return {"stamp": self.file.save(_text_of(data), _string(data, "stamp"))}
+
+    async def _model(self, data: dict[str, Any]) -> dict[str, Any]:
+        """The drafted model with the answers; written beside the file if that is asked for."""
+        from workbench.papers.drafting.model_file import model_text
+
+        tab = self._judged_tab(data)
+        assert tab.judged is not None
+        if tab.judged.draft is None:
+            raise Refused(400, "this text has a model already")
+        text = model_text(tab.judged.draft.ingested, tab.path.with_suffix(".toml"))
+        name = tab.path.with_suffix(".toml").name
+        if data.get("write"):
+            if self.file is None or tab.path != self.file.path:
+                raise Refused(400, "there is no file beside which a model could stand")
+            self.file.save_model(text)
+        return {"name": name, "model": text}
+
+    async def _report(self, data: dict[str, Any]) -> dict[str, Any]:
+        """The report of the last check as one page."""
+        from workbench.report.render import page_of
+
+        tab = self._judged_tab(data)
+        assert tab.judged is not None
+        html = await asyncio.to_thread(page_of, tab.judged.paper, tab.judged.results)
+        return {"name": f"{tab.path.stem}-report.html", "html": html}
+
+    def _judged_tab(self, data: dict[str, Any]) -> Tab:
+        tab = self._tabs.get(_string(data, "tab"))
+        if tab is None or tab.judged is None:
+            raise Refused(409, "nothing is judged in this tab; change the text, and it is")
+        return tab
+
+    def _place(self, data: dict[str, Any]) -> tuple[Path, Desk]:
+        """Where a text stands, or seems to, and where it is judged."""
+        if data.get("document") == "file":
+            if self.file is None:
+                raise Refused(400, "there is no file; start `workbench serve FILE`")
+            return self.file.path, self._desks["file"]
+        suffix = data.get("suffix", ".tex")
+        if suffix not in SUFFIXES:
+            raise Refused(400, f"suffix: expected one of {', '.join(sorted(SUFFIXES))}")
+        return Path(self._empty.name).resolve() / f"text{suffix}", self._desks["scratch"]
+
+
+async def _body(request: Request) -> dict[str, Any]:
+    """The JSON object of a request. Raises Refused."""
+    body = bytearray()
+    async for chunk in request.stream():
+        body += chunk
+        if len(body) > _MOST_BODY:
+            raise Refused(413, f"expected a text of at most {MOST_BYTES:,} bytes")
+    try:
+        data = json.loads(body)
+    except (ValueError, RecursionError):
+        data = None
+    if not isinstance(data, dict):
+        raise Refused(400, "expected a JSON object")
+    return data
+
+
+def _string(data: dict[str, Any], key: str, most: int = 200) -> str:
+    value = data.get(key)
+    if not isinstance(value, str) or len(value) > most:
+        raise Refused(400, f"{key}: expected a string of at most {most:,} characters")
+    return value
+
+
+def _text_of(data: dict[str, Any]) -> str:
+    text = _string(data, "text", MOST_BYTES)
+    try:
+        size = len(text.encode("utf-8"))
+    except UnicodeEncodeError:
+        raise Refused(400, "text: expected Unicode characters, got half of one") from None
+    if size > MOST_BYTES:
+        raise Refused(413, f"expected a text of at most {MOST_BYTES:,} bytes, got {size:,}")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _answers_of(data: dict[str, Any]) -> tuple[Answer, ...]:
+    """The answers of the author. Raises Refused for what is no entry of a model."""
+    given = data.get("answers", [])
+    if not isinstance(given, list) or len(given) > 500:
+        raise Refused(400, "answers: expected a list of at most 500")
+    made = []
+    for each in given:
+        if not isinstance(each, dict) or each.get("table") not in _ANSWERED:
+            raise Refused(400, "answers: expected entries of symbols, definitions or points")
+        answer = Answer(each["table"], _string(each, "key"), _string(each, "value", 2000))
+        try:
+            is_one = len(tomllib.loads(answer.lines[1])) == 1
+        except (tomllib.TOMLDecodeError, RecursionError):
+            is_one = False
+        if not is_one:
+            raise Refused(400, f"answers: expected one entry of a model, got {answer.lines[1]!r}")
+        made.append(answer)
+    return tuple(made)

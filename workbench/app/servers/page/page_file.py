@@ -1,0 +1,71 @@
+"""The file that a page was started with: read, watched and saved, and its model beside it."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from workbench.papers import PaperError
+from workbench.source.toml.file_bytes import file_bytes
+
+#: Bytes of a text that the page takes.
+MOST_BYTES = 1_000_000
+
+
+class Changed(Exception):
+    """A file is not what it was when it was read."""
+
+
+class PageFile:
+    """A text on disk. Line ends and a byte order mark stay as they are when it is saved."""
+
+    def __init__(self, path: Path) -> None:
+        """Raises PaperError for what cannot be read."""
+        self.path = path.resolve()
+        self.name = path.name
+        self.read()
+
+    @property
+    def model(self) -> Path:
+        return self.path.with_suffix(".toml")
+
+    def read(self) -> tuple[str, str]:
+        """Returns the text, and a stamp that changes with it. Raises PaperError."""
+        raw = file_bytes(self.path, "a text", MOST_BYTES)
+        try:
+            text = raw.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            raise PaperError(self.path, None, None, "is not UTF-8; expected a text in UTF-8") from None
+        return text.replace("\r\n", "\n").replace("\r", "\n"), self._stamp()
+
+    def _stamp(self) -> str:
+        found = self.path.stat()
+        return f"{found.st_mtime_ns}-{found.st_size}-{found.st_ino}"
+
+    def save(self, text: str, stamp: str) -> str:
+        """Writes the text; returns the new stamp. Raises Changed if the file is not the one that was read,
+        and OSError."""
+        if self._stamp() != stamp:
+            raise Changed(f"{self.name} was changed by another program; nothing was written")
+        raw = file_bytes(self.path, "a text", MOST_BYTES)
+        mark = b"\xef\xbb\xbf" if raw.startswith(b"\xef\xbb\xbf") else b""
+        ends = "\r\n" if b"\r\n" in raw else "\n"
+        _write(self.path, mark + text.replace("\n", ends).encode("utf-8"))
+        return self._stamp()
+
+    def save_model(self, text: str) -> None:
+        """Writes the model beside the text. Raises Changed if there is one, and OSError."""
+        if self.model.exists():
+            raise Changed(f"{self.model.name} is there already; nothing was written")
+        _write(self.model, text.encode("utf-8"))
+
+
+def _write(path: Path, data: bytes) -> None:
+    draft = path.with_name(f".unfinished-{os.getpid()}-{path.name}")
+    try:
+        draft.write_bytes(data)
+        if path.exists():
+            draft.chmod(path.stat().st_mode & 0o777)
+        draft.replace(path)
+    finally:
+        draft.unlink(missing_ok=True)

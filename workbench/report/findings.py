@@ -70,6 +70,8 @@ def findings(paper: Paper, results: Sequence[ClaimResult]) -> list[Finding]:
 def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
     broken: set[str] = set()  # steps of a chain that do not follow
     for result in results:
+        if result.known:
+            continue
         claim, outcome = result.claim, result.verdict.outcome
         if outcome in (Outcome.REFUTED, Outcome.ILL_FORMED):
             is_first = not broken.intersection(claim.chain)

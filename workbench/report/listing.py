@@ -88,10 +88,11 @@ class Listing:
         told = ", ".join(_counted(word, count) for word, count in counted.items())
         if counted.keys() & {"error", "warning"}:
             return told
-        return f"no error found; {told}" if told else "no display"
+        found = "no new error found" if "known" in counted else "no error found"
+        return f"{found}; {told}" if told else "no display"
 
 
-_WORDS = ("error", "warning", "not judged", "holds", "definition", "left out")
+_WORDS = ("error", "warning", "known", "not judged", "holds", "definition", "left out")
 _PLURALS = {"error": "errors", "warning": "warnings", "holds": "hold", "definition": "definitions"}
 
 
@@ -163,6 +164,8 @@ def _row(name: str, results: Sequence[ClaimResult]) -> Row:
     if grade is Grade.NOT_JUDGED:
         reason = next(str(r.verdict.reason or "") for r in results if r.shown is grade)
         return Row(name, grade, "not judged", reason)
+    if any(result.known for result in results):
+        return Row(name, Grade.NOTE, "known", "")
     if outcomes & {Outcome.PROVED, Outcome.CONDITIONAL, Outcome.ARGUED, Outcome.PROBABLE}:
         needs = [r.verdict.hypothesis for r in results if r.verdict.outcome is Outcome.CONDITIONAL]
         scopes = [r.verdict.scope for r in results if r.verdict.scope]

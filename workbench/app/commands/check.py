@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from workbench.app.commands.baselines import without_known
 from workbench.app.commands.judging_options import engine_options, judged_papers, proposals_flag
 from workbench.app.commands.options import Unusable, memory_of_verdicts, reports_faults
 from workbench.app.commands.printed import print_judged
@@ -51,6 +52,19 @@ FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
     metavar="OUT",
     help="Write the report of the one FILE into the directory OUT, too.",
 )
+@click.option(
+    "--baseline",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Report only what this file of known findings does not list.",
+)
+@click.option(
+    "--write-baseline",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write all that is wrong into a file of known findings.",
+)
+@click.option("--since", metavar="REV", help="Report only what was not wrong in this git revision.")
 @click.option("--watch", is_flag=True, help="Stay, and judge again what changes.")
 @engine_options
 @proposals_flag
@@ -75,6 +89,9 @@ def check(
     jobs: int | None,
     scheduler: str | None,
     report_out: Path | None,
+    baseline: Path | None,
+    write_baseline: Path | None,
+    since: str | None,
     watch: bool,
     proposals: bool,
     ask: bool,
@@ -104,6 +121,8 @@ def check(
 
         if json_out is not None or form in ("json", "sarif") or scheduler:
             raise Unusable("--watch prints text, github or rdjsonl, and judges here")
+        if baseline or write_baseline or since:
+            raise Unusable("--watch: expected no --baseline, --write-baseline or --since")
         watch_files(files, form, jobs, **engines)
         return
     from workbench.app.commands.fix import diff_of, proved_edits
@@ -123,6 +142,7 @@ def check(
     is_text = form == "text" and json_out is None
     if ask and is_text:
         judged = [_asked(each, engines) for each in judged]
+    judged = without_known(judged, baseline, write_baseline, since)
     judged = [_corrected(each, proposals or fix or diff, engines["cache"], repair_seconds) for each in judged]
     if report_out is not None and judged:
         _write_report(judged[0], report_out)

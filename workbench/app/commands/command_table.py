@@ -30,6 +30,13 @@ COMMANDS = (
     ),
     Entry(
         "Check",
+        "bisect",
+        "workbench.app.commands.bisect:bisect",
+        "Find the git commit since which each display is false.",
+        ("workbench bisect paper.tex", "workbench bisect paper.tex --most 20"),
+    ),
+    Entry(
+        "Check",
         "draft",
         "workbench.app.commands.draft_command:draft_text",
         "Write a first model beside a text.",

@@ -42,7 +42,8 @@ class ClaimResult:
     """The verdict on a claim as printed, on its reading and on its correction.
 
     proposed, certificates: what the machine proposes for it and what Coq says of it; None where nobody
-    asked.   edits: of the author's characters, which make his formula the first that is proposed."""
+    asked.   edits: of the author's characters, which make his formula the first that is proposed.   known:
+    whether a baseline says already that it is wrong."""
 
     claim: Claim
     verdict: Verdict
@@ -51,6 +52,7 @@ class ClaimResult:
     proposed: tuple[Proposed, ...] | None = None
     certificates: tuple[Certification, ...] | None = None
     edits: tuple[SourceEdit, ...] = ()
+    known: bool = False
 
     @property
     def expected(self) -> Outcome:
@@ -63,7 +65,9 @@ class ClaimResult:
     @cached_property
     def shown(self) -> Grade:
         """The grade under which the claim is reported. A verdict that its keys announce is no fault of the
-        file, and one that they do not is an error, whatever it is."""
+        file, and one that they do not is an error, whatever it is. What is known to be wrong is a note."""
+        if self.known:
+            return Grade.NOTE
         if self.passed:
             return Grade.OK if self.verdict.outcome in HOLDS else Grade.NOTE
         is_announced = self.claim.span is None or self.expected is not Outcome.PROVED

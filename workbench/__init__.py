@@ -120,3 +120,10 @@ def check(
 
     budget = Budget.of(seconds=seconds, megabytes=megabytes)
     return check(latex, symbols, paper, assume, orders, definitions, notation, at, budget)
+
+
+def load_ipython_extension(shell: Any) -> None:
+    """Makes %%check known to a notebook: `%load_ext workbench`."""
+    from workbench.app.notebook_magic import register
+
+    register(shell)

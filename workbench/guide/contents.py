@@ -22,6 +22,8 @@ PARTS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
             "macros",
             "many-papers",
             "page",
+            "notebook",
+            "book",
             "ci",
             "editor",
             "assistant",

@@ -9,7 +9,6 @@ from click.testing import CliRunner
 from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome
-from workbench.papers import load_paper
 from workbench.papers.drafting.judged_draft import draft_of, needs_draft, on_drafted_kinds
 from workbench.prover.results.claim_results import ClaimResult
 
@@ -52,8 +51,8 @@ def test_a_kind_that_only_one_formula_needs_does_not_judge_it(tmp_path: Path) ->
 def test_texts_with_a_model_or_comments_need_no_draft(tmp_path: Path) -> None:
     path = tmp_path / "p.tex"
     path.write_text("\\[ a = b \\]\n")
-    assert needs_draft(load_paper(path))
+    assert needs_draft(path)
     path.write_text("%! workbench: symbols.a = 'scalar'\n\\[ a = b \\]\n")
-    assert not needs_draft(load_paper(path))
+    assert not needs_draft(path)
     (tmp_path / "p.toml").write_text('source = "p.tex"\n')
-    assert not needs_draft(load_paper(path))
+    assert not needs_draft(path)

@@ -53,9 +53,8 @@ def loaded_file(path: Path, memory: Memory | None = None, answers: Sequence[Answ
     from workbench.papers.drafting.judged_draft import draft_from, needs_draft
     from workbench.papers.drafting.questions_to_author import answered
 
-    paper = load_paper(path, faults=[], store=memory)
-    if not needs_draft(paper):
-        return Loaded(paper)
+    if not needs_draft(path):
+        return Loaded(load_paper(path, faults=[], store=memory))
     found = ingest(path)
     for answer in answers:
         found = answered(found, answer)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from workbench.context.claims import Claim, Paper
+from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
@@ -17,8 +17,10 @@ from workbench.papers.drafting.draft_model import Ingested, ingest
 from workbench.papers.drafting.inference.infer import Thin, kind_name
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.typefaces import flat
+from workbench.papers.texts.load_texts import model_beside
 from workbench.papers.texts.text_paper import TextPaper, text_paper
 from workbench.prover.results.claim_results import ClaimResult
+from workbench.source.documents import is_text, read_text
 from workbench.source.documents.titles import own_title
 
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
@@ -41,11 +43,10 @@ class Draft:
         return f"drafted a model of {path.name} ({told}); `workbench draft {path}` writes it"
 
 
-def needs_draft(paper: Paper) -> bool:
-    """Returns whether a paper is a text that has no model, and no comments that declare anything."""
-    return (
-        isinstance(paper, TextPaper) and len(paper.paths) == 1 and not (paper.text and paper.text.directives)
-    )
+def needs_draft(path: Path) -> bool:
+    """Returns whether a file is a text that has no model beside it, and no comments that declare anything.
+    Raises PaperError."""
+    return is_text(path) and model_beside(path) is None and not read_text(path).directives
 
 
 def draft_of(path: Path) -> Draft:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
@@ -13,6 +13,15 @@ import click
 
 from workbench.app.commands.options import Unusable
 from workbench.app.servers.desk import Desk, Superseded, Turn
+from workbench.app.servers.key_completion import completions
+from workbench.app.servers.lsp_answers import (
+    ANSWER,
+    WRITE_MODEL,
+    answer_actions,
+    answer_of,
+    lenses,
+    write_model,
+)
 from workbench.app.servers.warm import Judged
 from workbench.core.code_labels import suffix
 from workbench.core.codes.syntax_codes import UNKNOWN_SYMBOLS
@@ -24,6 +33,7 @@ if TYPE_CHECKING:
     from pygls.lsp.server import LanguageServer
 
     from workbench.core.spans import Span
+    from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
     from workbench.report.findings import Finding
 
@@ -63,14 +73,18 @@ def server_for(motions: bool) -> LanguageServer:
     desk = Desk(motions)
     known: dict[Path, Known] = {}
     newest: dict[str, int] = {}
+    answers: dict[Path, list[Answer]] = {}
+
+    def path_of(uri: str) -> Path:
+        return Path(server.workspace.get_text_document(uri).path)
 
     async def judge(uri: str, is_saved: bool = False) -> None:
-        path = Path(server.workspace.get_text_document(uri).path)
+        path = path_of(uri)
         if path.suffix.lower() != ".toml" or _is_paper(path):
             buffers = _buffers(server)
             if is_saved:
                 buffers.pop(path, None)
-            await _judge(server, known, desk.turn(path), path, buffers)
+            await _judge(server, known, desk.turn(path), path, buffers, answers.get(path, ()))
 
     @server.feature(lsp_types.TEXT_DOCUMENT_DID_CHANGE)
     async def changed(params: lsp_types.DidChangeTextDocumentParams) -> None:
@@ -94,7 +108,7 @@ def server_for(motions: bool) -> LanguageServer:
 
     @server.feature(lsp_types.TEXT_DOCUMENT_HOVER)
     def hover(params: lsp_types.HoverParams) -> lsp_types.Hover | None:
-        path = Path(server.workspace.get_text_document(params.text_document.uri).path)
+        path = path_of(params.text_document.uri)
         for result in (result for each in known.values() for result in each.judged.results):
             where = _range(server, _whole(result))
             if _whole(result).file.resolve() == path.resolve() and _holds(where, params.position):
@@ -117,7 +131,43 @@ def server_for(motions: bool) -> LanguageServer:
                 changes.setdefault(uri, []).append(lsp_types.TextEdit(where, new))
             kind, edit = lsp_types.CodeActionKind.QuickFix, lsp_types.WorkspaceEdit(changes)
             found.append(lsp_types.CodeAction(data["title"], kind, [diagnostic], edit=edit))
-        return found
+        uri = params.text_document.uri
+        own = known.get(path_of(uri))
+        return found if own is None else [*found, *answer_actions(uri, own.judged, params.range)]
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_CODE_LENS)
+    def code_lenses(params: lsp_types.CodeLensParams) -> list[lsp_types.CodeLens]:
+        own = known.get(path_of(params.text_document.uri))
+        return [] if own is None else list(lenses(params.text_document.uri, own.judged))
+
+    triggers = lsp_types.CompletionOptions(trigger_characters=["{", '"'])
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_COMPLETION, triggers)
+    def completed(params: lsp_types.CompletionParams) -> list[lsp_types.CompletionItem]:
+        document, at = server.workspace.get_text_document(params.text_document.uri), params.position
+        lines = document.source.split("\n")
+        place = document.position_codec.position_from_client_units([f"{line}\n" for line in lines], at)
+        kind = lsp_types.CompletionItemKind.Property
+        found = completions(lines, place.line, place.character)
+        return [lsp_types.CompletionItem(name, kind=kind, documentation=meaning) for name, meaning in found]
+
+    @server.command(ANSWER)
+    async def answered(*given: Any) -> None:
+        if (answer := answer_of(list(given))) is not None:
+            uri = given[0]
+            own = answers.setdefault(path_of(uri), [])
+            own[:] = [each for each in own if (each.table, each.key) != (answer.table, answer.key)]
+            own.append(answer)
+            await judge(uri)
+
+    @server.command(WRITE_MODEL)
+    async def model_written(uri: str) -> None:
+        own = known.get(path_of(uri))
+        if own is not None and own.judged.draft is not None:
+            message = lsp_types.ShowMessageParams(lsp_types.MessageType.Info, write_model(own.judged))
+            server.window_show_message(message)
+            answers.pop(path_of(uri), None)
+            await judge(uri)
 
     return server
 
@@ -132,7 +182,12 @@ def _is_paper(path: Path) -> bool:
 
 
 async def _judge(
-    server: LanguageServer, known: dict[Path, Known], turn: Turn, path: Path, buffers: Mapping[Path, str]
+    server: LanguageServer,
+    known: dict[Path, Known],
+    turn: Turn,
+    path: Path,
+    buffers: Mapping[Path, str],
+    answers: Sequence[Answer],
 ) -> None:
     """Publishes the verdicts, and again with the corrections, if a search finds any; nothing once the file is
     to be judged anew."""
@@ -141,7 +196,7 @@ async def _judge(
     from workbench.report.findings import fault_finding
 
     try:
-        judged = await turn.verdicts(path, buffers)
+        judged = await turn.verdicts(path, buffers, answers)
         _tell_judged(server, known, path, judged)
         if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
             corrected = await turn.corrections(judged)
@@ -157,6 +212,9 @@ def _tell_judged(server: LanguageServer, known: dict[Path, Known], path: Path, j
     from workbench.report.findings import findings
 
     _tell(server, known, path, findings(judged.paper, judged.results), judged)
+    workspace = server.client_capabilities.workspace
+    if workspace is not None and workspace.code_lens is not None and workspace.code_lens.refresh_support:
+        server.workspace_code_lens_refresh(None)
 
 
 def _buffers(server: LanguageServer) -> dict[Path, str]:

@@ -5,9 +5,12 @@ from __future__ import annotations
 import asyncio
 import json
 import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
+
+from workbench.app.servers.mcp import check_text, draft_model
 
 mcp = pytest.importorskip("mcp")
 stdio = pytest.importorskip("mcp.client.stdio")
@@ -56,3 +59,21 @@ def test_assistant_drafts_checks_and_corrects() -> None:
     assert "same term" in page["page"]
     assert proposed["proposed"][0][0]["latex"] == r"a \times b = -b \times a"
     assert "\\foo" in bad["errors"][0]
+
+
+def test_assistant_reads_no_file_of_the_machine(tmp_path: Path) -> None:
+    (tmp_path / "secret.tex").write_text(r"\[ \mathbf{s} = \mathbf{s} + \mathbf{s} \]")
+    text = TEXT.replace("Let", f"\\input{{{tmp_path}/secret}} Let")
+    assert len(check_text(text)["formulas"]) == 1
+    assert "mathbf{s}" not in draft_model(text)["model"]
+    answer = check_text(TEXT, f"macros = '{tmp_path}/secret.tex'\n" + MODEL)
+    assert "outside of the folder" in answer["errors"][0]
+
+
+def test_assistant_gets_the_questions_of_a_draft() -> None:
+    text = "\\[ 2 a + a = 3 a \\]\n\\[ \\mathbf{f} \\times a = 2 \\mathbf{f} \\times a \\]\n"
+    answer = check_text(text)
+    (question,) = answer["questions"]
+    assert question["question"] == "What is a?" and question["settles"] == ["L2"]
+    assert question["answers"][0] == "[symbols]\n'a' = \"vector\""
+    assert [each["grade"] for each in answer["formulas"]] == ["ok", "not judged"]

@@ -75,8 +75,9 @@ def draft_model(text: str, suffix: str = ".tex") -> dict[str, Any]:
 
     def drafted() -> dict[str, Any]:
         from workbench.papers.drafting import ingest, model_text
+        from workbench.source.toml.file_bytes import within
 
-        with TemporaryDirectory(prefix="workbench-") as folder:
+        with TemporaryDirectory(prefix="workbench-") as folder, within(Path(folder)):
             path = _written(Path(folder), text, suffix)
             return {"model": model_text(ingest(path), path.with_suffix(".toml"))}
 
@@ -125,12 +126,30 @@ def _checked_text(folder: Path, text: str, model: str, suffix: str) -> dict[str,
     path = _written(folder, text, suffix)
     if model:
         path.with_suffix(".toml").write_text(_with_source(model, path), encoding="utf-8")
-    judged = judged_file(path)
+    judged = judged_file(path, folder=folder)
     if model:
         judged = _as_guessed(judged)
     judged = with_corrections(judged)
     summary = listing(judged.paper, judged.results).summary if isinstance(judged.paper, TextPaper) else ""
-    return {"summary": summary, "formulas": [_told(result) for result in judged.results]}
+    formulas = [_told(result) for result in judged.results]
+    return {"summary": summary, "formulas": formulas, "questions": _questions(judged)}
+
+
+def _questions(judged: Judged) -> list[dict[str, Any]]:
+    """What only the author can answer, with the lines of a model that do."""
+    from workbench.papers.drafting.questions_to_author import questions_about
+
+    if judged.draft is None:
+        return []
+    return [
+        {
+            "question": question.text,
+            "line": question.line,
+            "settles": list(question.settles),
+            "answers": ["\n".join(answer.lines) for answer in question.answers],
+        }
+        for question in questions_about(judged.draft, judged.results)
+    ]
 
 
 def _as_guessed(judged: Judged) -> Judged:

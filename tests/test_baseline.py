@@ -208,3 +208,17 @@ def test_neither_hooks_nor_filters_nor_links_of_a_repository_are_used(repository
     hook.chmod(0o755)
     assert errors(check("p.tex", "--since", "HEAD")) == []
     assert not Path("touched").exists()
+
+
+def fingerprints(*formulas: str) -> list[str]:
+    Path("p.tex").write_text(text(*formulas))
+    words = ["check", "p.tex", "--no-motions", "--no-proposals", "--format", "sarif"]
+    (log,) = json.loads(CliRunner().invoke(main, words).stdout)["runs"]
+    return [each["partialFingerprints"]["display/v1"] for each in log["results"]]
+
+
+def test_fingerprints_of_sarif_are_of_what_is_displayed(folder: Path) -> None:
+    before = fingerprints(SWAP, RIGHT, SWAP)
+    assert len(set(before)) == 2
+    assert fingerprints(RIGHT, RIGHT, SWAP.replace(" ", "  "), SWAP) == before
+    assert set(fingerprints(SWAP, TWICE)) - set(before) and fingerprints(SWAP)[0] == before[0]

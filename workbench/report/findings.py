@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -175,15 +176,28 @@ def sarif(found: Sequence[Finding], version: str) -> dict[str, Any]:
             {
                 "tool": {"driver": driver},
                 "columnKind": "unicodeCodePoints",
-                "results": [_sarif_result(each, used) for each in found],
+                "results": [
+                    _sarif_result(each, used, mark)
+                    for each, mark in zip(found, fingerprints(found), strict=True)
+                ],
             }
         ],
     }
 
 
-def _sarif_result(each: Finding, used: Sequence[str]) -> dict[str, Any]:
+def fingerprints(found: Sequence[Finding]) -> list[str]:
+    """A mark for each finding by what is displayed, whatever its line, and by which of the same it is."""
+    marks: list[str] = []
+    seen: Counter[tuple[str, str, str]] = Counter()
+    for each in found:
+        key = (each.span.file.name, each.code, " ".join((each.latex or each.message).split()))
+        seen[key] += 1
+        marks.append(hashlib.sha256("\n".join((*key, str(seen[key]))).encode()).hexdigest()[:32])
+    return marks
+
+
+def _sarif_result(each: Finding, used: Sequence[str], mark: str) -> dict[str, Any]:
     location = {"artifactLocation": {"uri": each.span.file.as_posix()}, "region": _region(each.span)}
-    mark = hashlib.sha256("\n".join((each.code, each.claim, each.latex, each.message)).encode()).hexdigest()
     fixes = {"fixes": [_sarif_fix(each.edits)]} if each.edits else {}
     return {
         "ruleId": each.code,
@@ -191,7 +205,7 @@ def _sarif_result(each: Finding, used: Sequence[str]) -> dict[str, Any]:
         "level": each.level,
         "message": {"text": each.message},
         "locations": [{"physicalLocation": location}],
-        "partialFingerprints": {"claim/v1": mark[:32]},
+        "partialFingerprints": {"display/v1": mark},
         **fixes,
     }
 

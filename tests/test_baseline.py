@@ -222,3 +222,15 @@ def test_fingerprints_of_sarif_are_of_what_is_displayed(folder: Path) -> None:
     assert len(set(before)) == 2
     assert fingerprints(RIGHT, RIGHT, SWAP.replace(" ", "  "), SWAP) == before
     assert set(fingerprints(SWAP, TWICE)) - set(before) and fingerprints(SWAP)[0] == before[0]
+
+
+def test_places_of_sarif_are_uris(folder: Path) -> None:
+    Path("é p.tex").write_text(text(SWAP))
+    for name, uri in [
+        ("é p.tex", "%C3%A9%20p.tex"),
+        (str(folder / "é p.tex"), (folder / "é p.tex").as_uri()),
+    ]:
+        told = CliRunner().invoke(main, ["check", name, "--no-motions", "--format", "sarif"]).stdout
+        (result,) = json.loads(told)["runs"][0]["results"]
+        files = [result["locations"][0]["physicalLocation"], result["fixes"][0]["artifactChanges"][0]]
+        assert [each["artifactLocation"]["uri"] for each in files] == [uri, uri]

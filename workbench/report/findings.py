@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from workbench.core.code_labels import suffix
 from workbench.core.spans import Span
@@ -197,7 +198,7 @@ def fingerprints(found: Sequence[Finding]) -> list[str]:
 
 
 def _sarif_result(each: Finding, used: Sequence[str], mark: str) -> dict[str, Any]:
-    location = {"artifactLocation": {"uri": each.span.file.as_posix()}, "region": _region(each.span)}
+    location = {"artifactLocation": {"uri": _uri(each.span.file)}, "region": _region(each.span)}
     fixes = {"fixes": [_sarif_fix(each.edits)]} if each.edits else {}
     return {
         "ruleId": each.code,
@@ -208,6 +209,11 @@ def _sarif_result(each: Finding, used: Sequence[str], mark: str) -> dict[str, An
         "partialFingerprints": {"display/v1": mark},
         **fixes,
     }
+
+
+def _uri(file: Path) -> str:
+    """A reference of RFC 3986: blanks and letters beyond ASCII are escaped."""
+    return file.as_uri() if file.is_absolute() else quote(file.as_posix())
 
 
 def _region(span: Span) -> dict[str, int]:
@@ -223,7 +229,7 @@ def _sarif_fix(edits: Sequence[SourceEdit]) -> dict[str, Any]:
     changes: dict[str, list[dict[str, Any]]] = {}
     for edit in edits:
         change = {"deletedRegion": _region(edit.span), "insertedContent": {"text": edit.new}}
-        changes.setdefault(edit.span.file.as_posix(), []).append(change)
+        changes.setdefault(_uri(edit.span.file), []).append(change)
     files = [{"artifactLocation": {"uri": uri}, "replacements": own} for uri, own in changes.items()]
     return {"description": {"text": "The proved correction"}, "artifactChanges": files}
 

@@ -11,9 +11,15 @@ from itertools import pairwise
 
 from workbench.core.spans import Span
 from workbench.source.documents import Source, Token
+from workbench.source.rows.display_vocabulary import RELATIONS
 
 #: Edits with at most so many characters between them are one.
 _CLOSE = 2
+_LEFT, _RIGHT = re.compile(r"\\left(?![A-Za-z])"), re.compile(r"\\right(?![A-Za-z])")
+_NEXT_CELL = re.compile(r"(?<!\\)&|\\\\")
+_MATRIX = re.compile(r"\\begin\{(\w+\*?)\}.*?\\end\{\1\}", re.DOTALL)
+#: Tokens behind which a formula goes on.
+_GOES_ON = RELATIONS | {"+", "-", "(", "[", "{", "\\left", "\\times", "\\cdot"}
 #: So many characters around an edit say whether a blank must part it from a command.
 _LONGEST = 60
 
@@ -84,7 +90,22 @@ def edits_in_source(pieces: Sequence[Piece], owners: Sequence[Token]) -> tuple[S
         found.append(edit)
     found.sort(key=lambda each: each.start)
     overlap = any(a.end > b.start for a, b in pairwise(found))
-    return None if overlap else tuple(found)
+    return None if overlap or _closes_elsewhere(found) else tuple(found)
+
+
+def _closes_elsewhere(edits: Sequence[SourceEdit]) -> bool:
+    """Whether a bracket that is put into one cell of a display is closed in another, which TeX refuses."""
+    depth = 0
+    for edit, after in pairwise(edits):
+        depth += len(_LEFT.findall(edit.new)) - len(_RIGHT.findall(edit.new))
+        if depth > 0 and _is_parted(edit.source.text[edit.end : after.start]):
+            return True
+    return False
+
+
+def _is_parted(between: str) -> bool:
+    """Whether a cell ends in a stretch of the source; the cells of a matrix in it are its own."""
+    return bool(_NEXT_CELL.search(_MATRIX.sub("", between)))
 
 
 def merged(edits: Sequence[SourceEdit]) -> tuple[SourceEdit, ...]:
@@ -117,7 +138,7 @@ def _edit_of(piece: Piece, owners: Sequence[Token]) -> SourceEdit | None:
         right = owners[start] if start < len(owners) else None
         if left is not None and right is not None and _overlap(left, right):
             return None  # within what one macro prints
-        token = right or left
+        token = left if left is not None and _stays(left, right) else right
         if token is None or token.end <= token.start:
             return None
         offset = token.start if token is right else token.end
@@ -131,6 +152,16 @@ def _edit_of(piece: Piece, owners: Sequence[Token]) -> SourceEdit | None:
     if any(each.start < stop and begin < each.end for each in others):
         return None  # a macro prints more than what is to go
     return _edit(tokens[0], begin, stop, written)
+
+
+def _stays(left: Token, right: Token | None) -> bool:
+    """Whether what is put between two tokens stands in the cell of the left one: a sign or a bracket there
+    waits for it in the next."""
+    if right is None:
+        return True
+    if left.source is not right.source or left.end > right.start:
+        return False
+    return _is_parted(left.source.text[left.end : right.start]) and left.text not in _GOES_ON
 
 
 def _overlap(left: Token, right: Token) -> bool:

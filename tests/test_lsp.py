@@ -188,7 +188,7 @@ def test_quick_fix_edits_what_is_typed_and_it_is_judged_unsaved(tmp_path: Path) 
 
 
 SLOW = """import time, workbench.app.servers.desk as desk
-desk.with_corrections = lambda judged, found: (time.sleep(8), found(), judged)[2]
+desk.with_corrections = lambda judged, seconds, found: (time.sleep(8), found(), judged)[2]
 from workbench.app.commands.commands import main
 main(['lsp'])
 """

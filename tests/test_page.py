@@ -9,6 +9,8 @@ import signal
 import subprocess
 import sys
 import threading
+import time
+from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
 from urllib.request import urlopen
@@ -20,7 +22,8 @@ from click.testing import CliRunner
 from page_server import Served, served
 
 from workbench.app.commands.commands import main
-from workbench.app.servers.desk import Turn
+from workbench.app.servers import desk
+from workbench.app.servers.desk import Superseded, Turn
 from workbench.app.servers.page import page_app
 from workbench.app.servers.page.page_view import Places
 
@@ -241,6 +244,28 @@ def test_a_later_text_of_a_tab_ends_the_earlier(scratch: Served, monkeypatch: py
     thread.join(60)
     other.join(60)
     assert first == [(409, {"error": "superseded"})] and grades(second[0][1]) == ["ok"]
+
+
+def test_what_takes_too_long_is_given_up(scratch: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+    ended = threading.Event()
+
+    def slow(
+        path: Path, buffers: object, motions: bool, answers: object, seen: Callable, folder: Path
+    ) -> None:
+        try:
+            for _again in range(600):
+                time.sleep(0.05)
+                seen(None)
+        except Superseded:
+            ended.set()
+            raise
+
+    with monkeypatch.context() as patch:
+        patch.setattr(page_app, "SECONDS", 0.3)
+        patch.setattr(desk, "judged_file", slow)
+        status, told = scratch.call("check", text=FALSE)
+        assert status == 503 and "given up" in told["error"] and ended.wait(10)
+    assert grades(scratch.call("check", text=FALSE)[1]) == ["warning"], "the next is judged"
 
 
 def test_a_text_that_cannot_be_judged_says_why(scratch: Served) -> None:

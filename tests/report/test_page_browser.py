@@ -17,6 +17,11 @@ pytestmark = pytest.mark.skipif(EXECUTABLE is None, reason="no Chromium is insta
 TEXT = r"""\begin{equation}\label{eq:swap} \mathbf{a} \times \mathbf{b} = \mathbf{b} \times \mathbf{a} \end{equation}
 \begin{equation} \mathbf{a} \times \mathbf{b} = -\mathbf{b} \times \mathbf{a} \end{equation}
 """
+MODEL = """source = "paper.tex"
+[symbols]
+'\\mathbf{a}' = "vector"
+'\\mathbf{b}' = "vector"
+"""
 TITLE = "document.title"
 BUSY = "document.querySelector('[aria-busy=true]') !== null"
 STATUS = "document.getElementById('status').textContent"
@@ -158,6 +163,9 @@ def test_a_stopped_server_is_told_and_the_text_kept(browser: Browser, tmp_path: 
         tab.see("document.getElementById('save').click()")
         tab.until("document.getElementById('save').disabled")
         assert path.read_text() == TEXT
+        path.with_suffix(".toml").write_text(MODEL)
+        tab.judged("1 error, 1 holds")
+        assert "paper.toml" in tab.see("document.getElementById('assumptions').textContent")
     tab.type(TEXT + "% more")
     tab.until("!document.getElementById('alert').hidden")
     assert "The server has stopped" in tab.see("document.getElementById('alert').textContent")

@@ -9,12 +9,16 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from workbench.app.servers.warm import Judged, judged_file, with_corrections
+from workbench.app.servers.warm import SEARCH_SECONDS, Judged, judged_file, with_corrections
+from workbench.core.verdict import Grade
 
 if TYPE_CHECKING:
     from workbench.papers.drafting.questions_to_author import Answer
 
 Result = TypeVar("Result")
+
+#: Seconds for the search for the corrections of a whole text.
+_ALL_SECONDS = 60.0
 
 
 class Superseded(Exception):
@@ -73,8 +77,12 @@ class Turn:
         return await self._run(desk._judging, judge)
 
     async def corrections(self, judged: Judged) -> Judged:
-        """Returns the verdicts with what a search proves. Raises Superseded."""
-        return await self._run(self._desk._searching, partial(with_corrections, judged, found=self._check))
+        """Returns the verdicts with what a search proves, the shorter the more is wrong. Raises
+        Superseded."""
+        wrong = sum(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results)
+        seconds = max(1.0, min(SEARCH_SECONDS, _ALL_SECONDS / max(wrong, 1)))
+        search = partial(with_corrections, judged, seconds, self._check)
+        return await self._run(self._desk._searching, search)
 
     def _check(self) -> None:
         if not self._desk.is_of(self._text, self._number):
@@ -86,6 +94,12 @@ class Turn:
             return work()
 
         try:
-            return await asyncio.get_running_loop().run_in_executor(executor, checked)
-        finally:
+            result = await asyncio.get_running_loop().run_in_executor(executor, checked)
+        except asyncio.CancelledError:
+            self._desk.turn(self._text)  # ends the work in its thread
+            raise
+        except Exception:
             self._check()
+            raise
+        self._check()
+        return result

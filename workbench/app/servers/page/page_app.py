@@ -162,14 +162,13 @@ class Page:
         return answered
 
     async def _text(self, data: dict[str, Any]) -> dict[str, Any]:
-        """The text on disk."""
+        """The text on disk, if it is not the one that the page has; what tells a changed model."""
         if self.file is None:
             return {"name": None}
         text, stamp = self.file.read()
-        if data.get("stamp") == stamp:
-            return {"name": self.file.name, "stamp": stamp}
         model = self.file.model.name if self.file.model.exists() else None
-        return {"name": self.file.name, "stamp": stamp, "text": text, "model": model}
+        told = {"name": self.file.name, "stamp": stamp, "model": model, "model_stamp": self.file.model_stamp}
+        return told if data.get("stamp") == stamp else {**told, "text": text}
 
     async def _check(self, data: dict[str, Any]) -> dict[str, Any]:
         """The verdicts on what stands in a tab."""
@@ -185,9 +184,6 @@ class Page:
             tab.judged = await tab.turn.verdicts(path, {path: text}, answers)
         except PaperError as error:
             return fault_view(error.faults)
-        except asyncio.CancelledError:
-            desk.turn(name)  # ends what is being judged
-            raise
         return page_view(tab.judged, path, text, answers)
 
     async def _corrections(self, data: dict[str, Any]) -> dict[str, Any]:

@@ -39,8 +39,15 @@ class PageFile:
         return text.replace("\r\n", "\n").replace("\r", "\n"), self._stamp()
 
     def _stamp(self) -> str:
-        found = self.path.stat()
-        return f"{found.st_mtime_ns}-{found.st_size}-{found.st_ino}"
+        return _stamp_of(self.path)
+
+    @property
+    def model_stamp(self) -> str | None:
+        """What tells a changed model; None where there is none."""
+        try:
+            return _stamp_of(self.model)
+        except OSError:
+            return None
 
     def save(self, text: str, stamp: str) -> str:
         """Writes the text; returns the new stamp. Raises Changed if the file is not the one that was read,
@@ -58,6 +65,11 @@ class PageFile:
         if self.model.exists():
             raise Changed(f"{self.model.name} is there already; nothing was written")
         _write(self.model, text.encode("utf-8"))
+
+
+def _stamp_of(path: Path) -> str:
+    found = path.stat()
+    return f"{found.st_mtime_ns}-{found.st_size}-{found.st_ino}"
 
 
 def _write(path: Path, data: bytes) -> None:

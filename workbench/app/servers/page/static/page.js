@@ -84,11 +84,11 @@ async function judge() {
     const view = await call("check", asked);
     if (!isNew()) return;
     calm();
-    show(view, performance.now() - start);
+    show(view, text, performance.now() - start);
     if (view.displays.some(each => ["error", "warning"].includes(each.grade))) {
       at("status").textContent += " · looking for corrections";
       const corrected = await call("corrections");
-      if (isNew()) show(corrected, performance.now() - start);
+      if (isNew()) show(corrected, text, performance.now() - start);
     }
   } catch (error) {
     if (isNew() && !isQuiet(error)) at("status").textContent = "";
@@ -101,7 +101,7 @@ async function judge() {
 const act = { apply, answer, show: place => editor.show(place) };
 
 function apply(edits) {
-  if (at("displays").hasAttribute("aria-busy") && editor.text() !== state.judgedText) return;
+  if (editor.text() !== state.judgedText) return; // the places are those of another text
   editor.apply(edits);
 }
 
@@ -111,9 +111,10 @@ function answer({ table, key, value }) {
   judge();
 }
 
-function show(view, milliseconds) {
+function show(view, text, milliseconds) {
+  if (editor.text() !== text) return; // it is judged anew in a moment
   state.judgedAt = new Date().toLocaleTimeString();
-  state.judgedText = editor.text();
+  state.judgedText = text;
   const counts = Object.entries(view.counts);
   at("counts").replaceChildren(...counts.map(([word, count]) => make("li", {}, sign(GRADE_OF[word] ?? "note"), ` ${counted(word, count)}`)));
   const displays = view.displays.length;
@@ -181,8 +182,8 @@ at("save").addEventListener("click", async () => {
   at("save").disabled = editor.text() === text;
 });
 
-function load({ name, text, stamp, model }) {
-  Object.assign(state, { document: "file", name, stamp, model, saved: text });
+function load({ name, text, stamp, model, model_stamp: modelStamp }) {
+  Object.assign(state, { document: "file", name, stamp, model, modelStamp, saved: text });
   at("name").textContent = name;
   at("save").hidden = false;
   editor.set(text);
@@ -191,6 +192,10 @@ function load({ name, text, stamp, model }) {
 async function look() {
   if (state.document !== "file" || document.hidden) return;
   const found = await call("text", { stamp: state.stamp });
+  if (found.model_stamp !== state.modelStamp) {
+    Object.assign(state, { model: found.model, modelStamp: found.model_stamp, answers: [] });
+    judge();
+  }
   if (found.text == null || found.stamp === state.stamp) return;
   if (editor.text() === state.saved) load(found);
   else {

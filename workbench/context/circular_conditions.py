@@ -1,4 +1,4 @@
-"""Conditions that are the conclusion itself, under which a formula holds whatever it says."""
+"""Detection of circular conditions: a condition that states the conclusion makes any formula hold."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _TOLERANCE = 1e-9
 
 
 def is_conclusion(condition: Statement, claim: Statement, definitions: Definitions) -> bool:
-    """Returns whether the condition, or a part of it, is what the claim concludes, or a part of that."""
+    """True if the condition, or a part of it, is equivalent to the claim's conclusion or a part of that."""
     concluded = list(_relations(claim))
     return any(_are_same(one, other, definitions) for one in _relations(condition) for other in concluded)
 
@@ -50,9 +50,11 @@ def _are_same(one: Relation, other: Relation, definitions: Definitions) -> bool:
 
 
 def _are_proportional(one: Relation, other: Relation, definitions: Definitions, hold: bool) -> bool:
-    """Whether the differences of the sides have one ratio at some points, neither being 0 at all of them.
+    """True if the differences of both equations' sides have the same nonzero ratio at random points.
 
-    hold: the constants, which may be the ratio; then something else must vary."""
+    hold: whether constants keep their values over all points, so that the ratio may depend on them. Some
+    other symbol must then vary.
+    """
     from workbench.engines.inventory.inventory import NotExact
 
     with suppress(NotExact, IllFormed, ZeroDivisionError):
@@ -76,8 +78,11 @@ def _is_close(one: Sequence[float], other: Sequence[float]) -> bool:
 def _differences(
     one: Relation, other: Relation, definitions: Definitions, hold: bool
 ) -> list[list[list[float]]]:
-    """At each of some points: the differences of the sides of the one and of the other. Raises NotExact for
-    what has no values."""
+    """Returns, for each of some random points, the differences of the sides of both equations.
+
+    Raises:
+        NotExact: A side cannot be evaluated.
+    """
     from workbench.engines.inventory.inventory import NotExact, take_inventory
     from workbench.engines.jet.jets import JetEngine
     from workbench.engines.jet.rings import FloatRing, PointSource, RationalRing, sample

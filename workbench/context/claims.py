@@ -1,4 +1,4 @@
-"""What a paper file says: the paper, its notation and its claims."""
+"""Types of a paper's content: the paper, its notation and its claims."""
 
 from __future__ import annotations
 
@@ -27,17 +27,23 @@ if TYPE_CHECKING:
     from workbench.language.naming.symbols import SymbolTable
 
 
-#: What a fault can be.
+#: The kinds of faults.
 FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
 
-#: What a note to an editor says of the paper and of what was read.
+#: Keys of [citation]: the details of the paper and of the version that was read, for a note to its editor.
 CITATION_KEYS = key_names("citation")
 
 
 @dataclass(frozen=True)
 class Formula:
-    """LaTeX as the file has it, and what was read: a statement, or why it is ill-formed, or why it is unread
-    (in a text: one formula that the workbench cannot read hides no other). `at`: where the fault is."""
+    """A formula as written in a file, with the statement that was read from it.
+
+    Attributes:
+        ill_formed: Why the formula has no type.
+        unread: Why the formula of a text cannot be parsed. Such a formula does not stop the others from being
+            read.
+        at: The position of the fault.
+    """
 
     latex: str
     statement: Statement | None = None
@@ -51,7 +57,7 @@ class Formula:
 
 @dataclass(frozen=True)
 class Robot:
-    """A body of a URDF file, whose motion is one of those that a paper's claims are looked at on."""
+    """A body of a URDF file; claims can be evaluated on its motion."""
 
     urdf: Path
     body: str
@@ -59,10 +65,14 @@ class Robot:
 
 @dataclass(frozen=True)
 class OnMotions:
-    """What motions say of a claim, in our formulas: one that holds, and one that says it as printed.
+    """How a claim is evaluated on motions.
 
-    on: the special motion on which they are looked at.   none: why no motion shows it; "algebra" if it is
-    about no motion."""
+    Attributes:
+        holds: Our formula that holds.
+        printed: Our formula that states the claim as printed.
+        on: The special motion to use.
+        none: Why no motion can show the claim; "algebra" if the claim is about no motion.
+    """
 
     holds: Formula | None = None
     printed: Formula | None = None
@@ -73,8 +83,11 @@ class OnMotions:
 
 @dataclass(frozen=True)
 class Stated:
-    """A goal as the file has it, and what was read; `bare`: without the hypothesis that the text does not
-    state."""
+    """A goal as written in a file, with the goal that was read from it.
+
+    Attributes:
+        bare: The goal without the hypothesis that the text does not state.
+    """
 
     latex: str
     goal: Goal
@@ -83,8 +96,10 @@ class Stated:
 
 @dataclass(frozen=True)
 class Edit:
-    """What an editor does at one place of the printed text: for `old` read `new`. Both are LaTeX where
-    `is_math`, else prose with LaTeX between dollar signs; an empty `new` strikes out."""
+    """A replacement of `old` by `new` in the printed text; an empty `new` deletes.
+
+    Both are LaTeX if `is_math`, else prose with LaTeX between dollar signs.
+    """
 
     old: str
     new: str
@@ -93,10 +108,17 @@ class Edit:
 
 @dataclass(frozen=True)
 class Mend:
-    """How a fault is mended. edits: in what is printed, or in `beside`, a sentence or formula next to it.
-    place: where in the equation, in words.   cause: what several faults have in common, in words.
-    by: the claim whose edits mend this one too.   add: a missing hypothesis in the author's own words.
-    example: a counterexample in words, where values of symbols would not tell what is wrong."""
+    """The correction of a fault.
+
+    Attributes:
+        edits: The edits of the printed formula, or of `beside`.
+        beside: A sentence or formula next to the printed one.
+        place: The position in the equation, in words.
+        cause: The common cause of several faults, in words.
+        add: A missing hypothesis in the author's own words.
+        example: A counterexample in words, for faults that values of symbols do not explain.
+        by: The claim whose edits also correct this one.
+    """
 
     edits: tuple[Edit, ...] = ()
     beside: str | None = None
@@ -109,10 +131,15 @@ class Mend:
 
 @dataclass(frozen=True)
 class Notation:
-    """What the formulas of one file are written in. `motion`: symbol → its name on Drake's motions.
-    `on_motions`: claim → what is looked at there, where that is not the claim's own formula. `words`:
-    functions that a text writes without their backslash. `framed`: symbols that [frames] and [points]
-    define. `since`: for a symbol that a scope declares anew, the file and line where that begins."""
+    """The notation in which the formulas of one file are written.
+
+    Attributes:
+        motion: Symbol → its name on Drake's motions.
+        on_motions: Claim → the formulas to evaluate there instead of the claim's own.
+        words: Functions that a text writes without their backslash.
+        framed: Symbols that [frames] and [points] define.
+        since: For a symbol that a scope redeclares: the file and line where the scope begins.
+    """
 
     symbols: SymbolTable
     definitions: Definitions
@@ -125,7 +152,7 @@ class Notation:
 
     @cached_property
     def hand(self) -> Hand:
-        """How its author writes."""
+        """The spelling conventions of the author."""
         from workbench.language.author_notation import Hand
 
         return Hand(self.symbols)
@@ -133,20 +160,29 @@ class Notation:
 
 @dataclass(frozen=True)
 class Claim:
-    """One `[[claim]]` of a paper file, or one line of it, or one step of a display in a text.
+    """One `[[claim]]` of a paper file, one line of it, or one step of a display in a text.
 
-    printed: the formula that is judged, as printed, or, where `ours`, our formula for what is printed in
-    words. quote: a printed sentence.   goal: what one identity cannot say.   theorem: the name of its proof
-    in the installed paper.   argued: what joins the goal to the sentence, where no rule does.   every_n: the
-    name of the proof that its right form, which is judged for some n, holds for every n.   fault: what kind
-    of fault the claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps
-    before it in its chain, `skip` why its author leaves it out, `unread` why its model expects no verdict,
-    `act` what its formula does and to which symbol, `guessed` its symbols whose kinds nobody has confirmed,
-    `facts` what the text says of its symbols, `moving` of what the text writes rates, `alone` that its model
-    says that it follows from nothing else.
-    Where a display has two readings: `perhaps` holds the equations beside the formula that may be its
-    conditions, `serves` the formulas whose condition it may be, `otherwise` the formulas that the display
-    states if its rows are joined the other way, and `question` names both readings.
+    Attributes:
+        printed: The judged formula as printed, or, if `ours`, our formula for a statement printed in words.
+        quote: A printed sentence.
+        goal: A statement with quantifiers, for claims that are no single identity.
+        theorem: The name of the goal's proof in the installed paper.
+        argued: The argument that connects the goal with the sentence, where no rule does.
+        every_n: The name of the proof that the right form, which is judged for some n, holds for all n.
+        fault: The kind of fault that the claim shows.
+        alone: Whether the model says that the claim follows from no other fact.
+        span: The position of the formula in the text.
+        chain: The ids of the earlier steps in its chain.
+        skip: Why the author of the model leaves the claim out.
+        unread: Why the model expects no verdict.
+        act: What the formula does, and to which symbol.
+        guessed: Symbols whose kinds are unconfirmed guesses.
+        facts: The facts that the text states of the symbols.
+        moving: Symbols whose rates the text writes.
+        perhaps: Equations next to the formula that may be its conditions, if the display has two readings.
+        serves: The formulas whose condition this one may be.
+        otherwise: The formulas that the display states if its rows are joined the other way.
+        question: A question to the author that names both readings.
     """
 
     id: str
@@ -189,7 +225,7 @@ class Claim:
 
     @property
     def expected(self) -> Outcome:
-        """What the keys of the claim say of its printed form."""
+        """The outcome of the printed form that the claim's keys expect."""
         if self.skip is not None or self.unread is not None:
             return Outcome.UNCHECKED
         if self.argued is not None:
@@ -202,12 +238,12 @@ class Claim:
 
     @property
     def shown(self) -> str | None:
-        """The formula or the sentence that is printed; None where only our formula says it."""
+        """The printed formula or sentence; None if only our formula states it."""
         return None if self.ours else self.printed.latex or self.quote
 
     @property
     def right(self) -> Formula:
-        """What stands right for what is printed, if anything does, or what is printed."""
+        """The corrected form, else the intended reading, else the printed form."""
         return self.corrected or self.reading or self.printed
 
     @property
@@ -216,7 +252,7 @@ class Claim:
 
     @property
     def supposed(self) -> tuple[Statement, ...]:
-        """The conditions that the text states, what is given, always, and what is declared of its symbols."""
+        """All premises: assumed conditions, facts given for all times, and declared properties of symbols."""
         said, definitions = self.printed.statement, self.notation.definitions
         given = [formula.statement for formula in self.given]
         if given and said is not None:
@@ -230,7 +266,7 @@ class Claim:
 
     @property
     def instances(self) -> list[dict[str, int]]:
-        """All values of the claim's integers; {} alone for a claim without any."""
+        """All assignments of the claim's integers; [{}] for a claim without integers."""
         return list(self.orders.assignments()) if self.orders else [{}]
 
 
@@ -238,12 +274,14 @@ class Claim:
 class Paper:
     """A paper and its claims in reading order.
 
-    notation: that of its one file; of several files, the first notation file that one of them names, or else
-    that of the first. Each claim carries its own.   theorems: name → a proof for
-    the goal of the claim that names it, or an argument of its own.
-    budget: of each judgement; None where the paper says nothing of it.   faults: what of a model does not fit
-    its text.   citation: what a note to its editor
-    says of it and of what was read (CITATION_KEYS).   sections: number → heading.
+    Attributes:
+        notation: The notation of its file; of several files, the first notation file that one of them names,
+            else the notation of the first file. Each claim has its own.
+        theorems: Name → the proof of the goal of the claim that names it, or an independent argument.
+        budget: The limits of each judgement; None if the paper sets none.
+        citation: Details of the paper and of the version that was read (CITATION_KEYS).
+        faults: Entries of a model that do not fit its text.
+        sections: Number → heading.
     """
 
     title: str
@@ -272,8 +310,9 @@ class Paper:
 
 @dataclass(frozen=True)
 class InstalledPaper:
-    """What the entry points of the group `workbench.papers` name: the claim files of a paper in reading order
-    and the theorems that they refer to."""
+    """A paper that an entry point of the group `workbench.papers` names: its claim files in reading order,
+    and its theorems.
+    """
 
     files: tuple[Path, ...]
     theorems: Mapping[str, Proven] = field(default_factory=dict)

@@ -28,7 +28,7 @@ from workbench.source.documents.surrounding_words import sections_of, sentence_a
 from workbench.source.rows.chains import Step, steps_of
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
-#: What an equation that is a law for the rest of the text is told by.
+#: Macros that mark an equation as a law for the rest of the text.
 _RATES = frozenset({"\\dot", "\\ddot", "\\dddot"})
 _ORDERS = {
     **dict.fromkeys((">", "\\gt"), ">"),
@@ -37,7 +37,7 @@ _ORDERS = {
     **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
 }
 _FORMULA = r"(?:\$[^$]+\$|\\\([^$]*?\\\)|`[^`]+`)"
-#: A relation between two symbols that words state as a condition, or as the reason of a formula.
+#: A relation of two symbols that words state as a condition, or as the reason of a formula.
 _BETWEEN = re.compile(
     r"\b(?:since|because|as|if|when|where|for|that|suppose|assume|assuming|let|given)\b[^.,;:$`\\]{0,30}?"
     rf"(?P<one>{_FORMULA}) and (?P<other>{_FORMULA}) "
@@ -52,13 +52,13 @@ _RELATIONS = {
     "equal": "{0} = {1}",
     "commute": "{0} {1} = {1} {0}",
 }
-#: What is in force behind its sentence, too.
+#: Marks of conditions that stay in force after their sentence.
 _FAR_REACHING = _UNEQUAL | _RATES | _ORDERS.keys()
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
 
 
 class InlineFormulas:
-    """The formulas in the sentences of a text. Each is cut and read once, whatever asks for it."""
+    """The formulas in the sentences of a text, each cut and read once."""
 
     def __init__(self, inline: Iterable[Display]) -> None:
         self._formulas: dict[Path, list[Display]] = {}
@@ -71,7 +71,7 @@ class InlineFormulas:
         self._read: dict[tuple[int, int, bool], tuple[Notation, list[Fact]]] = {}
 
     def before(self, path: Path, end: int, start: int = 0) -> list[Display]:
-        """The formulas of a file that begin between `start` and `end`."""
+        """Returns the formulas of a file that begin between `start` and `end`."""
         found = self._formulas.get(path, [])
         first, last = (bisect_left(found, at, key=lambda each: each.start) for at in (start, end))
         return found[first:last]
@@ -83,7 +83,7 @@ class InlineFormulas:
         return self._steps[key]
 
     def conditions(self, path: Path, end: int, notation: Notation) -> Iterator[tuple[Display, Step]]:
-        """The steps before `end` that are conditions outside of their sentences, too."""
+        """Yields the steps before `end` that are conditions beyond their own sentence."""
         key = (path, frozenset(notation.words))
         if key not in self._conditions:
             self._conditions[key] = [
@@ -97,9 +97,9 @@ class InlineFormulas:
         yield from found[: bisect_left(found, end, key=lambda each: each[0].start)]
 
     def said(self, formula: Display, step: Step, notation: Notation, with_equations: bool) -> list[Fact]:
-        """What a step of a formula says, read in a notation."""
+        """Returns the facts that a step of a formula states in a notation."""
         key = (id(step), id(notation), with_equations)
-        if key not in self._read:  # with the notation, whose id is thus in use
+        if key not in self._read:  # keeps the notation alive, so that its id stays unique
             line = formula.source.place(formula.start)[0]
             made = list(_condition(step.tokens, line, notation, with_equations))
             self._read[key] = (notation, made)
@@ -109,9 +109,12 @@ class InlineFormulas:
 def conditions_of(
     display: Display, statement: Statement, notation: Notation, spoken: InlineFormulas
 ) -> Iterator[Fact]:
-    """Yields what the formulas in sentences say of the symbols in the statement and behind its definitions:
-    any formula of the sentence of the display, inequalities before it in its section, or around that, and
-    equations for rates anywhere before it."""
+    """Yields the facts that formulas in sentences state of a statement's symbols, after unfolding
+    definitions.
+
+    Sources are the formulas in the sentence of the display, earlier inequalities in its section or an
+    enclosing one, and earlier equations for rates.
+    """
     reached = map(notation.definitions.reached, sides_of(statement))
     own = names_of(_symbols(part for parts in reached for part in parts))
     text, path = display.source.prose, display.source.path
@@ -130,7 +133,7 @@ def conditions_of(
 
 
 def _between(words: str, line: int, notation: Notation) -> Iterator[Fact]:
-    """Yields the relations of two symbols that words state."""
+    """Yields the relations of two symbols that the words state."""
     for match in _BETWEEN.finditer(" ".join(words.replace(":math:", "").split())):
         sides = (match[name].strip("$`").removeprefix("\\(").removesuffix("\\)") for name in ("one", "other"))
         latex = _RELATIONS[(match["adjective"] or match["verb"]).lower()].format(*map(str.strip, sides))
@@ -162,7 +165,7 @@ def _condition(
     with suppress(ReadError, IllFormedAt, ValueError):
         statement, ranges = read_statement(latex, notation, None)
         symbols = _symbols(terms_of(statement))
-        of_pi = any(map(notation.definitions.is_pi, symbols))  # `unread` knows such angles
+        of_pi = any(map(notation.definitions.is_pi, symbols))  # `unread_facts` handles such angles
         is_equation = isinstance(statement, Relation) and statement.operator != "≈" and not of_pi
         is_new = is_equation and not (order is None and is_by_definition(statement, notation.definitions))
         is_new = is_new and not is_before_scope(names_in(statement), tokens[0].source.path, line, notation)
@@ -171,7 +174,7 @@ def _condition(
 
 
 def range_facts(step: Step, notation: Notation, about: frozenset[Name]) -> Iterator[Fact]:
-    """Yields where the symbols of a step are, as beside a formula that cannot be read with it: x > 0."""
+    """Yields the ranges of symbols that a step states next to a formula, such as x > 0."""
     for piece in step.ranges:
         line = piece[0].source.place(piece[0].start)[0]
         found = list(_condition(piece, line, notation, with_equations=False))
@@ -181,12 +184,12 @@ def range_facts(step: Step, notation: Notation, about: frozenset[Name]) -> Itera
 
 
 def opaque(words: str, line: int, about: frozenset[Name]) -> Fact:
-    """Returns the fact that the text says something of symbols that is not formalised."""
+    """Returns the fact that the text makes an unformalized statement about symbols."""
     return Fact(None, about, Origin(Provider.CONDITION, words, f"line {line}"), Strength.STATED)
 
 
 def _facts(latex: str, line: int, said: Relation, order: str | None) -> Iterator[Fact]:
-    """Yields what x > 0 says: x ≠ 0, x positive, and that the x of a counterexample is more than 0."""
+    """Yields the facts of a bound such as x > 0: x ≠ 0, x is positive, and a bound for counterexamples."""
     about = names_of(_symbols(terms_of(said)))
     origin = Origin(Provider.CONDITION, latex, f"line {line}")
     fact = partial(Fact, about=about, origin=origin, strength=Strength.STATED, duration=Duration.INSTANT)

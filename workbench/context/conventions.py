@@ -1,7 +1,7 @@
-"""The conventions of authors as one table: what each makes of the symbols of a claim, and how strongly.
+"""Table of the conventions of authors: the facts that each convention suggests, and their strength.
 
-A hinted convention adds facts that hold together; a guessed one adds alternatives, each of which is tried
-alone. The strengths are measured on texts: under a hint hardly any falsehood becomes true.
+A hinted convention adds facts that hold together. A guessed one adds alternatives, each of which is tried
+alone. The strengths are calibrated on texts: a hint makes hardly any false formula true.
 """
 
 from __future__ import annotations
@@ -26,7 +26,12 @@ from workbench.language.printing.printer import to_latex
 
 @dataclass(frozen=True)
 class Convention:
-    """of_letters: whether it depends on letters, accents or typefaces, so that renaming may change it."""
+    """A convention of authors.
+
+    Attributes:
+        of_letters: Whether it depends on letters, accents or typefaces, so that renaming symbols may change
+            it.
+    """
 
     name: str
     strength: Strength
@@ -43,7 +48,7 @@ def conventional(subject: Subject) -> Context:
             continue
         for words, own, content in row.make(subject):
             if any(each.declaration.hidden or each.declaration.introduced for each in own):
-                continue  # what only frames and definitions introduce is no author's symbol
+                continue  # a symbol that only frames and definitions introduce is not the author's
             about = names_of([each.declaration for each in own])
             fact = Fact(content, about, Origin(Provider.CONVENTION, words), row.strength)
             if row.strength is Strength.HINTED:
@@ -65,7 +70,9 @@ def _hats(subject: Subject) -> Iterator[Made]:
 
 
 def _identities(subject: Subject) -> Iterator[Made]:
-    """A text that has an inertia I writes R R^T = I all the same: what the model says of I is no matter."""
+    """Yields identity matrices by their letter. R R^T = I is meant so even if the model declares I an
+    inertia.
+    """
     written = [term for term in terms_of(subject.statement) if isinstance(term, Symbol)]
     for own in dict.fromkeys([*written, *subject.free]):
         is_meant = own.declaration.name.letter in UNIT_LETTERS and not (own.index or own.declaration.free)
@@ -89,7 +96,7 @@ _PLACES = {"x": 0, "1": 0, "i": 0, "y": 1, "2": 1, "j": 1, "z": 2, "3": 2, "k": 
 
 
 def _components(subject: Subject) -> Iterator[Made]:
-    """v_x of v and R_{12} of R, if both are in the claim and neither has a definition."""
+    """Yields v_x as a component of v, and R_{12} of R, if both are in the claim and neither is defined."""
     declared = [each for each in subject.symbols.symbols.values() if not each.indices and not each.type.dual]
     for own in _numbers(subject):
         name = own.declaration.name
@@ -108,7 +115,7 @@ def _components(subject: Subject) -> Iterator[Made]:
 
 
 def _circles(subject: Subject) -> Iterator[Made]:
-    """c and s with the same scripts are the cosine and sine of an angle."""
+    """Yields c and s with the same scripts as the cosine and sine of one angle."""
     groups: dict[object, list[Symbol]] = {}
     for own in _numbers(subject):
         name = own.declaration.name
@@ -131,13 +138,13 @@ def _under_roots(subject: Subject) -> Iterator[Made]:
 
 
 def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
-    """The symbols that may have a property, together and then each alone."""
+    """Returns a maker that gives a property to all symbols that may have it, and then to each alone."""
 
     def make(subject: Subject) -> Iterator[Made]:
         row = PROPERTIES[name]
         may = [s for s in subject.free if row.fits(s) and not s.index and not s.declaration.rotation]
         may = [s for s in may if not (row.flag and getattr(s.declaration, row.flag))]
-        if name == "skew":  # with a symmetric one it would be 0
+        if name == "skew":  # a symmetric skew matrix is zero
             may = [s for s in may if not (s.declaration.symmetric or s.declaration.diagonal)]
         for own in [may] * (len(may) > 1) + [[each] for each in may]:
             yield f"{_named(own)}: {name}", own, having(name, own)
@@ -146,8 +153,11 @@ def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
 
 
 def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
-    """Symbols of which the text takes no rate, as constants. One that stands under a written d/dt may be a
-    forgotten term. A constant that makes a rate vanish is none."""
+    """Returns a maker that makes symbols without a written rate constant.
+
+    A symbol under a written d/dt may be a missing term of the derivative. A symbol is left out if its
+    constancy makes a rate vanish.
+    """
 
     def make(subject: Subject) -> Iterator[Made]:
         if not subject.rates:
@@ -189,12 +199,12 @@ def _spins(subject: Subject) -> Iterator[Made]:
                 yield f"{to_latex(own)}: the angular velocity of {frame}", [own], meaning(own, spin)
 
 
-#: The components of a quaternion or a vector without scripts.
+#: The letters of components of a quaternion or a vector without scripts.
 _PLAIN = "wxyz"
 
 
 def _of_length_one(subject: Subject) -> Iterator[Made]:
-    """2 to 4 numbers of one letter, the numbers x, y, z, w, or a number and a vector alone."""
+    """Yields unit sets: 2 to 4 numbers of one letter, the numbers x, y, z, w, or a number and a vector."""
     numbers = _numbers(subject)
     vectors = [s for s in subject.free if s.type.kind == "vector"]
     groups: dict[str, list[Symbol]] = {}

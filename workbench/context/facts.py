@@ -1,4 +1,4 @@
-"""The data of the context calculus: facts about symbols, and the context of a claim."""
+"""Data types of the context: facts about symbols, and the context of a claim."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from workbench.core.verdict import Strength
 
 
 class Duration(StrEnum):
-    """When a fact holds."""
+    """The time at which a fact holds."""
 
     INSTANT = "at the instant"
     ALWAYS = "always"
 
 
 class Act(StrEnum):
-    """What the author does with a formula."""
+    """The act of the author in writing a formula."""
 
     ASSERT = "asserts"
     DEFINE = "defines"
     POSTULATE = "postulates"
-    CONSTRAIN = "constrains"  # an equation for a symbol that stands once in it and has no definition
+    CONSTRAIN = "constrains"  # an equation for an undefined symbol that occurs once in it
     ASSIGN = "assigns"
 
 
 class Provider(StrEnum):
-    """Where a fact comes from."""
+    """The source of a fact."""
 
     FORMULA = "formula"
-    LAW = "law"  # a formula that holds the rate of a symbol
+    LAW = "law"  # a formula that contains the rate of a symbol
     CONDITION = "condition"
     SENTENCE = "sentence"
     UNREAD = "unread"
@@ -43,7 +43,7 @@ class Provider(StrEnum):
 
 @dataclass(frozen=True)
 class Origin:
-    """The provider, the author's words or the name of the convention, and the place in the text."""
+    """The provider, the author's words or the name of the convention, and the position in the text."""
 
     provider: Provider
     text: str
@@ -55,21 +55,21 @@ class Origin:
 
 @dataclass(frozen=True)
 class Supposition:
-    """What a property means for its symbols: what each of them is, and the equations that hold."""
+    """The meaning of a property for its symbols: the terms that replace them, and equations."""
 
     terms: tuple[tuple[Name | Symbol, Term], ...] = ()
     equations: tuple[Relation, ...] = ()
 
 
 class Bound(NamedTuple):
-    """A number that the values of a symbol keep to, as in x > 0."""
+    """A bound for the values of a symbol, as in x > 0."""
 
     symbol: str
     sign: str
     number: Fraction
 
     def allows(self, values: Mapping[str, tuple[str, ...]]) -> bool:
-        """Returns whether the value of the symbol is known to keep to the bound; True if it has no value."""
+        """True if the value of the symbol satisfies the bound, or if the symbol has no value."""
         if self.symbol not in values:
             return True
         try:
@@ -86,11 +86,13 @@ class Bound(NamedTuple):
 
 @dataclass(frozen=True)
 class Fact:
-    """One thing that is known of symbols.
+    """One fact about symbols.
 
-    content: None if it is not formalised ("opaque"): such a fact lowers a grade and decides nothing.
-    bound: what values of a symbol keep to.   act: what the formula does that the fact comes from.
-    earlier: whether it stands before the claim.
+    Attributes:
+        content: None if the fact is not formalized ("opaque"): it lowers a grade and decides nothing.
+        bound: A bound for the values of a symbol.
+        act: The act of the formula that the fact comes from.
+        earlier: Whether it stands before the claim.
     """
 
     content: Definition | Statement | Supposition | None

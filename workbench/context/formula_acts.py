@@ -1,4 +1,4 @@
-"""What a formula of a text does: it asserts, defines, postulates, constrains or assigns."""
+"""Speech acts of formulas: a formula asserts, defines, postulates, constrains or assigns."""
 
 from __future__ import annotations
 
@@ -35,7 +35,10 @@ _ASSIGNS = re.compile(r":=|\\coloneqq?(?![A-Za-z])")
 
 
 def subject_of(claim: Claim, definitions: Iterable[Definition] = ()) -> Subject:
-    """Returns what a claim is about. definitions: those that the text gives beside those of the model."""
+    """Returns the subject of a claim.
+
+    definitions: the text's definitions, in addition to those of the model.
+    """
     assert claim.printed.statement is not None
     more = tuple(definitions)
     known = claim.notation.definitions
@@ -61,7 +64,7 @@ def _subject(
 
 
 def act_of(formula: Formula, notation: Notation) -> tuple[Act, Symbol | None]:
-    """Returns what the author does by a formula, and to which symbol."""
+    """Returns the act of a formula, and the symbol that it is about."""
     if formula.statement is None:
         return Act.ASSERT, None
     if assigns(formula):
@@ -81,8 +84,9 @@ def stated(statement: Statement) -> str | None:
 
 
 def definition_by(statement: Statement, own: Symbol | None) -> Definition | None:
-    """Returns the definition that an equation is of a symbol on one of its sides; None if more is declared of
-    the symbol than its kind."""
+    """Returns the equation as a definition of the symbol alone on one side; None if the symbol has declared
+    properties beyond its kind.
+    """
     match statement:
         case Relation(operator="=", left=left, right=right) if own is not None:
             for one, other in ((left, right), (right, left)):
@@ -102,7 +106,7 @@ def _definition(symbol: Symbol, body: Term) -> Definition | None:
 
 
 def introduced(formula: Formula, notation: Notation) -> Definition | None:
-    """Returns the definition that x := … is of a free x of which nothing but its kind is declared."""
+    """Returns the definition that x := … gives of a free x that has no declared property beyond its kind."""
     match formula.statement:
         case Relation(operator="=", left=Symbol() as symbol, right=body) if introduces(formula, notation):
             with_others = expand(body, notation.definitions)
@@ -111,7 +115,7 @@ def introduced(formula: Formula, notation: Notation) -> Definition | None:
 
 
 def introduces(formula: Formula, notation: Notation) -> set[Name]:
-    """Returns the symbols to the left of a sign of definition, such as :=, that nothing else defines."""
+    """Returns the otherwise undefined symbols to the left of a definition sign such as :=."""
     if formula.statement is None or not _DEFINES.search(formula.latex):
         return set()
     bound = {symbol.declaration.name for symbol in notation.motion}
@@ -122,7 +126,7 @@ def introduces(formula: Formula, notation: Notation) -> set[Name]:
 
 
 def assigns(formula: Formula) -> bool:
-    """Returns whether the formula gives a symbol its next value, as x := x + 1 does."""
+    """True if the formula updates a symbol, as x := x + 1 does."""
     if formula.statement is None or not _ASSIGNS.search(formula.latex):
         return False
     said = equations_of(formula.statement)
@@ -130,7 +134,7 @@ def assigns(formula: Formula) -> bool:
 
 
 def is_by_definition(said: Statement, definitions: Definitions) -> bool:
-    """Returns whether it is an equation that says no more than the definitions."""
+    """True if the equation follows from the definitions by substitution."""
     try:
         sides = [expand(side, definitions) for side in sides_of(said)]
     except IllFormed:
@@ -139,7 +143,7 @@ def is_by_definition(said: Statement, definitions: Definitions) -> bool:
 
 
 def says_of_defined(statement: Statement, definitions: Definitions) -> bool:
-    """Returns whether a side is a defined symbol, or a slope or rate of one, and the other holds symbols."""
+    """True if a side is a defined symbol, or a slope or rate of one, and the other side holds symbols."""
     for each in equations_of(statement):
         for one, other in ((each.left, each.right), (each.right, each.left)):
             while isinstance(one, Derivative) or (isinstance(one, Apply) and one.head in PARTIALS):
@@ -151,8 +155,10 @@ def says_of_defined(statement: Statement, definitions: Definitions) -> bool:
 
 
 def constrains(statement: Statement, definitions: Definitions) -> bool:
-    """Returns whether an equation says something of its symbols, as x · x = 1 or m x = m y does, where
-    x y = y x holds of all: its sides have no free symbol in common, or one occurs once."""
+    """True if the equation restricts its symbols, as x · x = 1 and m x = m y do; x y = y x is an identity.
+
+    The sides of such an equation have no free symbol in common, or a symbol occurs once.
+    """
     return any(
         free_in([each.left], definitions).isdisjoint(free_in([each.right], definitions))
         or _has_single(each, definitions)
@@ -161,7 +167,7 @@ def constrains(statement: Statement, definitions: Definitions) -> bool:
 
 
 def _has_single(equation: Relation, definitions: Definitions) -> bool:
-    """Returns whether a free symbol is written once in it and stands behind no other symbol there."""
+    """True if a free symbol is written once in the equation, and in no definition of another symbol there."""
     written = [part for part in terms_of(equation) if isinstance(part, Symbol)]
     bodies = (definition.body for each in written for definition in definitions.about(each))
     free = free_in(written, definitions) - free_in(bodies, definitions)
@@ -169,11 +175,11 @@ def _has_single(equation: Relation, definitions: Definitions) -> bool:
 
 
 def declared_anew(names: Iterable[Name], there: Notation, here: Notation) -> Name | None:
-    """Returns one of the names that a scope declares between the places of the two notations."""
+    """Returns one of the names that a scope redeclares between the positions of the two notations."""
     return next((name for name in names if there.since.get(name) != here.since.get(name)), None)
 
 
 def is_before_scope(names: Iterable[Name], file: Path | None, line: int, notation: Notation) -> bool:
-    """Returns whether a scope declares one of the names anew behind the line."""
+    """True if a scope redeclares one of the names after the line."""
     places = map(notation.since.get, names)
     return any(place is not None and place[0] == file and line < place[1] for place in places)

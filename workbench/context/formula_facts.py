@@ -1,7 +1,7 @@
-"""Facts from formulas: what other formulas of a text define, postulate or constrain of a claim's symbols.
+"""Facts from formulas: definitions, postulates and constraints of a claim's symbols in the same text.
 
-A formula that asserts something is no fact, nor is a formula of a scope in which its symbols mean something
-else. An earlier step of the claim's own chain counts as a definition only: b = c is not shown by a = b.
+A formula that asserts something is no fact. Neither is a formula of a scope that redeclares its symbols. An
+earlier step of the claim's own chain counts as a definition only: a = b does not prove b = c.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from workbench.language.printing.printer import to_latex
 
 
 def with_acts(claims: Sequence[Claim]) -> list[Claim]:
-    """Returns the claims; a formula that others are given, and that constrains its symbols, postulates."""
+    """Returns the claims with their acts; a constraint that another claim cites as given is a postulate."""
     given = {formula.statement for claim in claims for formula in claim.given}
     moving = _moving_names(claims)
     made = []
@@ -36,7 +36,7 @@ def with_acts(claims: Sequence[Claim]) -> list[Claim]:
 
 
 def _moving_names(claims: Sequence[Claim]) -> frozenset[Name]:
-    """Returns the symbols of which the formulas write rates."""
+    """Returns the names of the symbols whose rates the formulas write."""
     statements = (claim.printed.statement for claim in claims if claim.printed.statement is not None)
     terms = (term for statement in statements for term in terms_of(statement))
     rates = (part for term in terms if isinstance(term, Derivative) for part in term.walk())
@@ -44,7 +44,9 @@ def _moving_names(claims: Sequence[Claim]) -> frozenset[Name]:
 
 
 def with_formula_facts(claims: Sequence[Claim]) -> list[Claim]:
-    """Returns the claims, each with what earlier formulas say of its symbols, in the order of the text."""
+    """Returns the claims in the order of the text, each with the facts that earlier formulas state of its
+    symbols.
+    """
     said: dict[Declaration, list[_Saying]] = {}
     made = []
     for at, claim in enumerate(claims):
@@ -60,14 +62,14 @@ def with_formula_facts(claims: Sequence[Claim]) -> list[Claim]:
 
 
 class _Saying:
-    """What one formula says, its place among the others, and the symbols under which it is looked for."""
+    """The fact that one formula states, its index among the claims, and the symbols that index it."""
 
     def __init__(self, claim: Claim, at: int, fact: Fact, registered: set[Declaration]) -> None:
         self.claim, self.at, self.fact, self.registered = claim, at, fact, registered
 
 
 def _saying(claim: Claim, at: int) -> _Saying | None:
-    """Returns None for a formula that asserts something."""
+    """Returns the fact that a formula states; None if the formula asserts something."""
     act, own = claim.act
     statement, definitions = claim.printed.statement, claim.notation.definitions
     assert statement is not None
@@ -84,7 +86,7 @@ def _saying(claim: Claim, at: int) -> _Saying | None:
 
 
 def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
-    """Returns what is said of the symbols of the claim, and of those behind what is said."""
+    """Returns the facts about the symbols of the claim, and about the symbols of these facts."""
     statement, notation = claim.printed.statement, claim.notation
     assert statement is not None
     found: dict[int, Fact] = {}
@@ -109,8 +111,11 @@ def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
 
 
 def with_laws(claims: Sequence[Claim]) -> list[Claim]:
-    """Returns the claims, each with the equations that hold rates of the same free symbols, or before it of
-    what such equations speak of, the last before it first: any of them may be a law of its motion."""
+    """Returns the claims, each with the equations that may be laws of its motion.
+
+    These contain rates of the same free symbols, or they precede the claim and share symbols with such an
+    equation; the nearest comes first.
+    """
     moving = [_moving(claim) for claim in claims]
     spoken = [_spoken(claim) if own else set() for claim, own in zip(claims, moving, strict=True)]
     made = []
@@ -133,12 +138,12 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
 
 
 def _are_of_one_chain(one: Claim, other: Claim) -> bool:
-    """Returns whether the claims are steps of one chain: a false step must not prove the next one."""
+    """True if the claims are steps of one chain: a false step must not prove the next one."""
     return one.id in other.chain or other.id in one.chain
 
 
 def _is_carried(said: Statement | None, there: Notation, here: Notation) -> bool:
-    """Returns whether what is said in one scope means as much in another."""
+    """True if a statement of one scope has the same meaning in another."""
     if said is None:
         return False
     if there is here:
@@ -168,7 +173,7 @@ def _spoken(claim: Claim) -> set[Declaration]:
 
 
 def _moving(claim: Claim) -> set[Declaration]:
-    """Returns the free symbols of which an equation takes rates, behind definitions too."""
+    """Returns the free symbols whose rates an equation contains, after unfolding definitions."""
     definitions = claim.notation.definitions
     statement = claim.printed.statement
     if not isinstance(statement, Relation) or statement.operator != "=":

@@ -1,4 +1,4 @@
-"""What a formula is about: its free symbols, the symbols of which it takes rates, and its speech act."""
+"""The subject of a formula: its free symbols, the symbols whose rates it contains, and its speech act."""
 
 from __future__ import annotations
 
@@ -37,8 +37,12 @@ from workbench.language.naming.symbols import SymbolTable
 class Subject:
     """A statement with the definitions in force.
 
-    bound: the symbols that a motion gives.   framed: those that frames and points give.
-    moving: those of which the text writes rates.   letters: whether letters and accents say anything."""
+    Attributes:
+        bound: The symbols that a motion gives.
+        framed: The symbols that frames and points give.
+        moving: The symbols whose rates the text writes.
+        letters: Whether letters and accents are used as evidence.
+    """
 
     statement: Statement
     definitions: Definitions
@@ -50,7 +54,7 @@ class Subject:
 
     @cached_property
     def free(self) -> list[Symbol]:
-        """The symbols that nothing defines and that are not declared free, behind definitions too."""
+        """The undefined symbols that are not declared free, after unfolding definitions."""
         written = dict.fromkeys(term for term in terms_of(self.statement) if isinstance(term, Symbol))
         table = self.symbols.symbols
         names = {
@@ -74,35 +78,37 @@ class Subject:
 
     @cached_property
     def declarations(self) -> set[Declaration]:
-        """The declarations of all free symbols, behind definitions too."""
+        """The declarations of all free symbols, after unfolding definitions."""
         return free_in(terms_of(self.statement), self.definitions)
 
     @cached_property
     def moved(self) -> set[Declaration]:
-        """The free symbols of which the statement takes a rate."""
+        """The free symbols whose rates the statement contains."""
         return free_in(self.rates, self.definitions)
 
     @cached_property
     def rates(self) -> list[Term]:
-        """What is differentiated by time in the statement or behind its definitions."""
+        """The terms that the statement or its definitions differentiate by time."""
         parts = (part for side in sides_of(self.statement) for part in self.definitions.reached(side))
         return list(dict.fromkeys(part.body for part in parts if isinstance(part, Derivative)))
 
     @cached_property
     def conditioned(self) -> set[Declaration]:
-        """The functions on which the statement is a condition."""
+        """The functions for which the statement is a differential or orthogonality condition."""
         return conditioned(self.statement, self.definitions)
 
     @cached_property
     def orders(self) -> dict[Symbol, int]:
-        """For each symbol the highest order of its rates, with all definitions unfolded."""
+        """The highest order of differentiation of each symbol, with all definitions unfolded."""
         with suppress(NotExact, IllFormed):
             return dict(take_inventory(sides_of(self.statement), self.definitions).orders)
         return dict(Inventory().orders)
 
     @cached_property
     def act(self) -> tuple[Act, Symbol | None]:
-        """What the author does, and to which symbol. Occurrences are counted on the unfolded statement."""
+        """The act of the author, and the symbol it is about; occurrences are counted in the unfolded
+        statement.
+        """
         if not isinstance(self.statement, Relation):
             return self._concluded
         if self.statement.operator not in ("=", "≈"):
@@ -128,14 +134,14 @@ class Subject:
 
     @property
     def _concluded(self) -> tuple[Act, Symbol | None]:
-        """CONSTRAIN for a statement with a symbol that stands once, in an equation that it concludes."""
+        """CONSTRAIN if a symbol of a concluded equation occurs once in the statement, else ASSERT."""
         equations = [term for each in equations_of(self.statement) for term in terms_of(each)]
         once = [each for each in self._single if each in equations]
         return (Act.CONSTRAIN, once[0]) if once else (Act.ASSERT, None)
 
     @property
     def _single(self) -> list[Symbol]:
-        """The symbols that stand once in the statement and behind no other symbol of it."""
+        """The symbols that occur once in the statement and in no definition of its other symbols."""
         count: Counter[Symbol] = Counter()
         behind: Counter[Declaration] = Counter()
         for term in terms_of(self.statement):
@@ -154,8 +160,9 @@ class Subject:
 
     @property
     def _constrained(self) -> tuple[Act, Symbol | None]:
-        """CONSTRAIN for an equation with a symbol that stands once in it, or with no common free symbol of
-        its sides; ASSERT for any other."""
+        """CONSTRAIN for an equation if a symbol occurs once in it or its sides share no free symbol, else
+        ASSERT.
+        """
         assert isinstance(self.statement, Relation)
         if self.conditioned:
             return Act.CONSTRAIN, symbol(min(self.conditioned, key=lambda each: str(each.name)))
@@ -176,7 +183,7 @@ class Subject:
 
     @property
     def _is_example(self) -> bool:
-        """Whether one side is a matrix of numbers, or a number beside a symbol alone."""
+        """True if one side is a matrix of numbers, or a number opposite a symbol alone."""
         left, right = sides_of(self.statement)
         if _is_value(left) != _is_value(right):
             return True
@@ -184,7 +191,7 @@ class Subject:
         return any(isinstance(one, Symbol) and _is_number(other) for one, other in pairs)
 
     def _may_be_given(self, own: Symbol) -> bool:
-        """Returns whether a formula may say what the symbol is."""
+        """True if a formula may give the value of the symbol."""
         declared = own.declaration
         if self._is_open_column(own):
             return True
@@ -193,7 +200,7 @@ class Subject:
         return declared in free_in([own], self.definitions) and not self.definitions.is_pi(declared)
 
     def _is_open_column(self, own: Symbol) -> bool:
-        """Returns whether the symbol is a column of components that stand nowhere else."""
+        """True if the symbol is a column of components that occur nowhere else."""
         bodies = [each.body for each in self.definitions.about(own)]
         parts = _components_of(bodies[0]) if len(bodies) == 1 and not own.index else ()
         entries = {part.declaration for part in parts if not part.declaration.free}
@@ -231,22 +238,23 @@ def _components_of(body: Term) -> tuple[Symbol, ...]:
 
 
 def _is_value(term: Term) -> bool:
-    """Returns whether a matrix is made of numbers alone and is more than 0 and the unit."""
+    """True if the term is a matrix of numbers other than the zero and the unit matrix."""
     parts = [] if term.type.rows == 1 == term.type.columns else list(term.walk())
     has_symbol = any(isinstance(part, Symbol) for part in parts)
     return any(isinstance(part, Number) for part in parts) and not has_symbol
 
 
 def _is_number(term: Term) -> bool:
-    """Returns whether a term is made of numbers and is not 0."""
+    """True if the term consists of numbers and is not 0."""
     parts = list(term.walk())
     has_number = any(isinstance(part, Number) and part.value != 0 for part in parts)
     return has_number and not any(isinstance(part, Symbol) for part in parts)
 
 
 def conditioned(statement: Statement, definitions: Definitions) -> set[Declaration]:
-    """Returns the functions without a definition whose slopes are said to make a number, as e_n · e_m = 0
-    says of orthogonal coordinates."""
+    """Returns the undefined functions whose slopes the statement equates to a number, as e_n · e_m = 0 does
+    in orthogonal coordinates.
+    """
     known = {definition.declaration.name for definition in definitions}
     found: set[Declaration] = set()
     for equation in equations_of(statement):

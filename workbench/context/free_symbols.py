@@ -1,4 +1,4 @@
-"""The symbols of a statement that nothing defines."""
+"""The symbols of a statement that have no definition."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def names_in(statement: Statement) -> set[Name]:
 
 
 def free_in(terms: Iterable[Term], definitions: Definitions) -> set[Declaration]:
-    """Returns the declarations of the symbols without a definition, in the terms and behind definitions."""
+    """Returns the declarations of the undefined symbols in the terms and in the definitions that they use."""
     found: set[Declaration] = set()
     seen: set[Symbol] = set()
     waiting = list(terms)
@@ -73,7 +73,7 @@ def free_in(terms: Iterable[Term], definitions: Definitions) -> set[Declaration]
 
 
 def body_of(symbol: Symbol, definitions: Definitions) -> Term | None:
-    """Returns what a definition says that the symbol is; None without one."""
+    """Returns the term by which a definition replaces the symbol; None without one."""
     if symbol.declaration.positive and not definitions.about(symbol):
         return None
     try:

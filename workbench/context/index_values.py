@@ -1,4 +1,4 @@
-"""The values of the integer variables of a family of formulas."""
+"""Values of the integer variables of a family of formulas."""
 
 from __future__ import annotations
 
@@ -18,8 +18,12 @@ _ONE_ORDER = re.compile(r"\s*([A-Za-z](?:_(?:\d|\{\d+\}))?)\s*=\s*(\d{1,6})\s*\.
 
 @dataclass(frozen=True)
 class Orders:
-    """`n = 1..8`, or `m = 1..3, n = 1..4`; ends included. `stated`: ranges in which a formula keeps them.
-    `endless`: variables of which these are the first few values, and that have no last one."""
+    """Ranges of integers such as `n = 1..8`, or `m = 1..3, n = 1..4`; ends included.
+
+    Attributes:
+        stated: The ranges that a formula states.
+        endless: Variables without a last value; their ranges hold the first few.
+    """
 
     ranges: Mapping[str, range]
     stated: tuple[Range, ...] = ()
@@ -27,7 +31,11 @@ class Orders:
 
     @staticmethod
     def parse(text: str) -> Orders:
-        """Raises ValueError on anything but `variable = first..last`, separated by commas."""
+        """Returns the orders that a text of the form `variable = first..last, …` states.
+
+        Raises:
+            ValueError: The text has another form.
+        """
         ranges: dict[str, range] = {}
         for part in text.split(","):
             match = _ONE_ORDER.fullmatch(part)
@@ -52,11 +60,11 @@ class Orders:
 
     @property
     def generic(self) -> tuple[str, ...]:
-        """The variables that may be any: the formula states no range for them."""
+        """The variables for which the formula states no range."""
         return tuple(each.variable for each in self.stated if each.generic)
 
     def assignments(self) -> Iterator[dict[str, int]]:
-        """Every combination of values within the stated ranges, the last variable fastest."""
+        """Yields every combination of values within the stated ranges, the last variable fastest."""
         for chosen in product(*self.ranges.values()):
             values = dict(zip(self.ranges, chosen, strict=True))
             if all(_inside(stated, values) for stated in self.stated):
@@ -79,9 +87,10 @@ def _inside(stated: Range, values: Mapping[str, int]) -> bool:
 
 
 def orders_within(orders: Orders | None, stated: Sequence[Range]) -> Orders | None:
-    """The orders kept within the ranges that a formula states; where none are given, the first few of these.
+    """Returns the orders restricted to the ranges that a formula states; by default, the first few values.
 
-    Raises ValueError where the orders leave a range with numbers for bounds, or lack one of its variables.
+    Raises:
+        ValueError: The orders leave a range with numeric bounds, or lack one of its variables.
     """
     if not stated:
         return orders

@@ -1,10 +1,10 @@
-"""The words by which sentences speak of symbols. This is data; `sentences` reads it."""
+"""The words by which sentences describe symbols: data for `sentences`."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-#: The words for each property of the table.
+#: The words for each property of core/properties.py.
 PROPERTY_WORDS: Mapping[str, str] = {
     "unit": r"unit(?:ary)?|normali[sz]ed|of (?:length|norm|magnitude) (?:one|1)|of unit (?:length|norm)",
     "rotation": r"rotations?|proper orthogonal|rotation matri(?:x|ces)|direction cosine matri(?:x|ces)",
@@ -20,7 +20,7 @@ PROPERTY_WORDS: Mapping[str, str] = {
     "parallel": r"parallel|collinear|aligned",
 }
 
-#: By kind, the nouns that stand for all symbols of it: "unit vectors", "small angles".
+#: For each kind, the nouns that stand for all symbols of it: "unit vectors", "small angles".
 KIND_NOUNS: Mapping[str, str] = {
     "vector": r"vectors?|ax[ei]s|directions?",
     "tensor": r"matri(?:x|ces)|tensors?|rotations?",
@@ -29,24 +29,24 @@ KIND_NOUNS: Mapping[str, str] = {
     "quaternion": r"quaternions?",
 }
 
-#: What a sentence says of all symbols of a kind for the rest of the text: the property and the kind.
+#: Pairs of property and kind that a sentence can state for the rest of the text.
 FOR_ALL = (("unit", "quaternion"),)
 
-#: A fact is made of no clause with one of these words.
+#: A clause with one of these words makes no fact.
 NEGATION = (
     r"\b(?:not|no|never|nor|neither|without|cannot|need|hardly|only|unless|unlike|any|instead|rather)\b"
     r"|\bnon-?$"
 )
 
-#: A kind noun counts only behind one of these words.
+#: A kind noun counts only after one of these words.
 CONDITION = (
     r"\b(?:for|if|when|where|with|assum\w+|suppos\w+|let|case of|restrict\w*|consider\w*|since|because|as)\b"
 )
 
-#: What an earlier sentence supposes for itself alone.
+#: The beginning of a supposition that an earlier sentence makes for itself alone.
 CASE = r"\b(?:if|when|case of|for)\b[^,]*$"
 
-#: What is said of a symbol and is not formalised.
+#: Words that state something unformalized of a symbol.
 OPAQUE = (
     r"\b(?:approximat\w*|linear[iy]\w*|neglect\w*|ignor\w*|first[- ]order|compared (?:with|to)"
     r"|limit|tends?|approach(?:es|ing)?|(?:close|near) to|planar|special case|coincid\w+)\b"
@@ -55,5 +55,5 @@ OPAQUE = (
 #: Verbs between a symbol and its property.
 BE = r"(?:is|are|be|being|remains?|stays?|denotes?)"
 
-#: Words of which no property is told across.
+#: Words that separate a symbol from a property.
 STOP = r"is|are|be|not|of|to|no|and|or|for|if|when|where|with|by|in|on|at"

@@ -1,4 +1,4 @@
-"""What a property of the table means for symbols, as facts that engines can use."""
+"""The meaning of properties, as facts that the engines can use."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ from workbench.core.terms import Relation, Symbol, Term
 
 
 def having(name: str, symbols: Iterable[Symbol]) -> Supposition:
-    """Returns what it means that the symbols have the property: each by itself, or all together.
+    """Returns the meaning of a property of the symbols, of each or of all together.
 
-    A flag of a matrix that is no tensor means nothing to the engines, so that equations say it there."""
+    The engines ignore flags of matrices that are no tensors, so equations state the property there.
+    """
     row, symbols = PROPERTIES[name], list(symbols)
     if row.count > 1:
         assert row.equations is not None
@@ -36,12 +37,12 @@ def _alone(row: Property, own: Symbol) -> Supposition:
 
 
 def meaning(own: Symbol, term: Term) -> Supposition:
-    """Returns that the symbol is the term."""
+    """Returns the supposition that the symbol is equal to the term."""
     return Supposition(((_key(own), term),))
 
 
 def of_length_one(symbols: Iterable[Symbol]) -> Supposition:
-    """Returns that the squares of the symbols make 1."""
+    """Returns the supposition that the squares of the symbols add up to 1."""
     squares = [apply("dot" if each.type.kind == "vector" else "mul", each, each) for each in symbols]
     return Supposition((), (relation("=", apply("add", *squares), number(1)),))
 

@@ -1,4 +1,4 @@
-"""The formulas of a paper file: read with its notation, their faults placed in the file."""
+"""Reader of the formulas of a paper file, which reports faults by their position in the file."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from workbench.source.rewriting.formulas_in_models import or_respelled
 from workbench.source.rows.formula_lines import Line, whole_line
 from workbench.source.toml.toml_file import TomlFile
 
-#: A hypothesis in words: of an argument, or which branch an inverse function is meant on.
+#: A hypothesis in words: of an argument, or the branch of an inverse function.
 WORDS = re.compile(r"\\text\{[^{}\\]+\}")
 
 
@@ -34,9 +34,10 @@ class FormulaReader:
     orders: Orders | None
 
     def printed(self, line: Line, excused: bool) -> tuple[Formula, FormulaReader]:
-        """The printed form, and the reader of what belongs to it: with the orders that it states.
+        """Returns the printed form, and a reader of the claim's other formulas that has the printed ranges.
 
-        Ill-formed is a verdict and no fault of the file; unreadable is one, unless the claim gives a reading.
+        An ill-typed formula gets a verdict. A syntax error is an error of the file, unless the claim gives a
+        reading.
         """
         try:
             statement, ranges = self._read(line.latex)
@@ -49,7 +50,7 @@ class FormulaReader:
         return Formula(line.latex, statement), self._within("printed", ranges)
 
     def reading(self, line: Line) -> tuple[Formula, FormulaReader]:
-        """The intended reading, and the reader of what belongs to it."""
+        """Returns the intended reading, and a reader of the claim's other formulas that has its ranges."""
         try:
             statement, ranges = self._read_by_hand(line.latex)
         except (ReadError, IllFormedAt) as error:
@@ -57,7 +58,9 @@ class FormulaReader:
         return Formula(line.latex, statement), self._within("reading", ranges)
 
     def intended(self, key: str, line: Line | None = None) -> Formula | None:
-        """A reading, a correction or a hypothesis, which must make sense; None if the claim has none."""
+        """Returns a reading, a correction or a hypothesis, which must be well-typed; None if the claim has
+        none.
+        """
         if line is None:
             text = self.toml.text((*self.path, key))
             return None if text is None else self._intended((key,), whole_line(text))
@@ -68,14 +71,20 @@ class FormulaReader:
         return tuple(self._intended((key, index), whole_line(text)) for index, text in enumerate(texts))
 
     def conditions(self, printed: Formula) -> tuple[Formula, ...]:
-        """What the table assumes for the printed formula. Raises PaperError where that is its conclusion."""
+        """Returns the conditions assumed for the printed formula.
+
+        Raises:
+            PaperError: A condition is the conclusion itself.
+        """
         found = self.intended_list("assume")
         for index, formula in enumerate(found):
             self._refuse_conclusion(("assume", index), formula, printed)
         return found
 
     def hypothesis(self, printed: Formula) -> Formula | None:
-        """What the table supposes that the text does not. Raises PaperError as `conditions` does."""
+        """Returns the supposed hypothesis that the text does not state. Raises PaperError as `conditions`
+        does.
+        """
         found = self.intended("hypothesis")
         if found is not None:
             self._refuse_conclusion(("hypothesis",), found, printed)
@@ -113,8 +122,7 @@ class FormulaReader:
 
 
 def _is_latex(latex: str) -> bool:
-    """Whether its braces match: what is printed may be garbled, and yet it must be something that was
-    typeset."""
+    """True if the braces match. A printed formula may be garbled, but it must be valid to typeset."""
     depth = 0
     for mark in re.findall(r"\\.|[{}]", latex, re.DOTALL):
         depth += {"{": 1, "}": -1}.get(mark, 0)
@@ -124,7 +132,7 @@ def _is_latex(latex: str) -> bool:
 
 
 def why_ill_formed(error: IllFormedAt) -> Reason:
-    """Why it is ill-formed, with the meaning that it is likely to have, if there is one."""
+    """Returns why the formula is ill-formed, with its likely meaning if there is one."""
     return with_intent(error.reason, error)
 
 
@@ -135,7 +143,7 @@ def with_intent(reason: Reason, error: IllFormedAt) -> Reason:
 def read_statement(
     latex: str, notation: Notation, orders: Orders | None, as_condition: bool = False
 ) -> tuple[Statement, tuple[Range, ...]]:
-    """What the formula says, as one statement, and the ranges that it states for its integers."""
+    """Returns the formula as one statement, and the ranges that it states for its integers."""
     integers = orders.variables if orders else ()
     reading = read_formula(latex, notation.symbols, integers, as_condition)
     statements = reading.statements

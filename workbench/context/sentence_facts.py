@@ -1,4 +1,4 @@
-"""Facts from the sentences of a text; `context.sentences` reads their words."""
+"""Facts from the sentences of a text; `context.sentences` reads the words."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from workbench.source.documents.source_view import Source
 from workbench.source.documents.surrounding_words import sentence_around, sentence_ends, supposed_before
 from workbench.source.rows.chains import steps_of
 
-#: What stands around a formula in prose.
+#: The characters around a formula in prose.
 _OPENING, _CLOSING = "$`(\\ \n", ("$", "`", "\\", ")")
 _LABEL = re.compile(r"\\(?:label|ref|eqref|cite)\s*\{[^}]*\}|:math:")
 
@@ -32,7 +32,7 @@ class TextSentences:
         self._files: dict[Path, _FileSentences] = {}
 
     def facts(self, display: Display, statement: Statement, notation: Notation) -> Iterator[Fact]:
-        """Yields what the sentence around a display, and those before it, say of the symbols in it."""
+        """Yields the facts that the sentence of a display, and earlier sentences, state of its symbols."""
         symbols = _symbols(statement, notation)
         known = {flat(to_latex(own)): own for own in symbols}
         for sentence, line in self._of(display.source).up_to(display):
@@ -62,8 +62,9 @@ class _FileSentences:
         self._inline = sorted(inline, key=lambda each: each.start)
 
     def up_to(self, display: Display) -> Iterator[tuple[Sentence, int]]:
-        """Yields the sentence around a display, and then those before it that may say a property of a symbol,
-        each with its line."""
+        """Yields the sentence of a display, and then the earlier sentences that may state a property of a
+        symbol, each with its line.
+        """
         prose = self._source.prose
         first, last = sentence_around(prose, display.start, display.end)
         first -= len(supposed_before(prose, first))
@@ -75,7 +76,7 @@ class _FileSentences:
 
     @cached_property
     def _telling(self) -> list[tuple[int, int, Sentence, int]]:
-        """The sentences that name a symbol and have a word of the lexicon."""
+        """The sentences that name a symbol and contain a word of the lexicon."""
         prose = self._source.prose
         ends = [end for end in sentence_ends(prose) if not any(f.start < end < f.end for f in self._inline)]
         found, start = [], 0

@@ -1,7 +1,7 @@
 """Facts from sentences, by the lexicon: a property of the symbols that a noun phrase names.
 
-The formulas of a sentence are written ⟦0⟧, ⟦1⟧ in its text. Words about a symbol that are not formalised make
-an opaque fact. A sentence that names no symbol of the claim makes none.
+The formulas of a sentence are written ⟦0⟧, ⟦1⟧ in its text. Unformalized words about a symbol make an opaque
+fact. A sentence that names no symbol of the claim makes none.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _FILL = rf"(?:(?!(?:{STOP})\b)[A-Za-z-]+\s+){{0,2}}?"
 _NOT, _IF, _CASE = (re.compile(words, re.I) for words in (NEGATION, CONDITION, CASE))
 _OPAQUE = re.compile(OPAQUE, re.I)
 _CLAUSES = re.compile(r"[,;:.]")
-#: How far before a match a negation reaches.
+#: The number of characters before a match in which a negation counts.
 _REACH = 40
 
 
@@ -42,18 +42,23 @@ _ANY_PROPERTY = re.compile("|".join(rf"\b(?:{words})\b" for words in PROPERTY_WO
 
 
 def speaks_of(words: str) -> bool:
-    """Returns whether a word for a property stands in a text."""
+    """True if the text contains a word for a property."""
     return _ANY_PROPERTY.search(words) is not None
 
 
 def speaks_for_all(words: str) -> bool:
-    """Returns whether a text says something of all symbols of a kind."""
+    """True if the text states something of all symbols of a kind."""
     return any(re.search(KIND_NOUNS[kind], words, re.I) for _, kind in FOR_ALL)
 
 
 @dataclass(frozen=True)
 class Sentence:
-    """Words around a claim. named: the LaTeX of the formulas.   is_own: whether the claim stands in it."""
+    """A sentence near a claim.
+
+    Attributes:
+        named: The LaTeX of its formulas.
+        is_own: Whether the claim stands in it.
+    """
 
     text: str
     named: Mapping[int, str]
@@ -62,7 +67,7 @@ class Sentence:
 
 
 def told_by(sentence: Sentence, symbols: Sequence[Symbol]) -> Iterator[Fact]:
-    """Yields what the sentence says of the symbols of a claim."""
+    """Yields the facts that the sentence states of the symbols of a claim."""
     reader = _Reader(sentence, symbols)
     yield from reader.of_names()
     yield from reader.of_kinds()
@@ -91,8 +96,9 @@ class _Reader:
                     yield self._fact(name, said, match[0])
 
     def of_kinds(self) -> Iterator[Fact]:
-        """Yields the properties of all symbols of a kind: in the sentence of a claim behind a condition,
-        "for unit vectors"; elsewhere what is said for the rest of the text, "unit quaternions"."""
+        """Yields the properties of all symbols of a kind: "for unit vectors" in the claim's own sentence, or
+        "unit quaternions" stated for the rest of the text.
+        """
         for name, words in PROPERTY_WORDS.items():
             for kind, noun in KIND_NOUNS.items():
                 before = rf"\b(?:{words})\s+{_FILL}(?:{noun})\b(?!\s*⟦)"
@@ -111,7 +117,7 @@ class _Reader:
                 yield self._fact(name, said, match[0])
 
     def opaque(self) -> Iterator[Fact]:
-        """Yields that words are said of a symbol which are not formalised: "r is approximately …"."""
+        """Yields opaque facts for unformalized words about a symbol: "r is approximately …"."""
         for clause in _CLAUSES.split(self._sentence.text):
             if _OPAQUE.search(clause) and not _NOT.search(clause) and (said := self._named_in(clause)):
                 about = names_of([each.declaration for each in said])
@@ -148,5 +154,5 @@ def _is_case(text: str, match: re.Match[str]) -> bool:
 
 
 def flat(latex: str) -> str:
-    """Returns LaTeX without what changes no meaning of a name."""
+    """Returns LaTeX without the marks that do not change the meaning of a name."""
     return re.sub(r"\\(?:left|right|,|;|!|displaystyle)(?![A-Za-z])|[\s{}]", "", latex.strip(" ,.;"))

@@ -1,4 +1,4 @@
-"""Facts from formulas that are not read, or that stand in a sentence: x = …"""
+"""Facts from equations x = … that cannot be parsed, or that stand in a sentence."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ _COSINES = (1, 0, -1, 0)
 
 @dataclass(frozen=True)
 class Unread:
-    """left = right, on a line of the text."""
+    """An unparsed equation left = right on a line of the text."""
 
     left: str
     right: str
     line: int
     file: Path | None = None
-    sentence: Source | None = None  # in which it stands
+    sentence: Source | None = None  # the source, if it stands in a sentence
 
     @cached_property
     def latex(self) -> str:
@@ -53,8 +53,10 @@ class Unread:
         return self.latex if len(self.latex) <= 60 else f"{self.latex[:59]}…"
 
     def values(self, own: Symbol, terms: Sequence[Term]) -> list[Fact]:
-        """Returns that the symbol always has its value, if that is a whole number or a right angle; nothing
-        otherwise, or if the sines of an angle do not say what the terms are."""
+        """Returns the fact that the symbol always has its value, if that is an integer or a right angle.
+
+        Returns nothing otherwise, or if the terms cannot be evaluated at the angle.
+        """
         top, is_turn = _top(own, terms), _is_turn(own, terms)
         is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))
         if top is None or own.type.kind != "scalar" or not is_value:
@@ -78,7 +80,7 @@ class Unread:
 
 
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
-    """By what stands before an =: the formulas that are not read, or in a sentence."""
+    """Returns the unparsed equations and those in sentences, by their left side."""
     unread = [each for each in claims if each.printed.statement is None and not each.chain]
     said = [(each.printed.latex, each.line, each.file, None) for each in unread]
     said += [(each.latex, each.line, each.source.path, each.source) for each in inline]
@@ -92,8 +94,9 @@ def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[s
 
 
 def unread_facts(claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
-    """Yields what formulas that are not read say of the free symbols of a claim: the value of a number or an
-    angle, or something that is not formalised."""
+    """Yields the facts that unparsed formulas state of a claim's free symbols: the value of a number or an
+    angle, or an opaque fact.
+    """
     assert claim.printed.statement is not None
     definitions = claim.notation.definitions
     defined = {definition.declaration.name for definition in definitions}
@@ -120,7 +123,7 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
 
 
 def _is_elsewhere(value: Unread, claim: Claim) -> bool:
-    """Whether a sentence gives a symbol its value in a section in which the claim does not stand."""
+    """True if a sentence of another section gives the symbol its value."""
     if value.sentence is None or value.file != claim.file:
         return False
     return not _sections_by_line(value.sentence).holds(value.line, claim.line)
@@ -134,7 +137,7 @@ def _sections_by_line(source: Source) -> Sections:
 def _said_of(
     declaration: Declaration, notation: Notation, said: Mapping[str, list[Unread]]
 ) -> Iterator[Unread]:
-    """What is said of the symbol, or of a component of it that is no symbol of its own."""
+    """Yields the unparsed equations for the symbol, or for a component of it that is not declared itself."""
     name = _flat(str(declaration.name))
     yield from said.get(name, ())
     if declaration.type.kind == "scalar":
@@ -147,14 +150,14 @@ def _said_of(
 
 
 def _is_by_definition(unread: Unread, notation: Notation) -> bool:
-    """Whether its sides are the same by what is defined, so that it says nothing."""
+    """True if the sides are equal by definition, so that the equation states nothing."""
     with suppress(ReadError, IllFormedAt, ValueError):
         return is_by_definition(read_statement(unread.latex, notation, None)[0], notation.definitions)
     return False
 
 
 def _quarters(right: str) -> int | None:
-    """How many right angles it is, where it is some."""
+    """Returns the number of right angles in a value; None if it is no multiple of one."""
     if right in ("0", "-0"):
         return 0
     match = _RIGHT_ANGLE.fullmatch(right)
@@ -163,7 +166,7 @@ def _quarters(right: str) -> int | None:
 
 
 def _flat(name: str) -> str:
-    """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
+    r"""Returns the name without dots of derivatives: an equation for \dot{x} is a fact about x."""
     return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)", "", _DOTS.sub("", name))
 
 
@@ -181,7 +184,7 @@ def _parts(terms: Sequence[Term]) -> Iterator[Term]:
 
 
 def _own(declaration: Declaration, terms: Sequence[Term]) -> Symbol | None:
-    """The symbol in the terms; None where it is a family, or seen at several instants, or not at all."""
+    """Returns the symbol in the terms; None if it is a family, occurs at several instants, or not at all."""
     parts = [part for part in _parts(terms) if isinstance(part, Symbol)]
     own = {part for part in parts if part.declaration == declaration}
     is_one = len(own) == 1 and not any(part.index or part.arguments for part in own)
@@ -189,14 +192,14 @@ def _own(declaration: Declaration, terms: Sequence[Term]) -> Symbol | None:
 
 
 def _top(own: Symbol, terms: Sequence[Term]) -> int | None:
-    """The order of the highest derivative of the symbol that can be in the terms."""
+    """Returns the highest order of a derivative that contains the symbol; None if an order is symbolic."""
     rates = [part for part in _parts(terms) if isinstance(part, Derivative)]
     orders = {rate.order for rate in rates if own in rate.body.walk()}
     return sum(each.constant for each in orders) if all(each.is_number for each in orders) else None
 
 
 def _is_turn(own: Symbol, terms: Sequence[Term]) -> bool:
-    """Whether only sines and the like are taken of it, and its rates."""
+    """True if the symbol occurs only in circular functions and derivatives."""
 
     def is_turn(term: Term) -> bool:
         if isinstance(term, Derivative) or (isinstance(term, Apply) and term.head in CIRCULAR):

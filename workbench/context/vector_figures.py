@@ -1,4 +1,4 @@
-"""What vectors may be in a figure: the axes of a frame, vectors at right angles, vectors that turn."""
+"""Guesses about vectors in a figure: the axes of a frame, perpendicular vectors, rotating vectors."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from workbench.core.terms import Apply, Relation, Statement, Symbol, Term
 from workbench.core.types import SCALAR, TENSOR, Declaration
 from workbench.language.printing.printer import to_latex
 
-#: In words; the symbols that it is about; what it supposes of them.
+#: (description, the symbols concerned, the supposition about them).
 Made = tuple[str, list[Symbol], Supposition]
 
-#: The letters of axes in textbooks. Vectors with a hat count too, and three of one letter with the scripts
-#: 1, 2, 3 or x, y, z.
+#: The letters of axes in textbooks. Vectors with a hat count too, and three vectors of one letter with the
+#: scripts 1, 2, 3 or x, y, z.
 _AXES = ("ijk", "IJK", "e", "E", "tnb", "TNB", "u")
-#: In a formula with more numbers none is tried as an angle.
+#: The greatest number of scalars among which one is tried as an angle.
 _MOST_ANGLES = 3
-#: In a formula with more vectors the others are not tried as the angular velocity.
+#: The greatest number of vectors that are tried as the angular velocity.
 _MOST_SPINS = 4
 
 
@@ -34,13 +34,15 @@ def has_hat(own: Symbol) -> bool:
 
 
 def unstyled(own: Symbol) -> tuple[Name, tuple[Linear, ...]]:
-    """Returns what symbols have in common that differ by accents and typefaces only."""
+    """Returns the key that symbols share if they differ by accents and typefaces only."""
     return replace(own.declaration.name, styles=()), own.index
 
 
 def axes(subject: Subject) -> Iterator[Made]:
-    """Vectors that are the axes of one frame, of either handedness if no letter tells; the frame may turn by
-    an angle about the last of them."""
+    """Yields sets of vectors as the axes of one frame, which may rotate by an angle about its last axis.
+
+    Both orientations are tried if the letters do not tell the order.
+    """
     yield from _families(subject)
     vectors = [each for each in subject.free if each.type.kind == "vector" and not each.index]
     angles = [each for each in subject.free if each.type == SCALAR and not each.index]
@@ -59,7 +61,7 @@ def axes(subject: Subject) -> Iterator[Made]:
 
 
 def _families(subject: Subject) -> Iterator[Made]:
-    """The first three members of a family of vectors, as the axes of a frame."""
+    """Yields the first three members of a family of vectors as the axes of a frame."""
     vectors = (each for each in subject.free if each.type.kind == "vector" and len(each.index) == 1)
     for own in dict.fromkeys(each.declaration for each in vectors):
         members = [symbol(own, (Linear(place),)) for place in (1, 2, 3)]
@@ -82,7 +84,7 @@ def _groups(vectors: Sequence[Symbol]) -> Iterator[list[Symbol]]:
 
 
 def _position(name: Name) -> int:
-    """Returns 1, 2 or 3 for the first, second or third axis, as i j k, x y z or 1 2 3 say; else 0."""
+    """Returns 1, 2 or 3 for the first, second or third axis, by the letters i j k, x y z or 1 2 3; else 0."""
     last = "".join(name.sub) or name.letter
     return next((at % 3 + 1 for at, letter in enumerate("ijkxyzIJKXYZ123") if letter == last), 0)
 
@@ -93,13 +95,13 @@ def _along(own: Sequence[Symbol], units: Sequence[Term], order: Sequence[int]) -
 
 
 def _units(constant: bool) -> list[Term]:
-    """Returns the axes of a frame that is turned in any way."""
+    """Returns the axes of a frame in any orientation."""
     turn = symbol(Declaration(Name("Q", ("\\mathsf",)), TENSOR, rotation=True, constant=constant))
     return [apply("mul", turn, block([[number(int(i == k))] for i in range(3)])) for k in range(3)]
 
 
 def _turned(units: Sequence[Term], angle: Symbol) -> list[Term]:
-    """Returns the axes turned by an angle about the third."""
+    """Returns the axes rotated by an angle about the third."""
     one, other, axis = units
     sine, cosine = apply("sin", angle), apply("cos", angle)
     along = apply("add", apply("mul", cosine, one), apply("mul", sine, other))
@@ -108,7 +110,7 @@ def _turned(units: Sequence[Term], angle: Symbol) -> list[Term]:
 
 
 def right_angles(subject: Subject) -> Iterator[Made]:
-    """An axis at right angles to the arm that it turns twice, a × (a × r), where no a · r is written."""
+    """Yields the supposition a · r = 0 for a × (a × r), if no a · r is written."""
     vectors = [each for each in subject.free if each.type.kind == "vector"]
     for axis, arm in permutations(vectors, 2):
         if _turns_across(subject.statement, axis, arm):
@@ -132,7 +134,7 @@ def _turns_across(statement: Statement, axis: Symbol, arm: Symbol) -> bool:
 
 
 def turning(subject: Subject) -> Iterator[Made]:
-    """Vectors and tensors without a rate that turn with one of the vectors, or that the rotation turns."""
+    """Yields vectors and tensors without a written rate as rotating with a vector, or by a rotation."""
     rated = {body.declaration for body in subject.rates if isinstance(body, Symbol)}
     rests = [
         each
@@ -162,7 +164,7 @@ def _turning(rests: Sequence[Symbol], spin: Symbol) -> Iterator[Made]:
 
 
 def _turns(own: Symbol, spin: Symbol) -> list[Relation]:
-    """Returns the first two rates of what turns."""
+    """Returns equations for the first two rates of a rotating vector or tensor."""
     if own.type.kind == "vector":
         rate: Term = apply("cross", spin, own)
     else:

@@ -1,6 +1,11 @@
-"""Paper files: the claims of a paper, its symbols and its definitions, as TOML says them.
+"""Paper files: the claims, symbols and definitions of a paper, as TOML files or texts state them.
 
-What loads them, with all that a claim file can say, comes on first use: a single formula needs none of it.
+What is this? The loaders of paper files, of notation tables and of texts with their models; `drafting`
+guesses a model for a text. When do I come here? To add a key (core/schema.py) or a table. What may it import?
+core, language, source, engines, drake, context, prover. What checks it? tests/papers, tests/texts,
+tests/ingest.
+
+The loaders are imported on first use, because a single formula needs none of them.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""What the bindings of [motion] say of each other: ω bound to w_WB is the angular velocity of R, R_WB.
+"""Relations between the bound symbols of [motion]: ω bound to w_WB is the angular velocity of R, R_WB.
 
-A bound symbol that follows from others is defined by them, so that the exact judge knows what Drake's
-motions know. What is bound and stays free is told by the motions: a claim that holds on them is not refuted.
+A bound symbol that follows from others is defined by them, so that the exact engines know what Drake's
+motions satisfy. The motions cover bound symbols that stay free: a claim that holds on them is not refuted.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from workbench.prover.motions.relation_terms import term_of
 
 
 def ties(motion: Mapping[Symbol, str], definitions: Definitions) -> list[Definition]:
-    """Definitions of bound symbols, which the paper leaves free, by other bound symbols."""
+    """Returns definitions of otherwise undefined bound symbols by other bound symbols."""
     bound: dict[str, Symbol] = {}
     for symbol, name in motion.items():
         bound.setdefault(name, symbol)
@@ -33,7 +33,7 @@ def ties(motion: Mapping[Symbol, str], definitions: Definitions) -> list[Definit
 
 
 def names_behind(terms: Iterable[Term], definitions: Iterable[Definition]) -> set[str]:
-    """The names of all symbols in the terms, and in what defines them."""
+    """Returns the names of all symbols in the terms and in the definitions that they use."""
     bodies: dict[str, list[Term]] = {}
     for definition in definitions:
         bodies.setdefault(definition.declaration.name, []).append(definition.body)
@@ -46,7 +46,7 @@ def names_behind(terms: Iterable[Term], definitions: Iterable[Definition]) -> se
 
 
 def _known(name: str, bound: Container[str]) -> Iterator[Data]:
-    """What the quantity of this name is of those that are bound."""
+    """Yields the expressions for the named quantity by bound quantities."""
     for made, data in (*DEFINED, *ALSO):
         if made == name and all(part in bound for part in names_in(data)):
             yield data

@@ -1,4 +1,4 @@
-"""One [[claim]] of a paper file: its keys read and held against each other, its formulas read."""
+"""Reader of one [[claim]] of a paper file: checks its keys against each other and reads its formulas."""
 
 from __future__ import annotations
 
@@ -37,8 +37,12 @@ _CONTRADICTIONS = (
 
 @dataclass
 class ClaimTable:
-    """The claim table at `path`. section: where it does not name one.   owners: id → id of the table it comes
-    from, of all claims so far."""
+    """The claim table at `path`.
+
+    Attributes:
+        section: The section of claims that name none.
+        owners: Claim id → id of its table, for all claims so far.
+    """
 
     toml: TomlFile
     path: KeyPath
@@ -91,7 +95,7 @@ class ClaimTable:
             raise self.toml.error_at_value((*self.path, "id"), f"id {name!r} is used twice")
 
     def _printed(self) -> tuple[str | None, str | None]:
-        """What is printed: a formula, or a sentence, which stands in quotation marks “ ”."""
+        """Returns the printed formula and the printed sentence, which stands in quotation marks “ ”."""
         text = self._text("printed")
         if text is None or not text.startswith("“"):
             if text is not None and self._text("formula") is not None:
@@ -126,7 +130,7 @@ class ClaimTable:
         )
 
     def _said(self, claim: Claim, integers: Collection[str]) -> list[Statement]:
-        """What is printed beside a goal, which must make sense."""
+        """Returns the statements printed next to a goal, which must be well-typed."""
         try:
             lines = split_lines(claim.printed.latex) if claim.printed.latex else ()
             table = self.notation.symbols
@@ -152,7 +156,7 @@ class ClaimTable:
             raise self.toml.error_at_value((*self.path, "goal"), f"goal: {error}") from None
 
     def _refuse_other_goal(self, goal: Stated, said: Sequence[Statement]) -> None:
-        """What is printed must be a part of the goal: else the goal could be another one."""
+        """Raises PaperError if a printed formula is not part of the goal: the goal might be unrelated."""
         parts = [part for statement in atoms(goal.goal) for part in (statement, *_parts(statement))]
         for statement in said:
             if statement not in parts:
@@ -160,7 +164,7 @@ class ClaimTable:
                 raise self.toml.error_at_value((*self.path, "goal"), message)
 
     def _lines(self, claim: Claim) -> list[Claim]:
-        """The claim, or one claim for each line of its printed formula."""
+        """Returns the claim, or one claim for each line of its printed formula."""
         if not claim.printed.latex:
             for key in ("reading", "corrected", "hypothesis"):
                 self._reader(claim).intended(key)

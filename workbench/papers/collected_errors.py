@@ -1,4 +1,4 @@
-"""All that is wrong in a file at once: what is at fault is set aside, and the rest is looked at."""
+"""Collection of all errors in a file: a faulty entry is removed, and reading continues."""
 
 from __future__ import annotations
 
@@ -13,24 +13,26 @@ from workbench.core.reasons import code_of
 
 T = TypeVar("T")
 
-#: More than these are not gathered.
+#: The most errors that are collected.
 MOST = 100
-#: Without one of these, other keys of a claim are not what its author meant.
+#: If one of these keys is faulty, the other keys of the claim are not checked.
 _GROUNDS = frozenset({"orders", "reading", "theorem", "goal", "hypothesis", "fault", "formula", "statement"})
 _NOTATION = ("symbols", "definitions", "notation", "frames", "points")
 _LETTERS = re.compile(r"\\[A-Za-z]+|[^\W_]")
 
 
 class Faults(list[PaperError]):
-    """Each told once, and none that only follows from another."""
+    """A list of errors without duplicates and without errors that only follow from others."""
 
     def __init__(self) -> None:
         super().__init__()
         self._aside: list[PaperError] = []
 
     def past(self, make: Callable[[], T], whole: bool = False) -> T | None:
-        """What `make` gives without the entries at fault; None where it cannot do without them, or is
-        wanted whole."""
+        """Returns the result of `make` with the faulty entries removed.
+
+        Returns None if `make` fails without them, or if an entry was removed and `whole` is set.
+        """
         put_back: list[Callable[[], None]] = []
         met: set[str] = set()
         try:
@@ -60,7 +62,7 @@ class Faults(list[PaperError]):
                 self.append(each)
 
     def stop(self) -> None:
-        """Raises PaperError with all of them, if there are any."""
+        """Raises PaperError with all collected errors, if there are any."""
         if self:
             raise self[0] if len(self) == 1 else PaperErrors(sorted(self, key=_place))
 
@@ -69,8 +71,8 @@ class Faults(list[PaperError]):
 
 
 def _follows(error: PaperError, aside: PaperError) -> bool:
-    """Whether it may be a fault only because an entry is set aside: the key that is missing, a key that
-    rests on it, a formula with a symbol that it was to declare."""
+    """True if the error may be a consequence of removing an entry: a missing key, a key that depends on it,
+    or a formula with a symbol that it declares."""
     path = aside.path
     while isinstance(path[-1], int):
         path = path[:-1]

@@ -1,4 +1,4 @@
-"""The edits by which a fault is mended, as a claim gives them: `mend = [['for', 'read'], …]`."""
+"""Reader of the edits that correct a fault: `mend = [['for', 'read'], …]` of a claim."""
 
 from __future__ import annotations
 
@@ -20,9 +20,13 @@ def fault_of(toml: TomlFile, path: KeyPath) -> str | None:
 
 
 def mend_of(toml: TomlFile, path: KeyPath, printed: str) -> Mend:
-    """What the keys of one claim say; printed: a formula, or a sentence in quotation marks.
+    """Returns the correction that the keys of one claim state.
 
-    Raises PaperError for a key without `fault`, and for an edit whose `for` is not printed once there."""
+    printed: a formula, or a sentence in quotation marks.
+
+    Raises:
+        PaperError: A key is given without `fault`, or the `for` of an edit does not occur exactly once.
+    """
     said = {key: toml.text((*path, key)) for key in ("beside", "place", "cause", "add", "example")}
     given = [key for key in MEND_KEYS[1:] if key in toml.value(path, dict)]
     if given and fault_of(toml, path) is None:
@@ -36,14 +40,14 @@ def mend_of(toml: TomlFile, path: KeyPath, printed: str) -> Mend:
 
 
 def mended(printed: str, edits: tuple[Edit, ...]) -> str:
-    """What is printed, with the edits that are about it."""
+    """Returns the printed text after the edits."""
     for edit in edits:
         printed = printed.replace(edit.old, edit.new)
     return printed
 
 
 def same_formula(one: str, other: str) -> bool:
-    """Whether two formulas are the same but for white space and a final stop."""
+    """True if two formulas are equal up to white space and a final full stop."""
     return _squeezed(one) == _squeezed(other)
 
 

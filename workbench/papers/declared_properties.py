@@ -1,4 +1,4 @@
-"""What is declared of symbols that definitions give: it must be seen to hold wherever these are defined."""
+"""Check of declared properties of defined symbols: each must be proved wherever the symbol is defined."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from workbench.source.toml.toml_file import TomlFile
 
 
 class Promise(NamedTuple):
-    """A symbol that has a definition, and what is declared of it beside its kind."""
+    """A property that is declared of a defined symbol."""
 
     key: str
     flag: str
@@ -25,8 +25,10 @@ class Promise(NamedTuple):
 def without_promises(
     specs: Mapping[str, Mapping[str, Any]], defined: Collection[str], anew: Collection[str] = ()
 ) -> tuple[dict[str, Mapping[str, Any]], list[Promise]]:
-    """The declarations of [symbols], those of defined symbols without what their definitions are to keep.
-    anew: those that a scope defines, which are free before it."""
+    """Returns the declarations of [symbols] without properties of defined symbols, and these properties.
+
+    anew: symbols that a scope defines and that are free before it.
+    """
     plain: dict[str, Mapping[str, Any]] = {}
     promises = []
     for key, spec in specs.items():
@@ -43,9 +45,9 @@ def without_promises(
 def require_kept(
     promises: Collection[Promise], owners: Mapping[str, TomlFile], table: SymbolTable, known: Definitions
 ) -> None:
-    """Raises PaperError for what is not seen to hold. owners: the files of the definitions."""
+    """Raises PaperError for a property that is not proved. owners: the files of the definitions."""
     for key, flag in promises:
-        names = (read_key(key, INDEX_LETTERS), read_key(key))  # T_m may be one name, m being a symbol
+        names = (read_key(key, INDEX_LETTERS), read_key(key))  # T_m may be one name if m is a symbol
         name, index = next(each for each in names if each[0] in table.symbols)
         try:
             why = unseen(PROPERTIES[flag].statement_of(symbol(table.symbols[name], index)), known)
@@ -57,7 +59,7 @@ def require_kept(
 
 
 def unseen(statement: Statement, definitions: Definitions) -> str | None:
-    """Why the statement is not seen to hold wherever it is defined; None if it is."""
+    """Returns why the statement is not proved wherever it is defined; None if it is."""
     from workbench.core.verdict import Outcome
     from workbench.engines.inventory.inventory import NotExact
     from workbench.prover.decide.decide import Judge

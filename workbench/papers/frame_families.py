@@ -1,8 +1,8 @@
-"""What {}^A ω^B, {}^A R_B and r^{P/O} are, by definitions over symbols of our own.
+"""Definitions of {}^A ω^B, {}^A R_B and r^{P/O} over auxiliary symbols.
 
 Each frame has an orientation Q (I for the base), an angular velocity w = vect(Q̇ Qᵀ) and an origin o; each
-point a place p. These families are just what frames and points can do, so that what is proved by them holds,
-and what they refute is false. Written in columns of the base:
+point has a position p. These families contain all motions of frames and points and no others, so that proofs
+and refutations with them are valid. In components of the base:
 
     rotation to F from G    Q_Fᵀ Q_G           angular velocity of G in F    w_G − w_F
     to P from O             p_P − p_O          derivative in F               ẋ − w_F × x
@@ -31,7 +31,7 @@ TRANSFORM = type_of_kind("transform")
 
 @dataclass
 class Frames:
-    """What the tables declare: the definitions, and the angular velocity of each frame."""
+    """The definitions that the tables declare, and the angular velocity of each frame."""
 
     base: str
     labels: tuple[str, ...]
@@ -44,17 +44,17 @@ class Frames:
     directions: set[Name] = field(default_factory=set)
     axes: list[Declaration] = field(default_factory=list)
 
-    # the symbols behind them
+    # the auxiliary symbols
 
     def orientation(self, frame: str) -> Term | None:
-        """Q_F; None for the base, whose is I."""
+        """Returns Q_F; None for the base, whose orientation is I."""
         name = _own("Q", frame)
         if frame in self.given:
             return self.defined(name, TENSOR, self.given[frame], hidden=True)
         return None if frame == self.base else self.free(name, TENSOR, rotation=True)
 
     def spin(self, frame: str) -> Term:
-        """w_F, which its orientation gives."""
+        """Returns w_F as given by the orientation."""
         turn = self.orientation(frame)
         if turn is None:
             return zero(VECTOR)
@@ -75,7 +75,7 @@ class Frames:
         return self.places[point]
 
     def fix(self, point: str, frame: str) -> None:
-        """p = o_F + Q_F c. The first point that is fixed in a frame may be its origin."""
+        """Sets p = o_F + Q_F c. The first point that is fixed in a frame may be its origin."""
         if point in self.places and frame in self.origins:
             raise SpecError(
                 f"{point} closes a loop of frames; that is no family that can be written down", "fixed"
@@ -89,14 +89,14 @@ class Frames:
             self.places[point] = plus(self.origin(frame), turned(self.orientation(frame), offset))
 
     def put(self, point: str) -> None:
-        """The place of a point that is given, and of the frame that has its origin there; `define` says later
-        what it is."""
+        """Marks the position of a point, and the origin of a frame there, as given; `define` sets it
+        later."""
         if point in self.places and self.places[point] not in self.origins.values():
             raise SpecError(f"{point} is fixed, too", "place")
         self.place(point)
 
     def define(self, term: Term, body: Term) -> None:
-        """The definition of a symbol that is free until then."""
+        """Defines a symbol that is free until then."""
         self.definitions.append(Definition(term.declaration, (), (), body))
 
     def free(self, name: Name, type_: Type, **flags: bool) -> Term:
@@ -111,7 +111,7 @@ class Frames:
         return symbol(self.declarations[name], ())
 
     def kept(self, declaration: Declaration, frame: str) -> Declaration:
-        """The symbol that is constant in a frame, and perhaps in no other."""
+        """Returns the symbol that is constant in a frame, and perhaps in no other."""
         turn = self.orientation(frame)
         name, moving = declaration.name, replace(declaration, constant=False)
         own = replace(declaration, name=replace(name, left_sub=("\\mathsf{c}", *name.left_sub)))
@@ -123,7 +123,7 @@ class Frames:
         self.definitions.append(Definition(moving, index, (), body))
         return moving
 
-    # what the texts write
+    # the author's symbols
 
     def angular_velocity(self, of: str, seen_from: str) -> Term:
         return minus(self.spin(of), self.spin(seen_from))
@@ -167,9 +167,9 @@ def _rotation(frames: Frames, to: str, origin: str) -> Term:
     return apply("transpose", one) if other is None else apply("mul", apply("transpose", one), other)
 
 
-#: Phrases of components: in the frame F, where no other is named.
+#: Phrases of components, which are in the frame F if no other is named.
 RESOLVED_IN_F = ("origin of", "place of")
-#: What a spelling may be said to be → its kind, which of its letters are frames, and what it is.
+#: (phrase, kind, letters that are frames, term) for each meaning of a spelling.
 PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
     (r"rotation to (?P<F>\w) from (?P<G>\w)", TENSOR, "FG", lambda f, F, G: _rotation(f, F, G)),
     (r"angular velocity of (?P<G>\w) in (?P<F>\w)", VECTOR, "FG", lambda f, F, G: f.angular_velocity(G, F)),
@@ -201,5 +201,5 @@ PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
 
 
 def _own(letter: str, label: str) -> Name:
-    """Of the symbols behind the author's."""
+    """Returns the name of an auxiliary symbol."""
     return Name(letter, ("\\mathsf",), sub=(label,))

@@ -1,4 +1,4 @@
-"""Installed papers: what the entry points of the group `workbench.papers` bring."""
+"""Installed papers: the entry points of the group `workbench.papers`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from workbench.core.paper_errors import PaperError
 
 GROUP = "workbench.papers"
 
-#: The installed paper that is meant where none is named.
+#: The installed paper that is used if none is named.
 DEFAULT = "chapter"
 
 
@@ -27,7 +27,11 @@ def installed_names() -> tuple[str, ...]:
 
 
 def installed(name: str) -> InstalledPaper:
-    """Raises PaperError if no installed package announces a usable paper of that name."""
+    """Returns the installed paper of that name.
+
+    Raises:
+        PaperError: No installed package provides a usable paper of that name.
+    """
     point = _points().get(name)
     if point is None:
         known = ", ".join(installed_names()) or "none"
@@ -46,13 +50,13 @@ def installed(name: str) -> InstalledPaper:
 
 
 def paper_of(file: Path) -> InstalledPaper:
-    """The installed paper that `file` is part of; one without files and theorems if it is part of none."""
+    """Returns the installed paper that contains `file`; an empty one if none does."""
     name = name_of(file)
     return InstalledPaper(()) if name is None else installed(name)
 
 
 def name_of(file: Path) -> str | None:
-    """The name of the installed paper that `file` is part of."""
+    """Returns the name of the installed paper that contains `file`."""
     place = file.resolve()
     parts = ((name, path) for name in installed_names() for path in installed(name).files)
     return next((name for name, path in parts if path.resolve() == place), None)

@@ -1,6 +1,7 @@
-"""From paper files to a Paper: keys checked, every formula read, each fault a PaperError with its place.
+"""Loader of papers: checks keys, reads every formula, and reports each fault as a PaperError with its
+position.
 
-What reads formulas and texts comes on first use: what was read before needs none of it.
+The readers of formulas and texts are imported on first use, because cached files need none of them.
 """
 
 from __future__ import annotations
@@ -29,16 +30,20 @@ from workbench.source.toml.toml_file import TomlFile
 _PAPER_KEYS = key_names("paper file")
 _NO_FILES = "the installed paper has no claim files"
 
-#: From this many files on it pays to read them in processes of their own.
+#: The number of files from which on they are read in parallel processes.
 _MANY = 4
 
 T = TypeVar("T")
 
 
 def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: Store | None = None) -> Paper:
-    """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with all that
-    is wrong and where, if the file cannot be used. faults: where those of single claims are put, if not
-    raised.   store: where what was read before is found again."""
+    """Returns the paper of one file: a paper file, a text, or the model of a text.
+
+    Raises PaperError, with all faults and their positions, if the file cannot be used.
+
+    faults: receives the faults of single claims instead of raising them.
+    store: the cache of files that were read before.
+    """
     from workbench.papers.texts.load_texts import load_model, load_text
     from workbench.source.documents import is_text
 
@@ -50,16 +55,17 @@ def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: 
 
 
 def load_part(path: Path) -> Paper:
-    """The paper of one file; of an installed one what it has in this file. Raises PaperError."""
+    """Returns the paper of one file; for an installed paper, its claims in this file. Raises PaperError."""
     if (name := name_of(path)) is None:
         return load_paper(path)
     paper, place = load_installed(name), path.resolve()
     own = tuple(claim for claim in paper.claims if claim.file.resolve() == place)
-    return replace(paper, claims=own) if own else paper  # the claims of a text stand in the text
+    return replace(paper, claims=own) if own else paper  # the claims of a model stand in its text
 
 
 def load_notation(path: Path | str) -> Notation:
-    """The notation of a paper file or a notation file, which need not have claims. Raises PaperError."""
+    """Returns the notation of a paper file or a notation file, which need not have claims. Raises
+    PaperError."""
     toml, faults = TomlFile(Path(path)), Faults()
     faults.past(lambda: toml.allow_keys((), _PAPER_KEYS))
     notation = faults.past(lambda: _notation_of(notation_chain(toml)))
@@ -68,7 +74,7 @@ def load_notation(path: Path | str) -> Notation:
 
 
 def _once(read: Callable[..., T]) -> Callable[..., T]:
-    """What is installed is read once by each process, whatever store it could be found in."""
+    """Returns a reader that caches installed papers per process, independent of the store."""
     found: dict[str, T] = {}
 
     @wraps(read)
@@ -82,7 +88,7 @@ def _once(read: Callable[..., T]) -> Callable[..., T]:
 
 @_once
 def installed_notation(name: str, store: Store | None = None) -> Notation:
-    """The notation of an installed paper as `load_installed` gives it, without reading the claims."""
+    """Returns the notation of an installed paper as `load_installed` gives it, without reading the claims."""
     paper = installed(name)
     chains = (notation_chain(TomlFile(path)) for path in paper.files)
     first = next(chains, None)
@@ -97,8 +103,11 @@ def installed_notation(name: str, store: Store | None = None) -> Notation:
 def load_installed(
     name: str, store: Store | None = None, meanwhile: Callable[[], None] = lambda: None
 ) -> Paper:
-    """The installed paper of that name, its files merged in order. Raises PaperError if there is none.
-    meanwhile: as for `merge`."""
+    """Returns the installed paper of that name, its files merged in order. Raises PaperError if there is
+    none.
+
+    meanwhile: as for `merge`.
+    """
     paper = installed(name)
     if not paper.files:
         raise PaperError(name, None, None, _NO_FILES)
@@ -112,8 +121,10 @@ def find_paper(
     store: Store | None = None,
     meanwhile: Callable[[], None] = lambda: None,
 ) -> Paper:
-    """The paper of the file `name`, or the installed paper of that name. Raises PaperError.
-    meanwhile: as for `merge`."""
+    """Returns the paper of the file `name`, or the installed paper of that name. Raises PaperError.
+
+    meanwhile: as for `merge`.
+    """
     if name is None:
         return load_installed(DEFAULT, store, meanwhile)
     if str(name) in installed_names() and not Path(name).is_file():
@@ -133,11 +144,12 @@ def merge(
     store: Store | None = None,
     meanwhile: Callable[[], None] = lambda: None,
 ) -> Paper:
-    """One paper of several files, in their order; ids are unique over all. Each file keeps its own notation.
+    """Returns one paper of several files, in their order; ids are unique over all. Each file keeps its
+    notation.
 
-    theorems: name → proof; if None, those of the installed paper that the first file is part of.
-    faults: where those of single claims are put, which are left out then; if None, they are raised.
-    meanwhile: called here while many files are read in processes of their own.
+    theorems: name → proof; if None, those of the installed paper that contains the first file.
+    faults: receives the faults of single claims, which are left out; if None, they are raised.
+    meanwhile: called here while many files are read in parallel processes.
     """
     found, kept = Faults(), Kept(store)
     files = [_PaperFile.open(Path(path), found, kept) for path in paths]
@@ -195,14 +207,14 @@ def merge(
 
 
 def _section_names(toml: TomlFile) -> dict[str, str]:
-    """The headings of sections by their numbers."""
+    """Returns the headings of sections by their numbers."""
     names = toml.value(("sections",), dict, {})
     return {number: name for number in names if (name := toml.text(("sections", number)))}
 
 
 @dataclass(frozen=True)
 class _Read:
-    """What a file gave that has no fault. owners: claim → the id of its table."""
+    """The content of a file without faults. owners: claim → the id of its table."""
 
     notation: Notation
     claims: tuple[Claim, ...]
@@ -211,7 +223,7 @@ class _Read:
 
 @dataclass
 class _PaperFile:
-    """One file with the notation that it stands on, and what was read from it before."""
+    """One file with its chain of notation files, and its cached content."""
 
     toml: TomlFile
     title: str
@@ -228,7 +240,7 @@ class _PaperFile:
 
     @staticmethod
     def open(path: Path, faults: Faults, kept: Kept) -> _PaperFile:
-        """Raises PaperError where the claims cannot even be looked at."""
+        """Returns the file. Raises PaperError if its claims cannot even be listed."""
         toml, past = TomlFile(path), faults.past
         past(lambda: toml.allow_keys((), _PAPER_KEYS))
         claims = past(lambda: toml.tables(("claim",)))
@@ -258,7 +270,7 @@ class _PaperFile:
         faults: Faults,
         kept: Kept,
     ) -> Sequence[Claim]:
-        """Its claims; the ids of those that cannot be read are put among the skipped."""
+        """Returns the claims; ids of claims that cannot be read are appended to `skipped`."""
         if self.before is not None and self._is_as_before(self.before, owners, theorems):
             owners |= self.before.owners
             return self.before.claims
@@ -277,11 +289,11 @@ class _PaperFile:
         return claims
 
     def keep(self, kept: Kept, read: _Read) -> None:
-        if read.notation.robot is None:  # a robot's file may be another one by then
+        if read.notation.robot is None:  # the file of a robot may change
             kept.put(self.key, read)
 
     def read_alone(self, theorems: Mapping[str, Proven]) -> _Read | None:
-        """What it gives if it has no fault."""
+        """Returns the content of the file; None if it has a fault."""
         faults, owners = Faults(), {}
         try:
             self.notation = _notation_of(self.chain)
@@ -308,7 +320,7 @@ class _PaperFile:
 def _read_ahead(
     files: Sequence[_PaperFile], theorems: Mapping[str, Proven], kept: Kept, meanwhile: Callable[[], None]
 ) -> None:
-    """Has many files read on all cores, as if they had been read before; one that has a fault has not."""
+    """Reads many files on all cores and stores them as cached content, except files with a fault."""
     cores = os.cpu_count() or 1
     if cores == 1 or len(files) < _MANY:
         return
@@ -326,7 +338,7 @@ def _read_ahead(
 
 
 def _shared_out(files: Sequence[_PaperFile], count: int) -> list[list[_PaperFile]]:
-    """In so many groups, each with about as much to read."""
+    """Returns that many groups of files of about equal size."""
     groups: list[list[_PaperFile]] = [[] for _ in range(min(count, len(files)))]
     for file in sorted(files, key=_size, reverse=True):
         min(groups, key=lambda group: sum(map(_size, group))).append(file)
@@ -338,7 +350,7 @@ def _size(file: _PaperFile) -> int:
 
 
 def _load_readers() -> None:
-    """Here, once, and not in each process."""
+    """Imports the readers once, before the processes start."""
     import workbench.papers.claim_tables
     import workbench.papers.notation_tables  # noqa: F401
     from workbench.language.grammar.parser import parse

@@ -1,4 +1,4 @@
-"""The table [motion] of a paper file: what its symbols are on Drake's motions, and a robot that is one."""
+"""The table [motion] of a paper file: quantities of Drake's motions for its symbols, and a robot."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _ON_MOTIONS = key_names("motion claim")
 
 
 def bindings(file: TomlFile, table: SymbolTable, keys: Sequence[str]) -> Iterator[tuple[Symbol, str]]:
-    """The symbols of the file's [motion] and what they are bound to. Raises PaperError."""
+    """Yields the symbols of the file's [motion] and the quantities they are bound to. Raises PaperError."""
     for key in keys:
         yield _binding(file, key, file.text(("motion", key)), table)
 
 
 def robot(file: TomlFile) -> Robot | None:
-    """The table [motion.robot]: a URDF file, from the paper's file on, and a body of it."""
+    """Returns the table [motion.robot]: a URDF file, relative to the paper's file, and a body of it."""
     path = ("motion", ROBOT)
     if ROBOT not in file.value(("motion",), dict, {}):
         return None
@@ -48,8 +48,12 @@ def robot(file: TomlFile) -> Robot | None:
 
 
 def formulas(file: TomlFile, notation: Notation) -> Iterator[tuple[str, OnMotions]]:
-    """The table [motion.claims]: of a claim, a formula that holds by it, and one that is false with what is
-    printed; or why there is none. Raises PaperError."""
+    """Yields the entries of [motion.claims]: for a claim, a formula that holds and one that is false as
+    printed, or why there is none.
+
+    Raises:
+        PaperError: An entry cannot be used.
+    """
     for claim in file.value(("motion", CLAIMS), dict, {}):
         path = ("motion", CLAIMS, claim)
         for key in file.value(path, dict):

@@ -1,4 +1,4 @@
-"""The files that a paper file stands on, and what may stand in them."""
+"""The chain of notation files of a paper file, and settings from it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NOTATION_KEYS = key_names("notation file")
 
 
 def notation_chain(file: TomlFile) -> list[TomlFile]:
-    """The notation files that `file` stands on, the deepest first, and `file` itself."""
+    """Returns the notation files that `file` builds on, the deepest first, and `file` itself."""
     chain = [file]
     while (name := _notation_file(chain[0])) is not None:
         user = chain[0]
@@ -33,19 +33,19 @@ def notation_chain(file: TomlFile) -> list[TomlFile]:
 
 
 def _notation_file(file: TomlFile) -> str | None:
-    """The file that this one stands on; a table [notation] may name that file under `from`."""
+    """Returns the file that this one builds on; a table [notation] may name that file under `from`."""
     if not isinstance(file.data.get("notation"), dict):
         return file.text(("notation",))
     return file.text(("notation", "from"))
 
 
 def nearest(chain: Sequence[TomlFile], read: Callable[[TomlFile], T | None]) -> T | None:
-    """What the last file of a chain says that says anything."""
+    """Returns the value of the last file of a chain that has one."""
     return next((found for file in reversed(chain) if (found := read(file))), None)
 
 
 def budget_of(file: TomlFile) -> Budget | None:
-    """What the file says of time and memory for each judgement."""
+    """Returns the limits of time and memory for each judgement; None if the file sets none."""
     given = file.value(("budget",), dict, None)
     if given is None:
         return None

@@ -1,4 +1,4 @@
-"""The notation of a paper file: its symbols, its definitions, and what they are on Drake's motions."""
+"""The notation of a paper file: its symbols, its definitions, and their bindings to Drake's motions."""
 
 from __future__ import annotations
 
@@ -31,19 +31,21 @@ from workbench.source.rewriting.formulas_in_models import or_respelled
 from workbench.source.toml.toml_file import TomlFile
 
 HAMILTON = "hamilton, scalar first"
-#: What each convention may be.
+#: The allowed values of each convention.
 CONVENTIONS = choices("conventions")
-#: A definition as a file has it: the file, what is defined, and its body.
+#: (file, key, body) of a definition.
 _Entry: TypeAlias = tuple[TomlFile, str, str]
 _GROUPS = re.compile(r"[\s{}]")
 _DOTS = re.compile(r"^\s*\\d{1,4}ot(?![A-Za-z])")
-#: What a text may write without the backslash, if its model says so.
+#: The functions that a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 
 
 def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> Notation:
-    """The notation that the files give together, the first one first. Each of the scopes declares anew what
-    it names, and with it goes what defined it. Raises PaperError."""
+    """Returns the notation that the files give together, the first one first.
+
+    Each of the scopes redeclares the symbols that it names, and removes their definitions. Raises PaperError.
+    """
     table, promises = _table(files, scopes)
     table = replace(
         table,
@@ -76,9 +78,12 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
 
 @dataclass
 class _Order:
-    """Puts definitions in an order in which each can be read.
+    """Orders definitions so that each can be read.
 
-    made: those that are read, each with the symbols known before it.   waiting: those that are not yet."""
+    Attributes:
+        made: Definitions that are read, each with the symbols known before it.
+        waiting: Definitions that are not read yet.
+    """
 
     table: SymbolTable
     made: list[tuple[_Entry, Definition, SymbolTable]] = field(default_factory=list)
@@ -90,8 +95,9 @@ class _Order:
     def read(self, tried: Sequence[_Entry]) -> list[_Entry] | None:
         """Reads entries, and those that waited for them.
 
-        Returns what is to be read again, in an order in which it can be, where an entry that is read already
-        uses one of these; None where no order is such."""
+        Returns the entries to read again, in a possible order, if an entry that is already read uses one of
+        them. Returns None if there is no such order.
+        """
         while tried:
             keys: list[str] = []
             for each in tried:
@@ -121,8 +127,7 @@ class _Order:
 
 
 def _in_order(entries: list[_Entry], table: SymbolTable) -> list[_Entry]:
-    """Each before those that use it, as a scope that defines anew may need it; as they are, where no order is
-    such."""
+    """Returns the entries with each before those that use it; unchanged if there is no such order."""
     order = _Order(table)
     rest, kept = deque(entries), list(entries)
     last, moves = -1, 0
@@ -152,8 +157,11 @@ def _uses(definition: Definition, key: str) -> bool:
 def _definitions(
     entries: list[_Entry], scopes: Sequence[TomlFile], table: SymbolTable
 ) -> tuple[list[Definition], SymbolTable]:
-    """The definitions in their order. In a scope, one that needs another behind it comes after that; and one
-    from before it that does not fit what the scope declares is no longer in force."""
+    """Returns the definitions in their order, and the symbols.
+
+    In a scope, a definition that needs a later one comes after it. An earlier definition that does not fit
+    the scope's declarations is dropped.
+    """
     found: list[Definition] = []
     waiting: list[_Entry] = []
     refused: list[PaperError] = []
@@ -170,7 +178,7 @@ def _definitions(
     if len(waiting) < len(entries) and refused:
         more, table = _definitions(waiting, scopes, table)
         return [*found, *more], table
-    if refused:  # what is unknown may only follow from another fault
+    if refused:  # an unknown symbol may only follow from another fault
         raise min(refused, key=_is_of_unknown_symbol)
     return found, table
 
@@ -180,7 +188,7 @@ def _is_of_unknown_symbol(error: PaperError) -> bool:
 
 
 def _refuse_circle(entries: Sequence[_Entry], found: Sequence[Definition], known: Definitions) -> None:
-    """Of what frames and points are said to be, which may name what is defined later. Raises PaperError."""
+    """Raises PaperError for a definition of [frames] or [points] that leads back to itself."""
     for definition in found:
         parts = () if definition.index else known.reached(definition.body)
         if any(isinstance(part, Symbol) and part.declaration == definition.declaration for part in parts):
@@ -191,7 +199,7 @@ def _refuse_circle(entries: Sequence[_Entry], found: Sequence[Definition], known
 
 
 def _spellings(files: Sequence[TomlFile], table: SymbolTable) -> SymbolTable:
-    """The table, and what [notation] explains."""
+    """Returns the table with the spellings that [notation] explains."""
     specs: dict[str, Any] = {}
     owners: dict[str, TomlFile] = {}
     for file in files:
@@ -206,12 +214,13 @@ def _spellings(files: Sequence[TomlFile], table: SymbolTable) -> SymbolTable:
 
 
 def extended(notation: Notation, specs: Mapping[str, Any]) -> Notation:
-    """The notation and more symbols, which it must not know yet. Raises SpecError."""
+    """Returns the notation with new symbols. Raises SpecError, also for a symbol that is already declared."""
     return replace(notation, symbols=notation.symbols.with_specs(specs))
 
 
 def with_definitions(notation: Notation, entries: Mapping[str, str]) -> Notation:
-    """The notation and more definitions, in their order. Raises SpecError, ReadError and IllFormedAt."""
+    """Returns the notation with more definitions, in their order. Raises SpecError, ReadError and
+    IllFormedAt."""
     more, symbols = read_definitions(entries, notation.symbols)
     return replace(notation, symbols=symbols, definitions=Definitions([*notation.definitions, *more]))
 
@@ -248,7 +257,7 @@ def _says_hamilton(file: TomlFile) -> bool:
 
 
 def _arguments(files: Sequence[TomlFile]) -> frozenset[Name]:
-    """What in brackets only says what a symbol depends on; with q its rates do."""
+    """Returns the arguments that only state a dependence; with q, its rates are included."""
     found = set()
     for file in files:
         for place, text in enumerate(file.texts(("conventions", "arguments"))):
@@ -261,7 +270,7 @@ def _arguments(files: Sequence[TomlFile]) -> frozenset[Name]:
 
 
 def _words(files: Sequence[TomlFile]) -> frozenset[str]:
-    """The functions that a text writes as letters: cos for \\cos."""
+    r"""Returns the functions that a text writes as letters: cos for \cos."""
     found = set()
     for file in files:
         for place, word in enumerate(file.texts(("conventions", "functions"))):
@@ -273,13 +282,13 @@ def _words(files: Sequence[TomlFile]) -> frozenset[str]:
 
 
 def _convention(files: Sequence[TomlFile], key: str) -> str | None:
-    """What the files say of it, the last one first."""
+    """Returns the value of a convention; the last file that has one counts."""
     found = [text for file in files if (text := file.text(("conventions", key))) is not None]
     return found[-1] if found else None
 
 
 def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator[_Entry]:
-    """The definitions, those of the last scope in the places of those that they replace."""
+    """Yields the definitions; those of the last scope replace others of the same key."""
     found = {key: (file, key, body) for file, key, body in _entries(files, "definitions")}
     for scope in scopes:
         for key in scope.value(("symbols",), dict, {}):

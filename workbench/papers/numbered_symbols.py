@@ -1,5 +1,8 @@
-"""A formula about e_i for i = 1, 2, 3, of symbols e_1, e_2, e_3 that a model declares one by one; so about
-ω_{ij}, of ω_{11}, ω_{12}, …; and about δ_{ij}, 1 or 0 where the model has no symbol of that letter."""
+"""Formulas with an index i over symbols e_1, e_2, e_3 that a model declares one by one.
+
+Likewise for ω_{ij} over ω_{11}, ω_{12}, …, and for δ_{ij}, which is 1 or 0 if the model has no symbol of that
+letter.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ from workbench.core.types import SCALAR, Declaration
 from workbench.language.definitions import replaced
 from workbench.language.naming.symbols import SymbolTable
 
-#: By the family, what each index means. Raises LookupError for one that means nothing.
+#: Family → the term for each index. Raises LookupError for an index without a term.
 Members = Mapping[Declaration, Callable[[tuple[int, ...]], Term]]
 
 _KRONECKER = Declaration(Name("\\delta", sub=("", " ", "")), SCALAR, None, indices=2)
@@ -28,8 +31,10 @@ _FIGURES = re.compile(r"([1-9])(?:(,?)([1-9]))?")
 
 
 def written_out(latex: str, notation: Notation) -> Statement | None:
-    """What it says for all values of its indices together; None where it is no equation of such symbols, or
-    does not say which values there are."""
+    """Returns the conjunction of the formula for all values of its indices.
+
+    Returns None if it is no equation of such symbols, or if the values are not stated.
+    """
     members = dict(_families(notation.symbols))
     table = notation.symbols
     for family in members:
@@ -49,7 +54,7 @@ def written_out(latex: str, notation: Notation) -> Statement | None:
 
 
 def _relations(statement: Statement) -> Iterator[Relation]:
-    """Raises LookupError where it is no equation."""
+    """Yields the equations of a statement. Raises LookupError if it is none."""
     match statement:
         case Relation():
             yield statement
@@ -61,7 +66,7 @@ def _relations(statement: Statement) -> Iterator[Relation]:
 
 
 def _may_be_contracted(equation: Relation, members: Members) -> bool:
-    """Whether an index of a member with two stands on one side only, where some mean a sum over it."""
+    """True if an index of a member with two indices occurs on one side only, which may mean a sum over it."""
     sides = equation.left, equation.right
     own = [part for side in sides for part in side.walk() if isinstance(part, Symbol) and len(part.index) > 1]
     left, right = map(free_integers, sides)
@@ -69,7 +74,7 @@ def _may_be_contracted(equation: Relation, members: Members) -> bool:
 
 
 def _equation(equation: Relation, members: Members) -> Relation:
-    """Raises LookupError where a member is not declared."""
+    """Returns the equation over members. Raises LookupError if a member is not declared."""
 
     def member(own: Symbol) -> Term | None:
         several = members.get(own.declaration)
@@ -79,7 +84,7 @@ def _equation(equation: Relation, members: Members) -> Relation:
 
 
 def _families(table: SymbolTable) -> Iterator[tuple[Declaration, Callable[[tuple[int, ...]], Term]]]:
-    """Those of symbols of one letter and kind with the subscripts 1, 2, …, or 11, 12, …"""
+    """Yields the families of symbols of one letter and kind with the subscripts 1, 2, …, or 11, 12, …"""
     found: dict[Name, dict[tuple[int, ...], Declaration]] = {}
     for name, each in table.symbols.items():
         family, index = _place(name, table)
@@ -95,8 +100,10 @@ def _families(table: SymbolTable) -> Iterator[tuple[Declaration, Callable[[tuple
 
 
 def _place(name: Name, table: SymbolTable) -> tuple[Name, tuple[int, ...]]:
-    """The family and the index that its subscript may mean; no index where there is none. The 12 of x_{12} is
-    no 1 and 2 beside an x_9."""
+    """Returns the family and the index of a name; no index if its subscript is none.
+
+    The 12 of x_{12} is not read as 1 and 2 if there is an x_9.
+    """
     figures = None if any(name.sup) else _FIGURES.fullmatch("".join(name.sub))
     if figures is None:
         return name, ()

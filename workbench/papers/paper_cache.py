@@ -1,4 +1,4 @@
-"""What was read from paper files before: found again where the files and the workbench are the same."""
+"""Cache of what was read from paper files, keyed by the files and by the code of the workbench."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ T = TypeVar("T")
 
 
 class Kept:
-    """What reading gave, in a store; nothing without one."""
+    """Results of reading, in a store; nothing is kept without one."""
 
     def __init__(self, store: Store | None) -> None:
         self._store = store
 
     def key(self, what: str, files: Sequence[TomlFile]) -> str:
-        """Of what these files say; an entry that is set aside is not said."""
+        """Returns the key of the content of these files, without entries that were removed."""
         said = [(str(file.path), file.places.text, file.data) for file in files]
         return digest(repr((what, said, ground(("workbench",), ("lark",)))))
 

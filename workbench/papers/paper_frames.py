@@ -1,4 +1,4 @@
-"""[frames] and [points]: how a paper spells what frames and points give (`frame_families`)."""
+"""Reader of [frames] and [points]: the spellings of the quantities of `frame_families`."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minu
 from workbench.source.toml.toml_file import TomlFile
 
 _FRAME_KEYS = key_names("frames")
-#: What {}^F\\dot{x} of a resolved vector may be.
+#: The meanings of {}^F\dot{x} of a resolved vector.
 _RATES = ("resolved", "of components")
 _POINT_KEYS = key_names("points")
-#: How phrases begin that speak of points.
+#: The beginnings of phrases about points.
 _PLACES = ("to", "origin", "place")
 _OF_COMPONENTS = rf"resolved in|^(?:rotation|transform|{'|'.join(RESOLVED_IN_F)})"
 _RESOLVED = re.compile(r",? resolved in (?P<R>\w)$")
@@ -46,7 +46,7 @@ class Turn(NamedTuple):
 
 
 def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
-    """Raises PaperError for a matrix that is not seen to be a rotation wherever it is defined."""
+    """Raises PaperError for a matrix that is not proved to be a rotation wherever it is defined."""
     for turn in turns:
         if (why := unseen(PROPERTIES["rotation"].statement_of(turn.matrix), definitions)) is not None:
             message = f"orientation: that of {turn.frame} is not seen to be a rotation: {why}"
@@ -54,15 +54,19 @@ def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
 
 
 def frame_labels(files: Sequence[TomlFile]) -> frozenset[str]:
-    """The labels of frames and points in [frames] and [points], as far as these are lists of texts."""
+    """Returns the labels of frames and points in [frames] and [points], if these are lists of texts."""
     found = [file.value((table, "names"), list, []) for file in files for table in ("frames", "points")]
     bases = [file.value(("frames", "base"), str, "") for file in files]
     return frozenset(label for labels in (*found, bases) for label in labels if isinstance(label, str))
 
 
 def framed(files: Sequence[TomlFile], table: SymbolTable) -> tuple[SymbolTable, list[Definition], list[Turn]]:
-    """The table with what [frames] and [points] declare, its definitions, and what gives orientations.
-    Raises PaperError."""
+    """Returns the table with the declarations of [frames] and [points], its definitions, and the
+    orientations.
+
+    Raises:
+        PaperError: An entry cannot be used.
+    """
     entries: dict[str, dict[str, Any]] = {"frames": {}, "points": {}}
     owners: dict[tuple[str, str], TomlFile] = {}
     for file in files:
@@ -87,7 +91,7 @@ class _Reader:
     def __init__(self, frames: Mapping[str, Any], points: Mapping[str, Any], table: SymbolTable) -> None:
         self.table = table
         self.entries = {"frames": frames, "points": points}
-        self.turns: dict[str, Term] = {}  # frame → the matrix that is given for it
+        self.turns: dict[str, Term] = {}  # frame → its given matrix
         self.resolved: dict[Name, tuple[str, Term]] = {}  # {}^F x → F and x
         base = frames.get("base")
         if not isinstance(base, str):
@@ -158,7 +162,8 @@ class _Reader:
         return table, frames.definitions
 
     def rates(self) -> dict[Name, tuple[Term, Term] | None]:
-        """As KnownFrames has it; nothing where the paper does not say in which frame a dot differentiates."""
+        """Returns the rates as KnownFrames has them; empty if the frame in which a dot differentiates is
+        unknown."""
         dot, said = (self.entries["frames"].get(key) for key in ("dot", "rates"))
         if said is not None and said not in _RATES:
             raise SpecError(f"expected {' or '.join(map(repr, _RATES))}, got {said!r}", "rates")
@@ -174,7 +179,7 @@ class _Reader:
         return made
 
     def keep_constants(self, dot: str) -> None:
-        """A vector or tensor that is constant has no rate in the frame of the dot."""
+        """Gives constant vectors and tensors a zero rate in the frame of the dot."""
         if dot == self.frames.base:
             return
         moved = {
@@ -187,7 +192,7 @@ class _Reader:
         self.table = replace(self.table, symbols=symbols, frames=known)
 
     def are_columns(self, phrases: Sequence[str]) -> bool:
-        """Whether all vectors are columns of components, whose dot needs no frame."""
+        """True if all vectors are columns of components, whose dot needs no frame."""
         known = [
             phrase
             for phrase in phrases
@@ -197,8 +202,8 @@ class _Reader:
         return known == resolved == phrases and "axes" not in self.entries["frames"] and bool(phrases)
 
     def orientation(self, frame: str, said: Any, later: Collection[str]) -> Term:
-        """Q of a frame, in columns of the base, where the text says what it is: a matrix, the frame that a
-        matrix turns, or three axes."""
+        """Returns the given orientation Q of a frame in components of the base: a matrix, a frame with a
+        matrix, or three axes."""
         texts = said if isinstance(said, list) else [said]
         if not all(isinstance(text, str) for text in texts) or len(texts) > 3:
             raise SpecError("expected a matrix, [frame, matrix] or three axes", "orientation")
@@ -219,7 +224,7 @@ class _Reader:
         return turn if outer is None else apply("mul", outer, turn)
 
     def placed(self, said: Any, later: Collection[str]) -> Term:
-        """p of a point, where the text says what it is: another point, and the vector from there."""
+        """Returns the given position p of a point: another point, and the vector from there."""
         if not isinstance(said, list) or len(said) != 2 or not all(isinstance(text, str) for text in said):
             raise SpecError("expected another point and the vector from there", "place")
         self.known(label(said[0]), self.frames.points, "place")
@@ -243,7 +248,7 @@ class _Reader:
             raise SpecError(f"{name} is not among the names {', '.join(names)}", key)
 
     def spelling(self, key: str, phrase: Any) -> None:
-        """One definition for each choice of frames and points in the places of the letters."""
+        """Adds one definition of the spelling for each choice of frames and points for its letters."""
         if phrase == "derivative":
             return
         text = phrase if isinstance(phrase, str) else ""
@@ -275,7 +280,7 @@ class _Reader:
             )
             if letter not in texts and letter not in known:
                 raise SpecError(f"{letter} does not stand in it", key)
-            choices.append(known if letter in texts else (letter,))  # ω for the ω of B in A
+            choices.append(known if letter in texts else (letter,))  # ω in "ω of B in A"
         for chosen in product(*choices):
             given = dict(zip(names, chosen, strict=True))
             arguments = {role: given[letter] for letter, role in letters.items()}
@@ -294,7 +299,7 @@ class _Reader:
                 self.frames.directions.add(name)
 
     def vector(self, text: str) -> Term | None:
-        """The vector that a declared symbol, or a formula of such, is."""
+        """Returns the vector that a declared symbol or a formula denotes; None if it is none."""
         try:
             term = read_term(text, self.table)
         except (ReadError, IllFormed):
@@ -341,7 +346,7 @@ def _unit(place: int) -> Term:
 
 
 def _spelled(key: str) -> tuple[set[Any], Callable[[Mapping[str, str]], Name]]:
-    """What stands in a spelling, and its name with other letters: of [BN], too."""
+    """Returns the labels in a spelling (including [BN]), and a function to its name with other labels."""
     spelling = _spelling(key)
     node = parse(key).lines[0][0]
     if (pair := in_bracket(node) or under_accent(node)) is not None:
@@ -358,7 +363,7 @@ def _spelling(key: str) -> Spelling:
 
 
 def label(text: str) -> str:
-    """A label as names have it: B_{c} for B_c."""
+    """Returns a label in normal form: B_{c} for B_c."""
     try:
         found = spell_label(parse(text).lines[0][0])
     except (Fault, IndexError):

@@ -1,4 +1,4 @@
-"""Which claims a SELECT of the command line means."""
+"""Selection of claims by the SELECT argument of the command line."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ _LEADING_NUMBER = re.compile(r"\d+")
 
 
 class SelectError(ValueError):
-    """A selection that means no claim."""
+    """A selection that matches no claim."""
 
 
 def select_claims(claims: Sequence[Claim], select: Sequence[str]) -> list[Claim]:
-    """The claims that at least one item means, in reading order; all of them if there is no item.
+    """Returns the claims that match at least one item, in reading order; all of them if there is no item.
 
     An item is an equation ("58", "Theorem 4"), a range of equations ("45-70"), an id ("58.det"), a section
-    ("4.1"), or a pattern of ids ("58.*"). Raises SelectError for an item that means none.
+    ("4.1"), or a pattern of ids ("58.*"). Raises SelectError for an item that matches none.
     """
     if not select:
         return list(claims)

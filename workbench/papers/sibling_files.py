@@ -1,4 +1,4 @@
-"""The claims of the other files of a paper, for what one file says of them when it is read alone."""
+"""Claim ids of the sibling files of a paper file, for references between files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from workbench.source.toml.toml_file import TomlFile
 
 
 def sisters_of(file: Path) -> tuple[Path, ...]:
-    """The other files of the installed paper that `file` is part of, and the files beside it that name the
+    """Returns the other files of the installed paper that contains `file`, and files in its folder with the
     same notation file."""
     shared = _notation_name(file)
     beside = sorted(file.resolve().parent.glob("*.toml")) if shared else []
@@ -22,7 +22,7 @@ def sisters_of(file: Path) -> tuple[Path, ...]:
 
 
 def claim_ids(files: Sequence[Path]) -> dict[str, list[str]]:
-    """Each id that claim tables in the files give → the ids of its claims, one for each printed line."""
+    """Returns each id of a claim table in the files → the ids of its claims, one for each printed line."""
     return {name: parts for file in files for name, parts in _ids(file)}
 
 
@@ -46,7 +46,7 @@ def _notation_name(file: Path) -> str | None:
 
 
 def _data(file: Path) -> dict:
-    """What the file says; nothing for a file that is no TOML, which has no claims to refer to."""
+    """Returns the content of the file; empty if it is no TOML, and thus has no claims to refer to."""
     try:
         return TomlFile(file).data
     except PaperError:

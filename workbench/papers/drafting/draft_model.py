@@ -1,4 +1,4 @@
-"""Reads a text, infers what its symbols are, and says what it could and could not read."""
+"""Draft of a model: reads a text, infers the kinds of its symbols, and records which formulas it can read."""
 
 from __future__ import annotations
 
@@ -39,14 +39,19 @@ from workbench.papers.drafting.words_on_symbols import Prose
 from workbench.source.documents import Display, Text, read_text
 from workbench.source.rows.chains import Step, steps_of
 
-#: A formula within a sentence that is longer is no symbol alone, and says of none what it is.
+#: The length above which an inline formula is not taken as a symbol or a statement about one.
 _INLINE = 60
 
 
 @dataclass(frozen=True)
 class Ingested:
-    """What was found in a text. formulas: one for each step of a display.   fences: macros that only TeX can
-    follow, each with what it seems to print.   confirmed: names that the author answered for."""
+    """The draft of a text's model.
+
+    Attributes:
+        formulas: One for each step of a display.
+        fences: Macros that only TeX can expand, each with what it seems to print.
+        confirmed: Names that the author has confirmed.
+    """
 
     text: Text
     macros: Path | None
@@ -68,7 +73,7 @@ class Ingested:
         return found
 
     def feature_of(self, display: Display) -> str | None:
-        """Returns what the display needs; None for one that is read as a whole."""
+        """Returns the missing feature that the display needs; None if the display is read as a whole."""
         own = self._formulas_of.get(id(display))
         if not own:
             return "a formula without a relation"
@@ -76,7 +81,7 @@ class Ingested:
         return next((feature_of(each.latex, each.outcome.reason) for each in unread), None)
 
     def to_dict(self) -> dict[str, Any]:
-        """Returns every display: where it is, and whether it is read."""
+        """Returns every display with its position and whether it is read."""
         return {
             "displays": [
                 {
@@ -156,7 +161,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
 
 
 def _with_facts(guesses: Mapping[str, Guess], facts: Facts) -> dict[str, Guess]:
-    """The guesses with what sentences say of the symbols beside their kinds."""
+    """Returns the guesses with properties that sentences state of the symbols."""
     made = dict(guesses)
     for name, guess in guesses.items():
         if name in facts.constants and guess.kind in ("scalar", "vector", "tensor"):
@@ -175,12 +180,12 @@ def _first_lines(formulas: Sequence[Formula]) -> dict[str, int]:
 
 
 def _dot(proposals: Sequence[Proposal]) -> str:
-    """The frame in which a dot differentiates; "" where the text has no frames."""
+    """Returns the frame in which a dot differentiates; "" if the text has no frames."""
     return next((each.entries["dot"].strip("'") for each in proposals if "dot" in each.entries), "")
 
 
 def inferred_of(path: Path, macros: Path | None = None) -> Inference:
-    """Returns what is inferred of the symbols of a text. Raises as `ingest`."""
+    """Returns the kinds inferred for the symbols of a text. Raises as `ingest`."""
     text, _ = _text(path, macros)
     return _inferred(text, _steps(text.displays, frozenset()), _words(text)[1])
 
@@ -190,13 +195,13 @@ def _inferred(text: Text, steps: Sequence[tuple[Display, Step]], prose: Prose) -
 
 
 def _words(text: Text) -> tuple[list[Display], Prose]:
-    """The short formulas of sentences, and what the sentences say."""
+    """Returns the short inline formulas, and the prose."""
     inline = [formula for formula in text.inline if formula.end - formula.start < _INLINE]
     return inline, Prose("\n".join(source.text for source in text.sources[:1]), inline, text.displays)
 
 
 def _text(path: Path, macros: Path | None) -> tuple[Text, dict[str, str]]:
-    """The text, and what the macros seem to print that only TeX can follow."""
+    """Returns the text, and what the macros that only TeX can expand seem to print."""
     text = read_text(path, macros)
     fences = letters_in_bold(text.displays) | {f"\\{name}": body for name, body in text.fences.items()}
     if fences:
@@ -207,7 +212,7 @@ def _text(path: Path, macros: Path | None) -> tuple[Text, dict[str, str]]:
 
 
 def _used_in(sentences: Sequence[Formula], said: Sequence[Proposed]) -> set[str]:
-    """The symbols of the sentences' formulas that define something."""
+    """Returns the symbols of the defining formulas in sentences."""
     lines = {(each.line, each.name) for each in said}
     using = (each for each in sentences if any((each.display.line, n) in lines for n in each.outcome.symbols))
     return set().union(*(each.outcome.symbols for each in using))
@@ -215,13 +220,13 @@ def _used_in(sentences: Sequence[Formula], said: Sequence[Proposed]) -> set[str]
 
 @dataclass(frozen=True)
 class _Start:
-    """What a text's formulas are read with: its guesses and its words."""
+    """The guesses and words with which a text's formulas are read."""
 
     guesses: dict[str, Guess]
     prose: Prose
 
     def reader(self, proposals: Sequence[Proposal], formulas: Sequence[str]) -> Reader:
-        """Raises PaperError for proposals that do not go together."""
+        """Returns a reader. Raises PaperError for proposals that contradict each other."""
         has_exponentials = any(map(EXPONENTIAL.search, formulas))
         return Reader(ground_of(proposals), self.guesses, has_exponentials, self.by_face)
 
@@ -231,7 +236,11 @@ class _Start:
 
 @dataclass
 class _Reading:
-    """What is read with some proposals. `blocked`: formulas with a macro that could not be expanded."""
+    """The formulas of a text as read with some proposals.
+
+    Attributes:
+        blocked: Formulas with a macro that could not be expanded.
+    """
 
     proposals: list[Proposal]
     steps: list[tuple[Display, Step]]
@@ -256,8 +265,10 @@ class _Reading:
         return self.known[latex]
 
     def tried(self, text: Text, proposal: Proposal) -> _Reading:
-        """Returns the reading with the proposal, if formulas come further with it and none is lost; one that
-        others stand on may do nothing yet."""
+        """Returns the reading with one more proposal, if it reads more formulas and loses none.
+
+        A proposal that others depend on may have no effect yet.
+        """
         readable = [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
         concerned = [place for place, latex in enumerate(readable) if proposal.trigger.search(latex)]
         if not concerned:

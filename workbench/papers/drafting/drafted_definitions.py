@@ -1,4 +1,4 @@
-"""The definitions that a text gives: letters alone on the left where they first occur, and sentences."""
+"""Definitions that a text gives: a single letter on the left at its first occurrence, and sentences."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is cal
 
 @dataclass(frozen=True)
 class Formula:
-    """One step of a display, and what came of reading it."""
+    """One step of a display, with the outcome of reading it."""
 
     display: Display
     latex: str
@@ -29,7 +29,13 @@ class Formula:
 
 @dataclass(frozen=True)
 class Proposed:
-    """A definition: the symbol's LaTeX and what the text says that it is. `sure`: the model takes it."""
+    """A proposed definition.
+
+    Attributes:
+        name: The symbol's LaTeX.
+        body: The definition's LaTeX.
+        sure: Whether the model takes it without a question.
+    """
 
     name: str
     body: str
@@ -39,7 +45,7 @@ class Proposed:
 
 
 def definitions_in(formulas: Sequence[Formula]) -> list[Proposed]:
-    """Returns the definitions of symbols alone on the left where they first occur, or written := ."""
+    """Returns the definitions of symbols alone on the left at their first occurrence, or before := ."""
     found: dict[str, Proposed] = {}
     seen: set[str] = set()
     for formula in formulas:
@@ -76,7 +82,7 @@ def _lone_left(statement: Statement) -> str | None:
 
 
 def _spin(said: Relation) -> tuple[str, str] | None:
-    """ω, and vect(Ṙ Rᵀ) or vect(Rᵀ Ṙ), of Ṙ = ω̃ R, Ṙ = R ω̃, ω̃ = Ṙ Rᵀ and ω̃ = Rᵀ Ṙ."""
+    """Returns ω and vect(Ṙ Rᵀ) or vect(Rᵀ Ṙ) for Ṙ = ω̃ R, Ṙ = R ω̃, ω̃ = Ṙ Rᵀ or ω̃ = Rᵀ Ṙ."""
     match said:
         case Relation(
             left=Apply(head="skew", arguments=(Symbol() as spin,)),
@@ -116,7 +122,7 @@ def _of_rate(name: str, one: Term, other: Term) -> tuple[str, str] | None:
 
 
 def magnitudes(formulas: Sequence[Formula], guesses: Mapping[str, Guess]) -> Iterator[Proposed]:
-    """Yields ω as ‖𝛚‖, where both occur."""
+    """Yields ω as ‖𝛚‖, if both occur."""
     for name, guess in guesses.items():
         vector = vector_of(name, guesses) if guess.kind == "scalar" else None
         users = [each.display.line for each in formulas if name in each.outcome.symbols]
@@ -131,7 +137,7 @@ def vector_of(name: str, guesses: Mapping[str, Guess]) -> str | None:
 
 
 def each_once(proposed: Iterable[Proposed]) -> list[Proposed]:
-    """Returns what is proposed first of each symbol."""
+    """Returns the first proposal for each symbol."""
     first: dict[str, Proposed] = {}
     for each in proposed:
         first.setdefault(each.name, each)
@@ -139,7 +145,7 @@ def each_once(proposed: Iterable[Proposed]) -> list[Proposed]:
 
 
 def in_sentences(formulas: Iterable[Formula], shown: set[str], defined: set[str]) -> Iterator[Proposed]:
-    """Yields what sentences say of symbols of the displays: "where $L = J \\omega$"."""
+    r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$"."""
     for formula in formulas:
         for each in definitions_in([formula]):
             if each.name in shown and each.name not in defined:

@@ -1,4 +1,4 @@
-"""Frames and points that the labels of a text seem to name."""
+"""Frames and points inferred from the labels of a text."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ _AXIS = re.compile(
     rf"(?:(?P<outer>{_BOLD})\s*\{{\s*)?\\hat\s*\{{?\s*(?:(?P<inner>{_BOLD})\s*\{{?\s*)?(?P<letter>[a-z])\}}*"
     r"\s*_\s*\{?\s*(?P<axis>[xyz123])(?![A-Za-z0-9])"
 )
-#: The frame in which the others move, where the text names none.
+#: The frame in which the others move, if the text names none.
 _NOWHERE = "O"
-#: Capitals that mechanics has for rotations; X and T may be transforms.
+#: Capitals that denote rotations in mechanics; X and T may be transforms.
 _ROTATIONS = frozenset("ACDQRS")
 _LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat|\[\s*(?:\\dot\s*\{)?\s*[A-Z]\s*[A-Z]")
-#: [BN], where neither letter stands for itself.
+#: [BN], where no letter is a symbol by itself.
 _TURN = re.compile(r"\[\s*(?:\\dot\s*\{)?\s*([A-Z])\s*([A-Z])\s*(?:\(t\)\s*)?\}?\s*\]")
 _ALONE = r"(?<![\\A-Za-z/_^{{]){}(?![A-Za-z])"
 
 
 def frames(formulas: str) -> Iterator[Proposal]:
-    """Labels on the left, as in {}^A ω^B and {}^A d/dt; points, as in r^{P/O}."""
+    """Yields proposals from left labels, as in {}^A ω^B and {}^A d/dt, and from points, as in r^{P/O}."""
     seen = list(_SEEN_FROM.finditer(formulas))
     rates = [_label(match["F"]) for match in _RATE_IN.finditer(formulas)]
     frames = Counter(rates + [_label(match["F"]) for match in seen])
@@ -83,7 +83,7 @@ def frames(formulas: str) -> Iterator[Proposal]:
 
 
 def with_spins(proposal: Proposal | None, spins: Sequence[Spin]) -> Proposal:
-    """Returns the frames with what sentences say of angular velocities: the angular velocity of B in A."""
+    """Returns the frames with the angular velocities that sentences state: the angular velocity of B in A."""
     entries = dict(proposal.entries) if proposal is not None else {}
     bases = Counter(spin.base for spin in spins)
     base = entries.get("base") or (f"'{bases.most_common(1)[0][0]}'" if bases else f"'{_NOWHERE}'")
@@ -101,7 +101,7 @@ def with_spins(proposal: Proposal | None, spins: Sequence[Spin]) -> Proposal:
 
 
 def _triads(formulas: str) -> dict[str, tuple[str, str]]:
-    """\\hat{b}_x, \\hat{b}_y, \\hat{b}_z: by their letter, its font and the three indices."""
+    r"""Returns the font and the indices of axes such as \hat{b}_x, \hat{b}_y, \hat{b}_z, by their letter."""
     found: dict[tuple[str, str], set[str]] = {}
     for match in _AXIS.finditer(formulas):
         font = match["inner"] or match["outer"] or ""
@@ -115,7 +115,7 @@ def _triads(formulas: str) -> dict[str, tuple[str, str]]:
 
 
 def _axes(triads: Mapping[str, tuple[str, str]], base: str, names: list[str]) -> dict[str, str]:
-    """The triads as the axes of frames: of B, or of one more frame, for the letter b."""
+    """Returns the entries for triads as the axes of frames: letter b means the axes of B."""
     rows = []
     for letter, (font, indices) in triads.items():
         frame = next((name for name in [base, *names] if name.strip("{}")[-1:] == letter.upper()), None)
@@ -128,7 +128,7 @@ def _axes(triads: Mapping[str, tuple[str, str]], base: str, names: list[str]) ->
 
 
 def _meaning(core: str) -> tuple[str, str] | None:
-    """By the letter, as mechanics has it: in which table, and what it is."""
+    """Returns the table and the meaning of a letter by the conventions of mechanics."""
     letter = re.findall(r"\\?[A-Za-z]+", core)[-1]
     if "\\hat" in core:
         return None

@@ -1,4 +1,4 @@
-"""Definitions that the names and the shape of formulas tell: columns of components, and Jacobians."""
+"""Definitions inferred from names and from the shape of formulas: columns of components, and Jacobians."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _AXES = {1: (), 2: ("x", "y"), 3: ("x", "y", "z")}
 
 
 def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[Proposed]:
-    """Yields columns of components: a bold θ of θ_1 and θ_2. lines: where each symbol first occurs."""
+    """Yields columns of components: a bold θ of θ_1 and θ_2. lines: symbol → line of its first occurrence."""
     scalars = {name for name, guess in guesses.items() if guess.kind == "scalar"}
     for name, guess in guesses.items():
         own = type_of_kind(guess.kind)
@@ -33,7 +33,7 @@ def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[
 
 
 def components_of(body: str) -> list[str]:
-    """Returns the components of a definition that is a column of θ_1, θ_2 or the like; none of another."""
+    """Returns the components of a definition that is a column of θ_1, θ_2 or similar; else an empty list."""
     match operations_of(body, Walker()):
         case (Operation(op="said", parts=(Operation(op="transpose", parts=(Operation(op="mul") as row,)),)),):
             parts = tuple(each for each in row.walk() if each.op != "mul")  # [θ_1 θ_2]^T
@@ -55,8 +55,11 @@ def _cells(column: Operation) -> tuple[Operation, ...]:
 def jacobians(
     formulas: Sequence[Formula], columns_of: Mapping[str, Sequence[str]], defined: Mapping[str, Proposed]
 ) -> Iterator[tuple[Proposed, tuple[str, ...]]]:
-    """Yields J of \\dot{x} = J \\dot{q} as the partial derivatives of x, which is defined, and the components
-    of q. columns_of: column → its components.   defined: by symbol."""
+    r"""Yields J of \dot{x} = J \dot{q} as the partial derivatives of x by the components of q.
+
+    columns_of: column → its components.
+    defined: symbol → its definition.
+    """
     walker = Walker()
     rates: dict[int, list[str]] = {}
     for formula in formulas:
@@ -83,7 +86,7 @@ def jacobians(
 
 
 def _rates(side: Operation, columns_of: Mapping[str, Sequence[str]]) -> list[str]:
-    """The symbols of a column of rates."""
+    """Returns the symbols of a column of rates."""
     if side.op == "matrix" and side.text.endswith(" 1"):
         inner = [part.parts[0] for part in side.parts if part.op == "rate"]
         names = [each.text for each in inner if each.op == SYMBOL]
@@ -94,7 +97,7 @@ def _rates(side: Operation, columns_of: Mapping[str, Sequence[str]]) -> list[str
 
 
 def _product_with_rate(side: Operation) -> tuple[str, str] | None:
-    """J and q of J \\dot{q}."""
+    r"""Returns J and q of J \dot{q}."""
     if side.op != "mul" or side.parts[1].op != "rate":
         return None
     head, column = side.parts[0].head, side.parts[1].parts[0]

@@ -44,18 +44,18 @@ class Draft:
 
 
 def needs_draft(path: Path) -> bool:
-    """Returns whether a file is a text that has no model beside it, and no comments that declare anything.
+    """True if a file is a text that has no model beside it, and no comments that declare anything.
     Raises PaperError."""
     return is_text(path) and model_beside(path) is None and not read_text(path).directives
 
 
 def draft_of(path: Path) -> Draft:
-    """Returns a text under the model that is drafted for it. Raises PaperError."""
+    """Returns a text under a drafted model. Raises PaperError."""
     return draft_from(ingest(path))
 
 
 def draft_from(ingested: Ingested) -> Draft:
-    """Returns a text under the model that was found for it. Raises PaperError."""
+    """Returns a text under the model of a draft. Raises PaperError."""
     path = ingested.text.path
     _, model = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
     return Draft(
@@ -64,8 +64,10 @@ def draft_from(ingested: Ingested) -> Draft:
 
 
 def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:
-    """Returns the results with the basis that drafted kinds have. A falsehood that rests on a kind that only
-    its own formula needs is not decided."""
+    """Returns the results with the confidence of drafted kinds.
+
+    A false claim is not decided if a kind that it uses rests on its own formula only.
+    """
     return [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
 
 
@@ -105,7 +107,7 @@ def _names(claim: Claim) -> list[str]:
 
 
 def _has_frames(draft: Draft, claim: Claim) -> bool:
-    """Whether a claim has axes or points, of which a draft does not know how they move."""
+    """True if a claim has axes or points whose motion the draft does not know."""
     made = [name for name in _symbols(claim) if name in claim.notation.framed]
     tables = (each.entries for each in draft.ingested.proposals if each.table == "frames")
     spins = [flat(key) for table in tables for key, phrase in table.items() if "angular" in phrase]

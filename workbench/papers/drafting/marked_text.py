@@ -1,4 +1,4 @@
-"""The sentences of a text with a mark for each formula in them, and the symbols that a formula lists."""
+"""Sentences of a text with a mark for each formula, and the symbols that a formula lists."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from workbench.papers.drafting.inference.kind_operations import MARKED, SYMBOL, 
 from workbench.papers.drafting.inference.walker import Walker
 from workbench.source.documents import Display, Text
 
-#: The mark of the formula k of a text.
+#: The mark of formula k of a text.
 MARK = r"⟦(\d+)⟧"
-#: Brackets of a text that look like marks.
+#: Brackets of a text that would look like marks.
 _NO_MARKS = str.maketrans("⟦⟧⟪⟫", "    ")
 _OPENING = re.compile(r"(?:\$\$?|\\\(|\\\[|:math:`)\s*$")
 _CLOSING = re.compile(r"^\s*(?:\$\$?|\\\)|\\\]|`)")
@@ -28,14 +28,14 @@ _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z⟦⟪])|\\(?:sub)*section|\n\s*\n|
 
 @dataclass(frozen=True)
 class Sentence:
-    """A sentence with marks for its formulas; `line`: that of its first formula."""
+    """A sentence with marks for its formulas. line: the line of its first formula."""
 
     words: str
     line: int
 
 
 class MarkedText:
-    """The sentences of a text, and what stands behind their marks."""
+    """The sentences of a text, and the formulas that their marks stand for."""
 
     def __init__(self, text: Text) -> None:
         self._text, self._walker = text, Walker()
@@ -43,7 +43,7 @@ class MarkedText:
 
     @cached_property
     def sentences(self) -> list[Sentence]:
-        """The sentences that have a formula."""
+        """Returns the sentences that have a formula."""
         found = []
         for source in self._text.sources:
             own = [(k, each) for k, each in enumerate(self.formulas) if each.source is source]
@@ -66,7 +66,7 @@ class MarkedText:
         return self.formulas[int(mark)].latex
 
     def tree(self, mark: str) -> Operation | None:
-        """What the formula says; None if it cannot be read."""
+        """Returns the operation of the formula; None if it cannot be read."""
         try:
             trees = self._walker.statement(parse(self.latex(mark)))
         except (Fault, RecursionError):
@@ -74,7 +74,7 @@ class MarkedText:
         return trees[0] if len(trees) == 1 else None
 
     def names(self, mark: str) -> list[str]:
-        """The symbols that a formula lists: \\boldsymbol{a}, or l_1, l_2; of x = … and x ∈ …, x."""
+        r"""Returns the symbols that a formula lists: \boldsymbol{a}, or l_1, l_2; for x = … and x ∈ …, x."""
         found: list[str] = []
         for piece in re.split(r",(?![^{(]*[})])", self.latex(mark)):
             try:
@@ -89,7 +89,7 @@ class MarkedText:
 
 
 def _split(pieces: Sequence[str]) -> Iterator[str]:
-    """The sentences of a text in pieces, without markup."""
+    """Yields the sentences of a text in pieces, without markup."""
     clean: list[str] = []
     for piece in pieces:
         if piece.startswith(("⟦", " ⟪")):

@@ -1,4 +1,4 @@
-"""What a formula that cannot be read would need, by name: `ingest` counts by it."""
+"""Names of the features that unreadable formulas need; `ingest` counts by them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _FEATURES = {
     SyntaxCode.OPAQUE_MACROS: "macros that only TeX can follow",
 }
 _KINDS = "kinds that do not fit as guessed"
-#: Faults of the reader that other kinds of the symbols would mend.
+#: Faults of the reader that other kinds of the symbols would avoid.
 _OF_KINDS = UNFIT_KINDS | {
     *(TypeCode.EXPECTED_ARGUMENT, TypeCode.TENSOR_UNDER_TILDE),
     *(SyntaxCode.CROSS_OF, SyntaxCode.COMPOSITION_OF, SyntaxCode.STAR_OF),
@@ -55,7 +55,7 @@ _BY_LATEX = (
 
 
 def feature_of(latex: str, reason: Reason | None) -> str:
-    """What the reader says, without the particulars; else the first that the formula shows signs of."""
+    """Returns the feature that the reader's reason names, else the first one that the formula suggests."""
     for part in reason.parts() if reason is not None else ():
         if part.code is SyntaxCode.UNKNOWN_COMMAND:
             return f"the command {part.arguments['text']}"

@@ -1,4 +1,4 @@
-"""The model as TOML: what was guessed and why, what is proposed, what is unread. It always loads."""
+"""A drafted model as TOML: guesses with reasons, proposals, and unread formulas. It always loads."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ _WIDTH = 100
 
 
 def model_text(ingested: Ingested, path: Path) -> str:
-    """Returns the model for a file at `path`. Definitions that the loader refuses are left as comments, with
-    its reason."""
+    """Returns the model for a file at `path`. Definitions that the loader rejects become comments with the
+    reason."""
     return loaded_model(ingested, path, is_confirmed=False)[0]
 
 
@@ -123,7 +123,7 @@ def scope_lines(scope: Scope) -> Iterator[str]:
 
 
 def string(text: str) -> str:
-    """Returns the text as a TOML string, a literal one where TOML allows it."""
+    """Returns the text as a TOML string, as a literal one if TOML allows it."""
     if "'" not in text and text.isprintable():
         return f"'{text}'"
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')

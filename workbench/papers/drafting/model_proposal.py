@@ -1,4 +1,4 @@
-"""One proposal for a model, and what the reader has with some of them."""
+"""A proposal for a model, and the notation that several proposals give."""
 
 from __future__ import annotations
 
@@ -14,8 +14,12 @@ from workbench.source.toml.toml_file import TomlFile
 
 @dataclass(frozen=True)
 class Proposal:
-    """Entries of one table of a model, as TOML, and what they rest on. `stands`: kept unless it loses a
-    formula; others, where formulas come further by it."""
+    """Entries of one table of a model as TOML, with their reason.
+
+    Attributes:
+        stands: Whether the proposal is kept unless it loses a formula. Other proposals are kept only if they
+            make more formulas readable.
+    """
 
     table: str
     entries: Mapping[str, str]
@@ -26,7 +30,7 @@ class Proposal:
 
 
 def tables_of(proposals: Sequence[Proposal]) -> dict[str, dict[str, tuple[str, str]]]:
-    """Table → key → value as TOML, and why. Lists of one convention grow together."""
+    """Returns table → key → (TOML value, reason). Lists of one convention are merged."""
     tables: dict[str, dict[str, tuple[str, str]]] = {}
     for proposal in proposals:
         table = tables.setdefault(proposal.table, {})
@@ -38,7 +42,7 @@ def tables_of(proposals: Sequence[Proposal]) -> dict[str, dict[str, tuple[str, s
 
 
 def ground_of(proposals: Sequence[Proposal]) -> SymbolTable:
-    """The table that the reader has with these proposals alone. Raises PaperError."""
+    """Returns the symbol table that these proposals alone give. Raises PaperError."""
     lines = []
     for name, entries in tables_of(proposals).items():
         lines += [f"[{name}]", *(f"{key} = {value}" for key, (value, _) in entries.items())]
@@ -46,6 +50,6 @@ def ground_of(proposals: Sequence[Proposal]) -> SymbolTable:
 
 
 def words_of(proposals: Sequence[Proposal]) -> frozenset[str]:
-    """The functions that the text writes without a backslash."""
+    """Returns the functions that the text writes without a backslash."""
     texts = (p.entries["functions"] for p in proposals if "functions" in p.entries)
     return frozenset(re.findall(r"[a-z]+", " ".join(texts)))

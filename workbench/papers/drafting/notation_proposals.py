@@ -1,4 +1,4 @@
-"""Notation, conventions and frames that a text seems to use: each is tried, and kept where it helps."""
+"""Proposals for notation, conventions and frames; each is tried, and kept if it makes formulas readable."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ _LABELLED = rf"{_DOTTED}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
 _BEHIND = r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
 _BRACKET = re.compile(rf"{_BEHIND}({_SYMBOL})\s*(?:\\right)?\)")
 _LIST = re.compile(rf"{_BEHIND}({_LABELLED}(?:\s*,\s*{_LABELLED})+)\s*(?:\\right)?\)")
-#: (∂f/∂x)^T, which is a column then.
+#: (∂f/∂x)^T, in a text whose gradients are then columns.
 _TRANSPOSED_SLOPE = re.compile(
     r"\\partial\s*\{?\\?[A-Za-z{}\\() ,]*\}\s*(?:\\right)?\s*\)?\s*\^\s*\{?\s*(?:\\top|T)(?![A-Za-z])"
 )
 _DOTS_OFF = re.compile(rf"\\d*dot\s*\{{?\s*({_SYMBOL})\s*\}}?")
 _TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc)(?<!a){name}(?![A-Za-z2])") for name in FUNCTIONS}
-#: The sum of a quaternion's parts, or i j k = -1: by the font of the units.
+#: The sum of a quaternion's parts, or i j k = -1: group `font` is the font of the units.
 _UNITS_OF_QUATERNIONS = re.compile(
     r"(?P<font>\\(?:mathbf|boldsymbol|hat|vec|mathrm)\s*\{?|)(?<![\\A-Za-z])?\s*i\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*j\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*k(?![A-Za-z])"
 )
 
 
 def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> Iterator[Proposal]:
-    """What the formulas show signs of, what others need first."""
+    """Yields the proposals that the formulas suggest, those that others depend on first."""
     together = "\n".join(formulas)
     if speaks_of_quaternions(prose):
         hamilton = {"quaternion": f'"{HAMILTON}"'}
@@ -109,7 +109,7 @@ _LEFT = (
     r"\begin{bmatrix} \operatorname{Sc}(q) & -(\operatorname{Vec}(q))^T \\ \operatorname{Vec}(q)"
     r" & \operatorname{Sc}(q) \mathbf{I} %s \operatorname{skew}(\operatorname{Vec}(q)) \end{bmatrix}"
 )
-#: One symbol in square brackets, which group nothing then.
+#: One symbol in square brackets, which do not group then.
 _IN_BRACKETS = (
     r"\[\s*(?:\\[a-z]+\s*\{?\s*)*\\?[A-Za-z]+\}*(?:_\s*(?:\w|\{[^{}]*\}))?\}*\s*(?:\\right\s*)?\]"
     r"(?!\s*[_^]\s*\{?\s*\\times)"
@@ -220,7 +220,7 @@ def _notation(
 
 
 def _units(font: str) -> Proposal:
-    """i, j and k in this font as the quaternions that they are."""
+    """Returns the proposal that i, j and k in this font are the units of quaternions."""
     spelled = [f"{font}{{{letter}}}" if font else letter for letter in "ijk"]
     columns = (r" \\ ".join(str(int(place == other)) for other in range(3)) for place in range(3))
     entries = {

@@ -1,4 +1,4 @@
-"""What a text leaves open and only its author knows."""
+"""Questions that a text leaves open and only its author can answer."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _SIGNS = (
 
 
 def questions_of(text: Text, formulas: Sequence[str], guesses: Mapping[str, Guess]) -> list[str]:
-    """Each question once, with the line of the first formula that asks it."""
+    """Returns each question once, with the line of the first formula that raises it."""
     asked = []
     for pattern, question in _SIGNS:
         for display in text.displays:

@@ -19,13 +19,13 @@ from workbench.papers.drafting.symbol_guesses import kind_of_model
 from workbench.papers.drafting.typefaces import Guess, flat
 from workbench.prover.results.claim_results import ClaimResult
 
-#: No more answers than these are offered.
+#: The most answers that are offered.
 _MOST = 4
 
 
 @dataclass(frozen=True)
 class Answer:
-    """One answer: the entry of the model that says it."""
+    """One answer: an entry of the model."""
 
     table: str
     key: str
@@ -39,7 +39,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Question:
-    """What only the author can answer. settles: the ids of the claims that are judged then."""
+    """A question to the author. settles: the ids of the claims that an answer makes decidable."""
 
     text: str
     line: int
@@ -52,8 +52,10 @@ class Question:
 
 
 def questions_about(draft: Draft, results: Sequence[ClaimResult]) -> list[Question]:
-    """Returns the questions whose answers settle what a draft leaves open, the most decisive first; no more
-    than it takes to name each open claim once."""
+    """Returns the questions whose answers settle the open claims of a draft, the most decisive first.
+
+    Questions are added until each open claim is named once.
+    """
     found = [*_of_kinds(draft, results), *_of_points(draft, results), *_of_definitions(draft, results)]
     asked: list[Question] = []
     settled: set[str] = set()
@@ -65,7 +67,7 @@ def questions_about(draft: Draft, results: Sequence[ClaimResult]) -> list[Questi
 
 
 def answered(ingested: Ingested, answer: Answer) -> Ingested:
-    """Returns the draft with an answer in it, which counts as confirmed."""
+    """Returns the draft with an answer, which counts as confirmed."""
     ((name, said),) = tomllib.loads(answer.lines[1]).items()
     confirmed = ingested.confirmed | {name}
     if answer.table == "symbols":
@@ -92,18 +94,18 @@ def answered(ingested: Ingested, answer: Answer) -> Ingested:
 
 
 def _merged(known: str, more: str) -> str:
-    """Two inline tables as one."""
+    """Returns two inline tables as one."""
     return f"{known.rstrip(' }')}, {more.lstrip('{ ')}"
 
 
 def _open(result: ClaimResult) -> bool:
-    """Whether a claim is not judged, or false only on doubtful kinds."""
+    """True if a claim is not judged, or false only on doubtful kinds."""
     is_false = result.verdict.outcome in (Outcome.REFUTED, Outcome.ILL_FORMED)
     return result.shown is Grade.NOT_JUDGED or (is_false and result.shown is Grade.NOTE)
 
 
 def _of_kinds(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[Question]:
-    """Kinds that only one formula needs, and those that another kind would suit as well."""
+    """Yields questions about kinds that rest on one formula only, or that another kind would suit as well."""
     inference = draft.ingested.inference
     defined = {each.name for each in draft.ingested.definitions if each.sure}
     users: dict[str, list[ClaimResult]] = {}
@@ -134,7 +136,7 @@ def _ids(results: Sequence[ClaimResult]) -> tuple[str, ...]:
 
 
 def _of_points(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[Question]:
-    """In which frame each point is fixed."""
+    """Yields questions about the frame in which each point is fixed."""
     tables: Mapping[str, Mapping[str, tuple[str, str]]] = tables_of(draft.ingested.proposals)
     if "points" not in tables or "frames" not in tables:
         return
@@ -154,7 +156,7 @@ def _has_label(latex: str, label: str) -> bool:
 
 
 def _of_definitions(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[Question]:
-    """Whether a formula with a letter alone on a side says what that letter is."""
+    """Yields questions whether a formula with a letter alone on a side defines that letter."""
     defined = {each.name for each in draft.ingested.definitions if each.sure}
     guesses = draft.ingested.guesses
     for result in results:

@@ -1,4 +1,4 @@
-"""What a text defines anew from a place on: a rotation by its parameters, the parts of a unit quaternion."""
+"""Scopes of a text: redefined rotations, and the parts of a unit quaternion."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from workbench.papers.drafting.sentence_kinds import Quaternion
 from workbench.papers.drafting.typefaces import Guess
 from workbench.source.documents import Display
 
-#: Each scope reads all definitions again; so many readings of definitions are made.
+#: Each scope reads all definitions again; this is the limit of such readings.
 _MOST_READ = 200
 _TURNS = ("rotation", "transform")
-#: Which part of a quaternion the index of a scalar names, where all parts are scalars.
+#: The part of a quaternion that the index of a scalar names, if all parts are scalars.
 _SCALAR_PARTS = ("0", "w", "s", "4")
 
 
 @dataclass
 class Scope:
-    """What holds from a display on: symbols with their entries as TOML, and definitions. why: its basis."""
+    """Symbols (with their entries as TOML) and definitions in force from a display on. why: the reason."""
 
     display: Display
     why: str
@@ -31,13 +31,13 @@ class Scope:
 
     @property
     def start(self) -> str:
-        """What `from` says: the label of the display, or its line."""
+        """The value of `from`: the label of the display, or its line."""
         return next(iter(self.display.labels), f"line {self.display.line}")
 
 
 @dataclass(frozen=True)
 class _Given:
-    """A display that has a letter alone on the left: its place, the letter, the formula, what it uses."""
+    """A display with a letter alone on the left: its index, the letter, the formula, the symbols used."""
 
     place: int
     name: str
@@ -98,7 +98,7 @@ def _parts(
     users: Mapping[str, Sequence[int]],
     guesses: Mapping[str, Guess],
 ) -> Iterator[Scope]:
-    """The scope of a unit quaternion: from the first display behind the sentence that says so."""
+    """Yields the scope of a unit quaternion, from the first display after the sentence about it."""
     behind = [d for d in displays if d.line >= quaternion.line]
     names = _scalar_and_vector(quaternion, guesses)
     if not behind or not names:
@@ -119,7 +119,7 @@ def _parts(
 
 
 def _scalar_and_vector(quaternion: Quaternion, guesses: Mapping[str, Guess]) -> dict[str, str]:
-    """The definitions of the parts of a quaternion; none where it is not seen which is which."""
+    """Returns the definitions of the parts of a quaternion; none if their roles are unclear."""
     name, parts = quaternion.name, quaternion.parts
     kinds = [guesses[part].kind if part in guesses else "" for part in parts]
     if sorted(kinds) == ["scalar", "vector"]:
@@ -145,7 +145,7 @@ def _end(
     users: Mapping[str, Sequence[int]],
     guesses: Mapping[str, Guess],
 ) -> Iterator[Scope]:
-    """The scope of the next section, in which a rotation is free again, where it occurs there."""
+    """Yields the scope of the next section, in which a rotation is free again, if it occurs there."""
     start = places[id(scope.display)]
     nxt = next((p for p in range(start, len(displays)) if displays[p].section != scope.display.section), None)
     names = [name for name in scope.definitions if guesses[name].kind in _TURNS] if nxt is not None else []

@@ -1,4 +1,4 @@
-"""What sentences say of symbols: angular velocities, rates, constants, quaternions, any vectors."""
+"""Facts of symbols in sentences: angular velocities, rates, constants, quaternions, arbitrary vectors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _IS = r"(?: is| are| be| denotes?| denoting| stands for| represents?|,)(?: simpl
 
 @dataclass(frozen=True)
 class Spin:
-    """That a symbol is the angular velocity (or acceleration) of one frame in another."""
+    """A symbol that is the angular velocity (or acceleration) of one frame in another."""
 
     name: str
     what: str
@@ -29,7 +29,7 @@ class Spin:
 
 @dataclass(frozen=True)
 class Quaternion:
-    """A unit quaternion and its parts, in the order in which the sentence has them."""
+    """A unit quaternion and its parts, in the order of the sentence."""
 
     name: str
     parts: tuple[str, ...]
@@ -38,8 +38,14 @@ class Quaternion:
 
 @dataclass
 class Facts:
-    """What the sentences of a text say. rates: name → of which symbol, in which frame ("" for none), and the
-    line.   constants, free, units: symbols that are constant, any, or unit tensors."""
+    """The facts that the sentences of a text state.
+
+    Attributes:
+        rates: Name → (symbol, frame or "", line) of which it is the rate.
+        constants: Symbols that are constant.
+        free: Symbols with arbitrary values.
+        units: Symbols that are unit tensors.
+    """
 
     spins: list[Spin] = field(default_factory=list)
     rates: dict[str, tuple[str, str, int]] = field(default_factory=dict)
@@ -49,8 +55,10 @@ class Facts:
     units: dict[str, None] = field(default_factory=dict)
 
     def definitions(self, dot: str) -> Iterator[Proposed]:
-        """Yields the definitions of rates. dot: the frame in which a dot differentiates; "" if none is
-        known."""
+        """Yields the definitions of rates.
+
+        dot: the frame in which a dot differentiates; "" if none is known.
+        """
         for name, (of, frame, line) in self.rates.items():
             is_plain = frame in ("", dot)
             body = rf"\frac{{d {of}}}{{dt}}" if is_plain else rf"\frac{{{{}}^{{{frame}}} d {of}}}{{dt}}"
@@ -58,7 +66,7 @@ class Facts:
 
 
 def facts_of(text: MarkedText) -> Facts:
-    """Returns what the sentences of a text say."""
+    """Returns the facts that the sentences of a text state."""
     facts = Facts()
     for sentence in text.sentences:
         for pattern, take in _RULES:
@@ -76,7 +84,7 @@ def _spin(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[st
 
 
 def _is_label(latex: str) -> bool:
-    """Whether a formula is the label of a frame or a point: a capital, or a figure."""
+    """True if a formula is the label of a frame or a point: a capital, or a digit."""
     return _LABEL.fullmatch(latex) is not None
 
 
@@ -93,8 +101,8 @@ def _frame(text: MarkedText, match: re.Match[str]) -> str:
 
 
 def _two_rates(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
-    """v and a be the first and second derivative of r in B; "its" is of the symbol that the sentence begins
-    with."""
+    """Records "v and a are the first and second derivative of r in B"; "its" refers to the first symbol of
+    the sentence."""
     names = [name for mark in re.findall(MARK, match["names"]) for name in text.names(mark)]
     mark = match["of"]
     if mark is None:

@@ -1,4 +1,4 @@
-"""What a model says of each symbol: its inferred kind with what the text says of it beside its size."""
+"""Model entries of symbols: the inferred kind, and the properties that the text states."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from workbench.papers.drafting.inference.priors import face, is_open
 from workbench.papers.drafting.typefaces import Guess, by_typeface
 from workbench.papers.drafting.words_on_symbols import Prose
 
-#: The number that stands for a size that no formula tells.
+#: The number used for an undetermined size.
 _OPEN = "2"
 _TURN = re.compile(r"(?:\{\}.*\})?(?:\\[a-z]+\{)*[RC]\}?(?![a-z])")
 _LENGTHS = re.compile(r"[lLmabdc](?:_\{.*\})?")
 
 
 def guesses_of(inference: Inference, prose: Prose) -> dict[str, Guess]:
-    """Returns what is guessed of each symbol of a text."""
+    """Returns the guess for each symbol of a text."""
     return {name: _guess(name, found, inference, prose) for name, found in inference.kinds.items()}
 
 
@@ -37,7 +37,7 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
 
 
 def kind_of_model(kind: Kind) -> str:
-    """Returns what a model calls a kind, with a number for a size that is open."""
+    """Returns the name of a kind in a model, with a number for an undetermined size."""
     return re.sub(r"n(?=×|$)", _OPEN, kind_name(kind)) if is_open(kind) else kind_name(kind)
 
 
@@ -47,7 +47,7 @@ def _is_rotation(name: str, inference: Inference, said: Guess | None) -> bool:
 
 
 def _why(name: str, found: Inferred) -> str:
-    """What a kind rests on: the formulas that would cost more with another, or the typeface."""
+    """Returns the reason of a kind: the formulas that would cost more with another, or the typeface."""
     if found.because:
         lines = ", ".join(map(str, found.because[:3]))
         more = ", …" if len(found.because) > 3 else ""

@@ -1,4 +1,4 @@
-"""A text's formulas read with the kinds that were inferred: what comes of each, and what it needs."""
+"""Trial reading of a text's formulas with the inferred kinds: the outcome of each."""
 
 from __future__ import annotations
 
@@ -18,14 +18,18 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, unclaimed
 from workbench.papers.drafting.typefaces import ADJOINT, LABELLED, Guess, bare_name, flat
 
-#: e with an exponent, which is no transpose and no number.
+#: e with an exponent that is no transpose and no number.
 EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")
 _MOST_SYMBOLS = 60
 
 
 @dataclass
 class Outcome:
-    """What came of reading one formula: statements, or a reason, and whether its kinds do not fit."""
+    """The outcome of reading one formula: its statements, or the reason why not.
+
+    Attributes:
+        ill_formed: Whether the kinds of the formula do not fit.
+    """
 
     statements: tuple[Statement, ...] | None = None
     reason: Reason | None = None
@@ -34,13 +38,16 @@ class Outcome:
 
     @property
     def progress(self) -> tuple[bool, Reason | None]:
-        """Whether the formula is read, and what keeps it from it."""
+        """(whether the formula is read, the reason if it is not)."""
         return self.statements is not None, self.reason
 
 
 class Reader:
-    """Reads formulas with guessed symbols. A symbol that was not guessed is declared when it is met, as its
-    typeface has it. `has_exponentials`: e is a number."""
+    """Reads formulas with guessed symbols, and declares new symbols by their typeface.
+
+    Attributes:
+        has_exponentials: Whether e is a number.
+    """
 
     def __init__(
         self,
@@ -56,7 +63,7 @@ class Reader:
         self._declare(guesses.values())
 
     def read(self, latex: str) -> Outcome:
-        """Returns what comes of the formula; symbols that it needs and nobody guessed are declared."""
+        """Returns the outcome for the formula, after declaring the symbols that it needs."""
         for _ in range(_MOST_SYMBOLS):
             outcome = self._attempt(latex)
             if outcome.statements is not None or outcome.ill_formed:
@@ -69,14 +76,14 @@ class Reader:
             if name in self.refused:
                 outcome = Outcome(reason=self.refused[name])
                 break
-            if name in self.guesses:  # declared, and unknown still
+            if name in self.guesses:  # it was declared before, and is still unknown
                 break
             self._declare([self._by_face(name)])
         outcome.symbols = self._used(latex, outcome.statements)
         return outcome
 
     def _declare(self, guesses: Iterable[Guess]) -> None:
-        """Declares the symbols that the notation does not spell. What the table refuses is left out."""
+        """Declares the symbols that the notation does not explain, except those that the table rejects."""
         specs: dict[str, Mapping[str, object]] = {}
         for guess in guesses:
             if guess.name == "e" and self.has_exponentials:
@@ -103,7 +110,7 @@ class Reader:
         return {name for name in self.guesses if flat(name) in formula}
 
     def _without_accent(self, name: str) -> str:
-        """The symbol under an accent that the notation explains."""
+        """Returns the symbol under an accent that the notation explains."""
         with suppress(SpecError):
             key, _ = read_key(name)
             if key.styles and self.ground.notations.accents(key.styles[0]):
@@ -111,8 +118,8 @@ class Reader:
         return name
 
     def _labelled(self, latex: str) -> str | None:
-        """A symbol with a capital or a script letter as a superscript, which is no power, and which is not
-        known yet."""
+        """Returns an undeclared symbol whose superscript is a capital or a script letter, and thus not a
+        power."""
         for match in chain(LABELLED.finditer(latex), ADJOINT.finditer(latex)):
             with suppress(SpecError):
                 key, places = read_key(match[0])
@@ -134,7 +141,7 @@ class Reader:
 
 
 def _unknown_symbol(reason: Reason | None) -> str | None:
-    """The symbol that the reader does not know, if that is what keeps it from reading."""
+    """Returns the symbol that is unknown, if that is why the formula is not read."""
     for part in reason.parts() if reason is not None else ():
         if part.code is SyntaxCode.UNKNOWN_SYMBOL:
             return part.arguments["text"]

@@ -1,4 +1,4 @@
-"""What a symbol is likely to be by how it is written."""
+"""Likely kinds of symbols by their typography."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _GREEK = {
 }
 _BOLD = re.compile(r"^\\(?:mathbf|boldsymbol|vec)\{?(\\?[A-Za-z]+)\}?")
 _VECTORS = frozenset({"\\omega", "\\alpha"})
-#: ω_x, R_{31} and, of forces, moments and the like, M_1 and F_{O_x}; v_1 and R_1 may be more.
+#: ω_x, R_{31} and, for forces, moments and similar, M_1 and F_{O_x}; v_1 and R_1 may be vectors and matrices.
 _COMPONENTS = re.compile(
     r"\\?[A-Za-z]+_\{(?:[xyz]{1,2}|[1-3][1-3])\}|[EFHILMNPUVW]_\{(?:[^{}]*_\{)?[xyz1-3]\}+"
 )
@@ -34,9 +34,9 @@ _ABOVE = (
     r"\s*\^\s*(?:[A-SU-Z](?![A-Za-z])|\{\s*(?:(?!T\s*\})[A-Z][A-Za-z0-9]{0,3}(?:\s*[/,]\s*[A-Z])?"
     r"|\\math(?:scr|cal|frak|rm|sf|bf)\s*\{?\s*[A-Za-z]+\s*\}?)\s*\})"
 )
-#: A letter with a capital above.
+#: A letter with a capital as superscript.
 LABELLED = re.compile(rf"{_LETTER}(?:{_ABOVE}{_BELOW}|(?:{_BELOW})?{_ABOVE})")
-#: Maps of twists, by what they are the map of.
+#: Adjoint maps of twists.
 ADJOINT = re.compile(
     rf"(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Aa]d\s*\}}|(?<![\\A-Za-z])Ad(?![A-Za-z])){_BELOW}"
 )
@@ -44,7 +44,7 @@ ADJOINT = re.compile(
 
 @dataclass(frozen=True)
 class Guess:
-    """`why`: what it rests on."""
+    """The guessed kind and properties of a symbol. why: the reason."""
 
     name: str
     kind: str
@@ -56,7 +56,7 @@ class Guess:
 
     @property
     def is_said(self) -> bool:
-        """Whether it rests on words of the text, which weigh more than a typeface."""
+        """True if the guess rests on words of the text, which outweigh a typeface."""
         return self.why.startswith("the text says")
 
     @property
@@ -66,7 +66,7 @@ class Guess:
 
 
 def bare_name(name: str) -> str:
-    """Without powers, transposes and primes, which the reader takes for operations."""
+    """Returns the name without powers, transposes and primes, which the reader takes as operations."""
     while (shorter := _OPERATION.sub("", name)) != name:
         name = shorter
     return name
@@ -99,12 +99,12 @@ def by_typeface(name: str) -> Guess:
 
 
 def without_bold(name: str) -> str:
-    """The letter alone of a vector in bold or under an arrow."""
+    """Returns the plain letter of a vector in bold or under an arrow."""
     return _BOLD.sub(r"\1", name)
 
 
 @cache
 def flat(latex: str) -> str:
-    """As it can be compared: without blanks and braces, Greek letters as commands."""
+    """Returns LaTeX in comparable form: without blanks and braces, Greek letters as commands."""
     bare = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
     return bare.replace("\\bm", "\\boldsymbol")

@@ -1,4 +1,4 @@
-"""Macros that a text uses and declares nowhere, \\bq for \\mathbf{q}: a letter in bold, by their name."""
+r"""Undeclared macros whose name suggests a bold letter: \bq for \mathbf{q}."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from workbench.language.grammar.parser import parses
 from workbench.source.documents import Display
 
 _PREFIXED = re.compile(r"\\(?:bf|bs|bm|bold|vect|vec|mat|vc|b|v|m)([A-Za-z]|[a-z]{2,7}|[A-Z][a-z]{1,6})")
-#: What a font is called before or without a letter.
+#: Names of fonts in macros.
 _FONTS = frozenset({"\\bf", "\\bm", "\\mit", "\\bfseries"})
 _COMMAND = re.compile(r"\\([A-Za-z]+)(?![A-Za-z])\s*(\{?)")
 
 
 def letters_in_bold(displays: Iterable[Display]) -> dict[str, str]:
-    """The command → what it seems to print, for those that never take an argument."""
+    """Returns the macros that never take an argument → what they seem to print."""
     found: dict[str, bool] = {}
     for display in displays:
         for match in _COMMAND.finditer(display.latex):

@@ -1,4 +1,4 @@
-"""What a text says of its symbols in words."""
+"""Kinds of symbols from the words of a text."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _WORDS = (
     (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
     (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
 )
-#: What the members of a set are, by its name without fonts and blanks.
+#: The kinds of the members of a set, by its name without fonts and blanks.
 _SETS = {
     r"SO(?:\(3\)|_?3)": "rotation",
     r"SE(?:\(3\)|_?3)": "transform",
@@ -32,13 +32,13 @@ _SETS = {
 }
 _FONTS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak|ds)|boldsymbol|operatorname|text)")
 _NEAR = 40
-#: How much farther words behind a symbol count than words before it.
+#: How many characters farther words may be after a symbol than before it, for the same weight.
 _BEHIND = 4
-#: The length of a noun phrase, in which the first of the table wins: a unit vector is a vector.
+#: The length of a noun phrase, in which the first match of the table wins: a unit vector is a vector.
 _PHRASE = 16
-#: Where the words behind a symbol begin to speak of others.
+#: The beginning of words after a symbol that describe other symbols.
 _OF_OTHERS = re.compile(r"[.;,$]|\b(?:and|with|where|about|by|from|to)\b")
-#: A q in any font; the parts of one have names of their own.
+#: A q in any font; its parts have names of their own.
 _QUATERNION = re.compile(
     r"(?:\\(?:mathbf|boldsymbol|mathsf|bar|vec|hat|underline)\{)?q\}?(?:_\{(?P<part>[^{}]*)\})?(?:\^\{(?![+\\])[^{}]*\})?"
 )
@@ -46,8 +46,7 @@ _PARTS = {"v": "vector", **dict.fromkeys("swxyz", "scalar")}
 
 
 def _nearest(before: str, after: str) -> tuple[int, int, str] | None:
-    """The words nearest to a symbol that say what it is: how far they are, their place in the table, and they
-    themselves."""
+    """Returns the nearest words that give a symbol's kind: (distance, index in the table, words)."""
     found = []
     for place, (pattern, _) in enumerate(_WORDS):
         near = [(len(before) - match.end(), match[0]) for match in pattern.finditer(before)]
@@ -57,12 +56,12 @@ def _nearest(before: str, after: str) -> tuple[int, int, str] | None:
 
 
 def speaks_of_quaternions(text: str) -> bool:
-    """Returns whether a text has to do with quaternions."""
+    """True if a text mentions quaternions."""
     return len(re.findall(r"quaternion", text, re.IGNORECASE)) > 2
 
 
 class Prose:
-    """What a text says of its symbols in words."""
+    """The words of a text about its symbols."""
 
     def __init__(self, text: str, inline: Sequence[Display] = (), displays: Sequence[Display] = ()) -> None:
         self.text = text
@@ -73,7 +72,7 @@ class Prose:
         self._alone: dict[str, list[tuple[str, str]]] | None = None
 
     def guess(self, name: str) -> Guess | None:
-        """Returns what the text says of a symbol in words or by a set that it is in; None for nothing."""
+        """Returns the kind that the text states of a symbol in words or by a set; None if none."""
         if (kind := self._in_a_set(flat(name))) is not None:
             return Guess(name, kind, "the text says what set it is in")
         said = [each for near in self._near(flat(name)) if (each := _nearest(*near)) is not None]
@@ -88,7 +87,7 @@ class Prose:
         return self._of_quaternions(name)
 
     def _of_quaternions(self, name: str) -> Guess | None:
-        """A q in any font of a text on quaternions, and the parts of one."""
+        """Returns the guess for q in any font in a text on quaternions, and for its parts."""
         if not self.has_quaternions or (quaternion := _QUATERNION.fullmatch(name)) is None:
             return None
         part = quaternion["part"] or ""
@@ -97,7 +96,7 @@ class Prose:
         return Guess(name, kind, "the text speaks of quaternions")
 
     def _in_a_set(self, name: str) -> str | None:
-        """The kind of what the text says to be in a set."""
+        """Returns the kind of a symbol that the text states to be in a set."""
         said = re.search(
             rf"(?<![A-Za-z\\_^]){re.escape(name)}(?:,[^=$]{{1,12}}?|=[^=$]{{1,300}}?)?\\in(?![tf])([^$=,.;&]{{1,40}})",
             self._flat,
@@ -107,8 +106,8 @@ class Prose:
         return next((match.expand(kind) for match, kind in found if match), None)
 
     def _near(self, name: str) -> list[tuple[str, str]]:
-        """The words before and behind each formula in the text that is the symbol alone, or says what it
-        is."""
+        """Returns the words before and after each inline formula that is the symbol alone, or an equation for
+        it."""
         if self._alone is None:
             self._alone = {}
             for formula in self._inline:

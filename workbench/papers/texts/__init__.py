@@ -1,1 +1,1 @@
-"""The claims of a text: its displays, step by step, under the model beside it."""
+"""The claims of a text: one for each step of its displays, with its model or its comments."""

@@ -1,4 +1,4 @@
-"""Texts by their files: with the model that lies beside them, or with the comments in them alone."""
+"""Loader of texts: with the model next to them, or with the comments in them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from workbench.source.toml.toml_file import TomlFile
 
 
 def load_text(path: Path) -> TextPaper:
-    """A text with the model beside it, where there is one. Raises PaperError."""
+    """Returns a text with the model next to it, if there is one. Raises PaperError."""
     beside = model_beside(path)
     if beside is not None:
         return load_model(TomlFile(beside))
@@ -36,7 +36,7 @@ def load_text(path: Path) -> TextPaper:
 
 
 def load_model(toml: TomlFile) -> TextPaper:
-    """A model and the text that it names. Raises PaperError."""
+    """Returns a model with the text that it names. Raises PaperError."""
     path, faults = _beside(toml, "source"), Faults()
     text = faults.past(lambda: _with_macros(toml, path))
     if text is None:
@@ -62,7 +62,8 @@ def _with_macros(toml: TomlFile, path: Path) -> Text:
 
 
 def model_of(toml: TomlFile, text: Text, faults: Faults) -> TextModel:
-    """What the model and the comments in its text say. Raises PaperError if it names no notation."""
+    """Returns the content of the model and of the comments in its text. Raises PaperError if it names no
+    notation."""
     faults.past(lambda: toml.allow_keys((), MODEL_KEYS))
     chain = faults.past(lambda: notation_chain(toml))
     guessed = faults.past(lambda: toml.texts(("guessed",)))
@@ -76,7 +77,7 @@ def model_of(toml: TomlFile, text: Text, faults: Faults) -> TextModel:
 
 
 def model_beside(text: Path) -> Path | None:
-    """`paper.toml` beside `paper.tex`, if it says that this is its source."""
+    """Returns `paper.toml` next to `paper.tex`, if that is its source."""
     path = text.with_suffix(".toml")
     try:
         source = tomllib.loads(path.read_text("utf-8")).get("source")

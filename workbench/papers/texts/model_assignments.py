@@ -1,4 +1,4 @@
-"""What the model beside a text says of each of its claims, and what it says of none."""
+"""Assignment of a model's entries to the claims of its text."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Placed:
 def assigned(
     model: TextModel, placed: Sequence[Placed], displays: Sequence[Display]
 ) -> dict[str, list[Entry]]:
-    """What the model says of each claim; what it says of none is a fault."""
+    """Returns the entries for each claim; an entry for no claim is a fault."""
     assigned: dict[str, list[Entry]] = {}
     for entry in model.entries:
         found = [each for each in placed if means(entry.at, each)]
@@ -42,7 +42,7 @@ def assigned(
 
 
 def _fits(entry: Entry, found: Sequence[Placed], placed: Sequence[Placed]) -> bool:
-    """Raises PaperError where the text says something else there, or too much."""
+    """True if the entry fits its claims. Raises PaperError if the text has another formula, or several."""
     _check_printed(entry, found, placed)
     _check_single(entry, found)
     return True
@@ -93,7 +93,7 @@ def _check_printed(entry: Entry, found: Sequence[Placed], placed: Sequence[Place
 
 
 def _written(placed: Placed) -> set[str]:
-    """How a model may quote the formula: as it stands in the file, or with its macros expanded."""
+    """Returns how a model may quote the formula: as written in the file, or with macros expanded."""
     display = placed.display
     raw = display.source.text[display.start : display.end]
     return {_bare(raw), _bare(display.latex), _bare(placed.step.spelled()[0])}
@@ -109,7 +109,7 @@ def _short(latex: str) -> str:
 
 
 def _check_single(entry: Entry, found: Sequence[Placed]) -> None:
-    """A reading or a correction belongs to one step."""
+    """Raises PaperError for a reading or a correction of more than one step."""
     if len(found) < 2:
         return
     for key in ("reading", "corrected", "fault", "mend"):
@@ -121,7 +121,7 @@ def _check_single(entry: Entry, found: Sequence[Placed]) -> None:
 
 
 def unknown_ids(entries: Mapping[str, Sequence[Entry]], ids: Collection[str]) -> Iterator[PaperError]:
-    """Where the model names claims that the text does not have."""
+    """Yields errors for ids that the model uses and the text does not have."""
     tables = {id(entry): entry.table for group in entries.values() for entry in group}
     for table in tables.values():
         named = [(("inherits", place), name) for place, name in enumerate(table.texts(("inherits",)))]

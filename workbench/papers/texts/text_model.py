@@ -1,4 +1,4 @@
-"""What a model says beside a text: `paper.toml` with `source = "paper.tex"`, or comments in the text."""
+"""The model of a text: `paper.toml` with `source = "paper.tex"`, or comments in the text."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _LINE = re.compile(r"line\s+(\d+)")
 
 @dataclass(frozen=True)
 class Table:
-    """A table inside of a TOML file, read as if it were a file of its own."""
+    """A table inside of a TOML file, which is read like a file."""
 
     toml: TomlFile
     prefix: KeyPath
@@ -64,8 +64,12 @@ class Table:
 
 @dataclass(frozen=True)
 class Entry:
-    """What the model says of one claim or display. `at`: label, number, id, or "line N"; of a comment in the
-    text, the display that it stands before or in."""
+    """An entry of the model for one claim or display.
+
+    Attributes:
+        at: A label, number, id, or "line N"; for a comment in the text, the display that it precedes or is
+            in.
+    """
 
     table: Table
     at: str | Display
@@ -73,9 +77,14 @@ class Entry:
 
 @dataclass
 class TextModel:
-    """`chain`: the files that the notation stands on. `scopes`: what is declared anew from a display on (its
-    place in reading order, and the file and line where that begins). `guessed`: symbols whose kinds nobody
-    has confirmed. `faults`: what of the model cannot be used."""
+    """The content of a model.
+
+    Attributes:
+        chain: The notation files.
+        scopes: Redeclarations from a display on: its index, the table, and the file and line where it begins.
+        guessed: Symbols whose kinds are unconfirmed.
+        faults: Entries of the model that cannot be used.
+    """
 
     chain: list[TomlFile] = field(default_factory=list)
     scopes: list[tuple[int, Table, tuple[Path, int]]] = field(default_factory=list)
@@ -85,7 +94,8 @@ class TextModel:
     _made: list[tuple[int, Notation]] | None = None
 
     def notations(self) -> list[tuple[int, Notation]]:
-        """From which display on each notation holds. Raises PaperError."""
+        """Returns the notations, each with the index of the display from which on it holds. Raises
+        PaperError."""
         if self._made is None:
             self._made = self._notations()
         return self._made
@@ -102,7 +112,8 @@ class TextModel:
         return made
 
     def _with_places(self, notation: Notation, count: int) -> Notation:
-        """The notation of so many scopes, with the places where they declare symbols anew."""
+        """Returns the notation of the first `count` scopes, with the positions where they redeclare
+        symbols."""
         since: dict[Name, tuple[Path, int]] = {}
         for _, table, place in self.scopes[:count]:
             keys = [key for part in ("symbols", "definitions") for key in table.value((part,), dict, {})]
@@ -112,7 +123,7 @@ class TextModel:
 
 
 def read_entries(toml: TomlFile, faults: Faults) -> list[Entry]:
-    """The [[claim]] tables that say where they belong."""
+    """Returns the [[claim]] tables that state their position."""
     entries = []
     for index in range(len(faults.past(lambda: toml.tables(("claim",))) or ())):
         path = ("claim", index)
@@ -132,7 +143,7 @@ def _places(toml: TomlFile, path: KeyPath) -> Sequence[str]:
 
 
 def read_scopes(toml: TomlFile, text: Text, model: TextModel) -> None:
-    """The [[scope]] tables, each from its place on."""
+    """Adds the [[scope]] tables to the model, each from its position on."""
     for index in range(len(model.faults.past(lambda: toml.tables(("scope",))) or ())):
         path = ("scope", index)
         model.faults.past(partial(toml.allow_keys, path, _SCOPE_KEYS))
@@ -155,8 +166,10 @@ def _start(toml: TomlFile, path: KeyPath, text: Text) -> int:
 
 
 def _beginning(place: int, displays: Sequence[Display]) -> tuple[Path, int]:
-    """The file and line from which a scope that begins with this display is in force: behind the display
-    before it, or from the last heading between them."""
+    """Returns the file and line from which a scope is in force that begins with this display.
+
+    That is the end of the display before it, or the last heading between them.
+    """
     first = displays[place]
     source = first.source
     before = [each.end for each in displays[:place] if each.source.path == source.path]
@@ -166,7 +179,7 @@ def _beginning(place: int, displays: Sequence[Display]) -> tuple[Path, int]:
 
 
 def _behind_line(name: str, displays: Sequence[Display]) -> int | None:
-    """The first display that ends behind the line, of those in the file of the first."""
+    """Returns the first display that ends after the line, in the file of the first display."""
     if (match := _LINE.fullmatch(name)) is None or not displays:
         return None
     path, line = displays[0].source.path, int(match[1])
@@ -175,7 +188,7 @@ def _behind_line(name: str, displays: Sequence[Display]) -> int | None:
 
 
 def place_of(name: str, displays: Sequence[Display]) -> int | None:
-    """The first display that the name means: by label, number, section or line."""
+    """Returns the first display that the name denotes: by label, number, section or line."""
     tests: tuple[Callable[[Display], bool], ...] = (
         lambda display: name in display.labels,
         lambda display: name.strip("()") in display.numbers,
@@ -195,7 +208,7 @@ def _covers(display: Display, line: int) -> bool:
 
 
 def read_directives(directives: Sequence[Directive], displays: Sequence[Display], model: TextModel) -> None:
-    """Comments `%! workbench: key = value`: of the notation, or of the display that follows."""
+    """Reads comments `%! workbench: key = value`: for the notation, or for the next display."""
     notation: dict[Path, dict[int, str]] = {}
     for directive in directives:
         line, column = directive.source.place(directive.start)
@@ -227,7 +240,7 @@ def _following(directive: Directive, displays: Sequence[Display]) -> Display | N
 
 
 def names_of(displays: Sequence[Display]) -> Iterator[str]:
-    """Everything by which a display of the text can be meant, for messages."""
+    """Yields every name of a display of the text, for messages."""
     for display in displays:
         yield from display.labels
         yield from display.numbers

@@ -1,4 +1,4 @@
-"""A text and what its model says: one claim for each step of each display, each fault in its own place."""
+"""The paper of a text: one claim for each step of each display, with faults at their positions."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 @dataclass(frozen=True)
 class TextPaper(Paper):
-    """`warnings`: what of the text could not be read as TeX would read it."""
+    """A paper that was read from a text. warnings: parts that could not be read as TeX would read them."""
 
     text: Text | None = None
     warnings: tuple[PaperError, ...] = ()
@@ -62,7 +62,8 @@ def text_paper(
     paths: tuple[Path, ...],
     citation: Mapping[str, str] | None = None,
 ) -> TextPaper:
-    """Raises PaperError where the notation cannot be used; any other fault is one of the paper's `faults`."""
+    """Returns the paper of a text. Raises PaperError if the notation cannot be used; other faults are
+    collected in `faults`."""
     notations, faults = model.notations(), model.faults
     spoilt = any(_spoils(fault, model.chain) for fault in faults)
     placed = list(placed_steps(text.displays, notations))
@@ -77,7 +78,7 @@ def text_paper(
         or _unusable(claim)
         for at, claim in enumerate(claims)
     ]
-    if any(fault.path[:1] == ("scope",) for fault in faults):  # what is in force anywhere is not known
+    if any(fault.path[:1] == ("scope",) for fault in faults):  # the notation of any display is uncertain
         claims = [replace(claim, guessed=(*claim.guessed, "[[scope]]")) for claim in claims]
     functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
     claims = [_perhaps_of(claim, functions) for claim in claims]
@@ -103,7 +104,7 @@ def _flat(latex: str) -> str:
 
 
 def _perhaps_of(claim: Claim, functions: Collection[str]) -> Claim:
-    """A vector beside a vector in brackets, x (y), where a sentence speaks of x(z), is no product."""
+    """Returns x (y) as unread if a sentence writes x(z), so that it may not be a product of vectors."""
     printed = claim.printed
     if printed.ill_formed is None or TypeCode.JUXTAPOSITION not in printed.ill_formed.codes:
         return claim
@@ -115,8 +116,10 @@ def _perhaps_of(claim: Claim, functions: Collection[str]) -> Claim:
 
 
 def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]) -> Claim:
-    """With the formulas before it that it is to follow from, read in its own notation; `placed` ends with it.
-    Raises PaperError."""
+    """Returns the claim with the earlier formulas that it should follow from, read in its notation.
+
+    placed: ends with the claim's own step. Raises PaperError.
+    """
     given: list[Formula] = []
     tables = [entry.table for entry in entries]
     for table in tables:
@@ -138,14 +141,14 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
 def _refuse_other_meaning(
     table: TomlFile, at: str, statement: Statement, there: Notation, here: Notation
 ) -> None:
-    """Raises PaperError for a formula that speaks of a symbol that a scope behind it declares anew."""
+    """Raises PaperError for a formula with a symbol that a later scope redeclares."""
     if (name := declared_anew(names_in(statement), there, here)) is not None:
         message = f"given: {at!r} speaks of another {name}: a [[scope]] behind it declares {name} anew"
         raise table.error_at_value(("given",), f"{message}; expected a formula of this scope")
 
 
 def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> Iterator[Claim]:
-    """Yields the claims with all that the text says of their symbols; nothing for one that stands alone."""
+    """Yields the claims with the facts of the text; none for a claim with a closed context."""
     unread = said_unread(claims, text.inline)
     words = placed[0].notation.words
     sentences, spoken = TextSentences(text.inline, words), InlineFormulas(text.inline)
@@ -166,7 +169,8 @@ def _own_facts(
     sentences: TextSentences,
     spoken: InlineFormulas,
 ) -> Iterator[Fact]:
-    """Yields facts beside the formula, in its sentence, before it, and in formulas that are not read."""
+    """Yields facts from conditions next to the formula, its sentence, earlier sentences, and unread
+    formulas."""
     statement, names = claim.printed.statement, _names_of(claim.printed)
     if statement is None or not names:
         return
@@ -207,14 +211,14 @@ def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Not
 
 
 def _base(display: Display, step: Step) -> str:
-    """The label, or the number, or the line."""
+    """Returns the label, the number or the line."""
     name = next(iter(step.labels), None) or step.number or next(iter(display.labels), None)
     cleaned = _NO_ID.sub("-", name or "").strip("-")[:60]
     return cleaned or f"L{display.line}"
 
 
 def _spoils(fault: PaperError, chain: Sequence[TomlFile]) -> bool:
-    """Whether no formula may be judged: what they are written in is not what the author meant."""
+    """True if no formula may be judged, because the notation is not what the author meant."""
     return fault.toml in chain and fault.path[:1] != ("claim",) and fault.path[2:] != ("from",)
 
 
@@ -231,7 +235,7 @@ def _unusable(claim: Claim) -> Claim:
 
 
 def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> Claim:
-    """Raises PaperError for a key of the model that cannot be used."""
+    """Returns the claim. Raises PaperError for a key of the model that cannot be used."""
     tables = [entry.table for entry in entries]
     display, step = placed.display, placed.step
     orders = _orders(tables)
@@ -293,8 +297,10 @@ def _with_keys(claim: Claim, table) -> Claim:
 
 
 def _used(printed: Formula, tokens: Sequence[Token], guessed: Sequence[str]) -> tuple[str, ...]:
-    """Of what is guessed, the symbols and macros that the formula uses, and the tables, such as [notation],
-    which any formula may rest on; all, where it does not fit together."""
+    """Returns the guessed names that the formula uses, and guessed tables such as [notation].
+
+    Returns all if the formula is ill-formed.
+    """
     if printed.statement is None or not guessed:
         return tuple(guessed)
     used = {str(term.declaration.name) for term in terms_of(printed.statement) if isinstance(term, Symbol)}
@@ -358,7 +364,7 @@ def _unreadable(why: Reason) -> Reason:
 
 
 def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:
-    """The conditions beside the formula; where one cannot be read, the formula is unread."""
+    """Returns the conditions next to the formula, and the formula, which is unread if a condition is."""
     made: list[Formula] = []
     for tokens in placed.step.assumed:
         latex, owners = spelled(tokens)
@@ -373,7 +379,7 @@ def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], For
 
 
 def _reasons(placed: Placed, about: frozenset[Name]) -> tuple[list[Formula], tuple[Fact, ...]]:
-    """The reasons that the author gives for the step, and those that cannot be read, which limit it."""
+    """Returns the reasons that the author gives for the step, and opaque facts for unreadable ones."""
     made: list[Formula] = []
     unread: list[Fact] = []
     for tokens in placed.step.reasons:
@@ -386,7 +392,7 @@ def _reasons(placed: Placed, about: frozenset[Name]) -> tuple[list[Formula], tup
 
 
 def _side_formula(tokens: Sequence[Token], placed: Placed) -> Formula:
-    """The formula of the tokens, which stand beside a step or in its place; with why it cannot be read."""
+    """Returns the formula of tokens next to a step or in its place, with the reason if it cannot be read."""
     latex, _ = spelled(tokens)
     try:
         return Formula(latex, read_statement(latex, placed.notation, None)[0])
@@ -397,19 +403,19 @@ def _side_formula(tokens: Sequence[Token], placed: Placed) -> Formula:
 
 
 def _message(error: IllFormedAt) -> Reason:
-    """Why it is ill-formed, without the place, which is that of the claim."""
+    """Returns why it is ill-formed, without the position, which is that of the claim."""
     return with_intent(error.message, error)
 
 
 def _at(latex: str, owners: Sequence[Token], line: int, column: int) -> Span:
-    """The author's characters at a place of the formula."""
+    """Returns the span of the author's characters at a position of the formula."""
     offset = sum(len(text) + 1 for text in latex.split("\n")[: line - 1]) + column - 1
     token = owners[min(max(offset, 0), len(owners) - 1)]
     return _span([token])
 
 
 def span_of(tokens: Sequence[Token], display: Display) -> Span:
-    """From the first to the last of the author's characters; macros stand where they are called."""
+    """Returns the span of the author's characters; macros stand where they are called."""
     own = [token for token in tokens if token.source is display.source]
     own = [token for token in own if display.start <= token.start and token.end <= display.end]
     if own:

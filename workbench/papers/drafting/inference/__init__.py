@@ -1,1 +1,1 @@
-"""Kinds of symbols, inferred from the formulas that they stand in."""
+"""Inference of the kinds of symbols from the formulas in which they occur."""

@@ -1,4 +1,4 @@
-"""The likeliest joint kinds of the symbols of one formula, from the leaves of its trees up."""
+"""Beam search for the most likely joint kinds of the symbols of one formula, bottom up."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from workbench.papers.drafting.inference.kind_operations import NAMED, Operation
 from workbench.papers.drafting.inference.kind_signatures import Kind
 from workbench.papers.drafting.inference.tables import Costs
 
-#: How many kinds of a symbol, joint kinds of a formula, and joint kinds for each kind of a value are kept.
+#: Beam widths: kinds of a symbol, joint kinds of a formula, and joint kinds for each kind of a value.
 _LEAF, _BEAM, _PER_KIND = 10, 30, 6
 
 Kinds = dict[str, Kind]
-#: What kinds cost their symbols, what the tree costs with them, and the kinds.
+#: (cost of the kinds for their symbols, cost of the tree with them, the kinds).
 Option = tuple[int, int, Kinds]
 
 
@@ -25,13 +25,15 @@ class Beams:
         self._costs = costs
 
     def joint(self, trees: Sequence[Operation], own: Mapping[str, Mapping[Kind, int]]) -> list[Kinds]:
-        """Returns joint kinds of the symbols of a formula, the likeliest first. own: the cost of each kind of
-        each symbol."""
+        """Returns joint kinds of the symbols of a formula, the most likely first.
+
+        own: symbol → kind → cost.
+        """
         self._own = own
         return [kinds for _, _, kinds in self._merged([self._beam(tree) for tree in trees])][:_BEAM]
 
     def _beam(self, tree: Operation) -> list[Option]:
-        """Some joint kinds for each kind of the tree's value."""
+        """Returns some joint kinds for each kind of the tree's value."""
         if tree.op in NAMED and not tree.parts:
             return self._leaf(tree.text)
         lists = [self._beam(part) for part in tree.parts]
@@ -50,7 +52,7 @@ class Beams:
         return [(cost, 0, {name: kind}) for kind, cost in islice(self._own[name].items(), _LEAF)]
 
     def _merged(self, lists: Sequence[list[Option]]) -> list[Option]:
-        """The joint kinds of several parts, where each symbol has one kind."""
+        """Returns the joint kinds of several parts; each symbol has the same kind in all parts."""
         if len(lists) == 1:
             return lists[0]
         found: list[Option] = [(0, 0, {})]

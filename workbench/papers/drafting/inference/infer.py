@@ -1,4 +1,4 @@
-"""The kinds of a text's symbols: all formulas are read together, marks and functions as one choice."""
+"""Kinds of a text's symbols: all formulas are solved together, with marks and functions as one choice."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ from workbench.papers.drafting.inference.priors import Priors
 from workbench.papers.drafting.inference.walker import Walker
 from workbench.papers.drafting.words_on_symbols import Prose
 
-#: Sizes that any text may use, and the largest that a literal matrix gives.
+#: Sizes that any text may use, and the greatest size that a literal matrix suggests.
 _USUAL, _LARGEST = (1, 2, 3, 4), 12
-#: A kind is in doubt that costs so little less than the next.
+#: A kind is doubtful if the next best costs at most this much more.
 _CLOSE = 3
 #: Operations on twists.
 _OF_TWISTS = re.compile(
     r"\btwist|\bwrench|spatial (?:velocit|acceleration|force|vector)|\bscrew", re.IGNORECASE
 )
-#: What a text with joint spaces says, whose dimension n no formula tells.
+#: Words of texts on joint spaces, whose dimension n no formula determines.
 _OF_JOINTS = re.compile(
     r"\bjoint|generali[sz]ed (?:coordinate|velocit|force)|degrees? of freedom|manipulator|\bJacobian"
 )
-#: M(q) q̈: a matrix of the joints, and their accelerations.
+#: M(q) q̈: a joint-space matrix and the joint accelerations.
 _JOINT_SPACE = re.compile(r"[A-Z]\s*\}?\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\\ddot\s*\{?\s*\1(?![A-Za-z])")
-#: i j k = -1, and the sum of a quaternion's parts.
+#: i j k = -1, or the sum of a quaternion's parts.
 _UNITS = re.compile(r"(?<![\\A-Za-z])i\s*j\s*k\s*=|i\s*j\s*=\s*k|\bi\s*\+[^=+]*j\s*\+[^=+]*k(?![A-Za-z])")
 
 
 @dataclass(frozen=True)
 class Source:
-    """A formula of a text: its LaTeX, where it stands, and whether it stands in a sentence."""
+    """A formula of a text: its LaTeX, its line, and whether it stands in a sentence."""
 
     latex: str
     line: int = 0
@@ -49,8 +49,12 @@ class Source:
 
 @dataclass(frozen=True)
 class Inferred:
-    """The kind of one symbol. margin: how much more all costs with the next best kind, in tenths.
-    because: the lines of the formulas that cost more with it."""
+    """The kind of one symbol.
+
+    Attributes:
+        margin: The additional cost of the next best kind, in tenths.
+        because: The lines of the formulas that cost more with it.
+    """
 
     kind: Kind
     margin: int
@@ -60,7 +64,7 @@ class Inferred:
 
 @dataclass(frozen=True)
 class Misfit:
-    """A formula with an operation that fits with no likely kinds. names: the symbols of the operation."""
+    """A formula with an operation that no likely kinds satisfy. names: the symbols of the operation."""
 
     latex: str
     names: tuple[str, ...]
@@ -68,7 +72,7 @@ class Misfit:
 
 @dataclass(frozen=True)
 class Thin:
-    """A symbol whose kind only one formula needs, and its kind without that formula."""
+    """A symbol whose kind rests on one formula only, and its kind without that formula."""
 
     name: str
     latex: str
@@ -78,10 +82,13 @@ class Thin:
 
 @dataclass(frozen=True)
 class Inference:
-    """What is inferred of a text.
+    r"""The result of the inference for a text.
 
-    skew_marks: \\hat and \\tilde, where they make skew tensors.   thin: kinds that only one formula needs.
-    orthogonal: matrices with A Aᵀ = 1, det A = 1 or in a set of such.   moving: symbols with a rate.
+    Attributes:
+        skew_marks: \hat and \tilde, if they make skew tensors.
+        thin: Kinds that rest on one formula only.
+        orthogonal: Matrices with A Aᵀ = 1, det A = 1 or in a set of such matrices.
+        moving: Symbols with a rate.
     """
 
     kinds: Mapping[str, Inferred]
@@ -92,20 +99,22 @@ class Inference:
     moving: frozenset[str]
 
     def doubtful(self, latex: str) -> set[str]:
-        """Returns the symbols whose kinds are in doubt beside a formula: those of other formulas that do not
-        fit, and those that another kind would suit as well."""
+        """Returns the symbols whose kinds are doubtful for judging a formula.
+
+        These occur in other formulas that do not fit, or another kind would suit them as well.
+        """
         spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
         return spoilt | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
 
     def is_square(self, name: str) -> bool:
-        """Returns whether a symbol is a square matrix."""
+        """True if a symbol is a square matrix."""
         kind = self.kinds[name].kind
         return isinstance(kind, tuple) and kind[0] == kind[1] != 1
 
 
 def infer(sources: Sequence[Source], prose: Prose) -> Inference:
-    """Returns the kinds of all symbols of the formulas. Those of sentences count where a display has one of
-    their symbols."""
+    """Returns the kinds of all symbols of the formulas. Inline formulas count if a display shares a
+    symbol."""
     walker = Walker()
     read = [(each, operations_of(each.latex, walker)) for each in sources]
     if labels := walker.labelled & walker.transposed:
@@ -195,8 +204,11 @@ def _search(
 
 
 def _sizes(trees: Iterable[Operation], prose: Prose, has_joints: bool) -> list[Kind]:
-    """The sizes that symbols may have: columns, rows and squares of the usual extents and of those that
-    literal matrices have or make; other matrices where the text has one."""
+    """Returns the sizes that symbols may have.
+
+    These are columns, rows and squares of the usual extents and of those of literal matrices, and other
+    matrices if the text has one.
+    """
     extents, has_blocks = {*_USUAL}, False
     if _OF_TWISTS.search(prose.text):
         extents.add(6)
@@ -240,7 +252,7 @@ def _inferred(search: Search, name: str) -> Inferred:
 
 
 def kind_name(kind: Kind) -> str:
-    """Returns what a model calls a kind."""
+    """Returns the name of a kind in a model."""
     if isinstance(kind, str):
         return "hamilton quaternion"
     usual = {SCALAR: "scalar", VECTOR: "vector", TENSOR: "tensor"}

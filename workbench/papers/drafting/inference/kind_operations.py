@@ -1,11 +1,11 @@
-"""Operation trees: what a formula does with its symbols, before any kind is known."""
+"""Operation trees: the operations of a formula on its symbols, before any kind is known."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-#: The operations that are symbols: of its own name, and of a letter under a mark that may be an operation.
+#: The operations that are symbols: a plain one, and a letter under a mark that may be an operation.
 SYMBOL, MARKED = "symbol", "marked"
 #: A letter that is the unit tensor, or a symbol.
 UNIT = "unit"
@@ -16,8 +16,9 @@ NAMED = frozenset((SYMBOL, MARKED, UNIT))
 class Operation:
     """One operation and its parts, or a leaf.
 
-    text: the name of a symbol, a number, the size of a matrix, or how a bracket behind a letter looks.
-    names: the symbols in it, sorted.
+    Attributes:
+        text: The name of a symbol, a number, the size of a matrix, or the shape of a bracket after a letter.
+        names: The symbols in it, sorted.
     """
 
     op: str
@@ -43,7 +44,7 @@ class Operation:
 
 
 class Forest:
-    """Makes operations; equal ones are one object, so that what is known of one is known of all."""
+    """Factory of operations; equal operations are one object, so that results are shared."""
 
     def __init__(self) -> None:
         self._made: dict[tuple[str, tuple[Operation, ...], str], Operation] = {}
@@ -61,5 +62,5 @@ class Forest:
         return self.make(SYMBOL, text=name)
 
     def anything(self, *parts: Operation) -> Operation:
-        """Returns a value of any kind, made of these parts in a way that is not known."""
+        """Returns a value of any kind that is made of these parts in an unknown way."""
         return self.make("any", *parts)

@@ -1,4 +1,4 @@
-"""The kinds of all symbols of a text together: those under which its formulas and symbols cost least."""
+"""Local search for the kinds of all symbols of a text that minimize the total cost."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from workbench.papers.drafting.inference.kind_signatures import MISFIT, Kind
 from workbench.papers.drafting.inference.priors import Priors, face, likeness
 from workbench.papers.drafting.inference.tables import Costs
 
-#: In tenths: what it costs that two symbols that are written alike differ; what a formula of a sentence costs
-#: beside one of a display.
+#: Costs in tenths: of different kinds for two symbols that are written alike; the weight of an inline formula
+#: relative to a display.
 _UNLIKE, _INLINE = 12, 4
-#: How much dearer than its likeliest kind the kind of a symbol is that calls its formulas into question.
+#: A symbol with a kind that costs at least this much more than its cheapest one makes its formulas suspect.
 _STRANGE = 12
 _ROUNDS, _MOST_OPTIONS, _MOST_MENDED = 12, 10, 3
-#: How many readings of operations are looked at; the kinds that are found by then are kept.
+#: The limit of the number of readings of operations; the search stops there with the kinds found so far.
 _MOST_READINGS = 400_000
 
 
 @dataclass(frozen=True, eq=False)
 class Formula:
-    """A formula as operations; where it stands, and whether it stands in a sentence."""
+    """A formula as operations, with its line and whether it stands in a sentence."""
 
     trees: tuple[Operation, ...]
     line: int = 0
@@ -39,7 +39,7 @@ Change = Mapping[str, Kind]
 
 
 class Search:
-    """Kinds of the symbols, and what they cost together."""
+    """The kinds of the symbols, and their total cost."""
 
     def __init__(
         self,
@@ -70,7 +70,7 @@ class Search:
     # --------------------------------------------------------------------------------------- the cost
 
     def cost(self, place: int, change: Change | None = None) -> int:
-        """Returns what a formula costs, after a change of kinds."""
+        """Returns the cost of a formula after a change of kinds."""
         return self._cost(place, change) if change else self._now[place]
 
     def _cost(self, place: int, change: Change | None) -> int:
@@ -84,7 +84,7 @@ class Search:
         return known
 
     def own(self, names: Collection[str], change: Change) -> int:
-        """Returns what the symbols cost by themselves, and beside those that are written alike."""
+        """Returns the cost of the symbols by themselves, and relative to symbols that are written alike."""
 
         def at(name: str) -> Kind:
             return change.get(name) or self.kinds[name]
@@ -97,7 +97,7 @@ class Search:
         return total
 
     def gain(self, change: Change) -> int:
-        """Returns how much less all costs after the change; a bound, where it is no gain."""
+        """Returns the decrease of the total cost after the change; an upper bound if there is none."""
         change = {name: kind for name, kind in change.items() if self.kinds[name] != kind}
         places = {place for name in change for place in self.users[name]}
         best = self.own(change, {}) - self.own(change, change) + sum([self._now[p] for p in places])
@@ -113,7 +113,7 @@ class Search:
     # ------------------------------------------------------------------------------------- the search
 
     def run(self) -> None:
-        """Changes kinds as long as all costs less."""
+        """Changes kinds until the total cost no longer decreases."""
         for _ in range(_ROUNDS):
             changed = self._singles(self.users)
             changed |= self._groups()
@@ -125,7 +125,7 @@ class Search:
         return self.costs.count > _MOST_READINGS
 
     def _take(self, changes: Iterable[Change]) -> bool:
-        """Makes the best of the changes, if it gains anything."""
+        """Applies the best of the changes, and returns whether it gains anything."""
         best, chosen = 0, None
         for change in changes:
             if change and (gain := self.gain(change)) > best:
@@ -152,7 +152,7 @@ class Search:
         return changed
 
     def _options(self, name: str) -> list[Kind]:
-        """The kinds of a symbol that may cost less than its kind now."""
+        """Returns the kinds of a symbol that may cost less than its present kind."""
         most = sum(map(self.cost, self.users[name])) + _UNLIKE + self.prior[name][self.kinds[name]]
         return [kind for kind, own in self.prior[name].items() if own < most]
 
@@ -168,7 +168,8 @@ class Search:
         return changed
 
     def _repairs(self) -> bool:
-        """Changes several symbols at once of a formula that does not fit; then mends what that breaks."""
+        """Changes several symbols of a misfit formula at once, and then repairs the formulas that this
+        breaks."""
         changed = False
         for place in sorted(range(len(self.formulas)), key=self.cost, reverse=True):
             names = self.names[place]
@@ -186,7 +187,7 @@ class Search:
         return changed
 
     def _together(self, place: int) -> Iterator[Change]:
-        """Yields changes of any number of the formula's symbols under which it costs less."""
+        """Yields changes of any number of the formula's symbols that make it cheaper."""
         names = self.names[place]
         now = self.cost(place) + sum(self.prior[name][self.kinds[name]] for name in names)
         own = {name: self._own_of(name) for name in names}
@@ -197,13 +198,13 @@ class Search:
                 yield change
 
     def _own_of(self, name: str) -> Mapping[Kind, int]:
-        """What each kind costs the symbol alone, and what it costs to give up what other formulas settled."""
+        """Returns the cost of each kind for the symbol alone, plus the cost of giving up its present kind."""
         given_up, now = 3 * min(len(self.users[name]), 5), self.kinds[name]
         costs = {kind: own + (given_up if kind != now else 0) for kind, own in self.prior[name].items()}
         return dict(sorted(costs.items(), key=lambda item: item[1]))
 
     def _chain(self, place: int) -> bool:
-        """Makes a change that mends the formula and breaks others, with changes that mend these."""
+        """Makes a change that repairs the formula and breaks others, with changes that repair these."""
         before, total = dict(self.kinds), self.total()
         options = sorted(self._together(place), key=self.gain, reverse=True)[:_MOST_OPTIONS]
         for change in options:
@@ -221,13 +222,13 @@ class Search:
     # ------------------------------------------------------------------------------------ the outcome
 
     def others(self, name: str) -> list[tuple[Kind, int]]:
-        """Returns the next best kinds of a symbol and how much more all would cost, the cheapest first."""
+        """Returns the next best kinds of a symbol and the increase of the total cost, the cheapest first."""
         now = self.kinds[name]
         dearer = [(kind, -self.gain({name: kind})) for kind in self.prior[name] if kind != now]
         return sorted(dearer, key=lambda each: (each[1], str(each[0])))[:3]
 
     def needed_once(self) -> Iterator[tuple[str, int, Kind]]:
-        """Yields symbols whose kind only one display needs, its place, and the kind without it."""
+        """Yields symbols whose kind rests on one display only, its line, and the kind without it."""
         for name, places in self.users.items():
             for kind in list(self.prior[name])[:_MOST_OPTIONS]:
                 change = {name: kind}

@@ -1,10 +1,10 @@
-"""The kinds that each operation takes and gives, as rows of patterns with costs.
+"""Signatures of operations: the kinds that each takes and returns, as rows of patterns with costs.
 
-A kind is a size (rows, columns), or QUATERNION; None is any kind. The size 0 is a number that no
-formula tells.
-Patterns: s a scalar; q a quaternion; 3x1 that size; nxm any size, each letter the same everywhere in the row;
-NxM the same, but no scalar; A any kind, the same everywhere; _ whatever. A cost stands behind ~, in tenths: a
-row without one is what the typed layer does; one with a cost takes a notation or a convention of the text.
+A kind is a size (rows, columns), or QUATERNION; None means any kind. The size 0 is a dimension that no
+formula determines.
+Patterns: s a scalar; q a quaternion; 3x1 that size; nxm any size, where equal letters in a row are equal; NxM
+likewise, but not a scalar; A any kind, the same in the row; _ anything. The cost follows ~, in tenths. A row
+without a cost is what the typed language does; one with a cost uses a convention of the text.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Kind = Size | str
 QUATERNION = "q"
 SCALAR, VECTOR, TENSOR = (1, 1), (3, 1), (3, 3)
 
-#: What an operation costs that fits no row.
+#: The cost of an operation that fits no row.
 MISFIT = 60
 
 _MUL = (
@@ -101,7 +101,7 @@ def rows(op: str) -> tuple[Row, ...]:
 
 @cache
 def values(op: str, parts: tuple[Kind | None, ...]) -> tuple[tuple[Kind | None, int], ...]:
-    """Returns the kinds of the value for parts of these kinds, with costs; any kind where no row fits."""
+    """Returns the kinds of the value for parts of these kinds, with costs; any kind if no row fits."""
     found: dict[Kind | None, int] = {}
     for patterns, value, cost in rows(op):
         known: dict[str, Kind | int | None] = {}
@@ -142,7 +142,7 @@ Table = dict[Kind | None, int]
 
 
 def combined(op: str, tables: Sequence[Table]) -> Table:
-    """Returns what each kind of the value costs, where the parts cost what the tables say."""
+    """Returns the cost of each kind of the value, for the given costs of the parts."""
     found: Table = {}
     for parts in product(*(table.items() for table in tables)):
         cost = sum(own for _, own in parts)
@@ -153,6 +153,6 @@ def combined(op: str, tables: Sequence[Table]) -> Table:
 
 
 def cheapest(table: Table) -> Table:
-    """Returns the table without what costs so much more than the cheapest that a misfit is no worse."""
+    """Returns the table without entries that cost at least a misfit more than the cheapest."""
     least = min(table.values())
     return {kind: cost for kind, cost in table.items() if cost <= least + MISFIT}

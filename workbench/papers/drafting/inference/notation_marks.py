@@ -1,4 +1,4 @@
-"""The notation of a text that its formulas tell: marks, functions and letters before brackets."""
+"""The notation of a text inferred from its formulas: marks, functions and letters before brackets."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from workbench.papers.drafting.inference.walker import Walker
 
 
 def said_to_be_skew(trees: Iterable[Operation]) -> set[str]:
-    """S, where S(a) b = a × b."""
+    """Returns the functions S for which the text states S(a) b = a × b."""
     found = set()
     for tree in trees:
         match tree:
@@ -29,8 +29,10 @@ def said_to_be_skew(trees: Iterable[Operation]) -> set[str]:
 
 
 def skew_marks(search: Search) -> dict[str, bool]:
-    """Returns whether the marks \\hat and \\tilde make skew tensors: whether most letters under them are
-    vectors, and the marked letters tensors."""
+    r"""Returns, for \hat and \tilde, whether the mark makes skew tensors.
+
+    That is so if most letters under it are vectors, and the marked letters tensors.
+    """
     votes: dict[str, int] = defaultdict(int)
     seen: dict[str, set[str]] = defaultdict(set)
     for tree in search.operations():
@@ -58,7 +60,7 @@ def applied_letters(search: Search) -> tuple[set[str], set[str]]:
 
 
 def _as_function(search: Search, tree: Operation) -> int:
-    """How much less the bracket costs as arguments than as a factor."""
+    """Returns how much less the bracket costs as arguments than as a factor."""
     as_product, as_value = BRACKETS.get(tree.text, (99, 0))
     parts = [search.costs.table(each, search.kinds) for each in tree.parts]
     product, value = combined("mul", parts), combined("value", parts)
@@ -67,9 +69,15 @@ def _as_function(search: Search, tree: Operation) -> int:
 
 @dataclass(frozen=True)
 class Rewriter:
-    """Operations with what was found of a text's notation put in. skew_marks: those that make skew tensors;
-    name_marks: those that are part of a name; skews: functions S of skew tensors S(a); functions, products:
-    letters before brackets."""
+    """Rewrites operations by the notation that was inferred for a text.
+
+    Attributes:
+        skew_marks: Marks that make skew tensors.
+        name_marks: Marks that are part of a name.
+        skews: Functions S of skew tensors S(a).
+        functions: Letters that are functions before brackets.
+        products: Letters that are factors before brackets.
+    """
 
     walker: Walker
     skew_marks: frozenset[str] | set[str] = frozenset()

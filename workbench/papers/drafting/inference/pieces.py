@@ -1,4 +1,4 @@
-"""A formula that the grammar refuses, in the pieces that it takes: each side, addend, bracket and cell."""
+"""Reading of a formula that the grammar rejects in pieces: each side, addend, bracket and cell."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _SEPARATOR = re.compile(
     r"\\q?quad(?![A-Za-z])|\\text\s*\{[^{}]*\}|\\mbox\s*\{[^{}]*\}|\\[lc]?dots(?![A-Za-z])|\\\\|,|;|&|…|\.\.\."
 )
 _SIGN = re.compile(r"(?<!^)[+\-](?![^{}]*\})|\\(?:pm|mp)(?![A-Za-z])")
-#: Signs before what is integrated, minimised and the like, with what stands under them.
+#: Integral, minimum and similar signs, with their lower and upper limits.
 _HEADS = re.compile(
     r"\\(?:i*int|oint|lim|limsup|sup|inf|arg|prod|min|max|sum)(?![A-Za-z])(?:\\limits)?"
     r"(?:\s*[_^]\s*(?:\{[^{}]*\}|\\?[A-Za-z]+|.))*|\\left\s*\.|\\right\s*\.|\\[!,:;>]|\\displaystyle"
@@ -30,7 +30,7 @@ _MOST_DEEP = 3
 
 
 def operations_of(latex: str, walker: Walker) -> tuple[Operation, ...]:
-    """Returns what a formula says; of one that the grammar refuses, what its pieces say."""
+    """Returns the operations of a formula, or of its pieces if the grammar rejects it."""
     try:
         return tuple(walker.statement(parse(latex)))
     except (Fault, RecursionError):
@@ -57,7 +57,7 @@ def _pieces(latex: str, walker: Walker) -> Iterator[Operation]:
 
 
 def _side(latex: str, walker: Walker, depth: int) -> Operation | None:
-    """Returns the value of a side, as far as it is read; None if nothing of it is."""
+    """Returns the value of a side as far as it is read; None if nothing of it is."""
     if not latex.strip():
         return None
     try:
@@ -88,7 +88,7 @@ def _outside(latex: str, pattern: re.Pattern[str]) -> Iterator[re.Match[str]]:
 
 
 def _apart(latex: str, pattern: re.Pattern[str]) -> Iterator[str]:
-    """Yields what stands between the matches outside of all brackets."""
+    """Yields the text between the matches outside of all brackets."""
     done = 0
     for match in _outside(latex, pattern):
         yield latex[done : match.start()]
@@ -97,7 +97,7 @@ def _apart(latex: str, pattern: re.Pattern[str]) -> Iterator[str]:
 
 
 def _brackets(latex: str) -> Iterator[str]:
-    """Yields what stands inside of the outermost brackets."""
+    """Yields the contents of the outermost brackets."""
     depth, start = 0, 0
     for match in re.finditer(r"\\[{}]|[()\[\]{}]", latex):
         if match[0][-1] in _OPENING:

@@ -1,4 +1,4 @@
-"""What each kind costs a symbol by itself: by its typeface, its letter, and the words beside it."""
+"""Prior costs of kinds: by the typeface of a symbol, its letter, and the words next to it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, 
 from workbench.papers.drafting.typefaces import Guess
 from workbench.papers.drafting.words_on_symbols import Prose
 
-#: By typeface: the cost to be a scalar, a 3-vector, a tensor 3×3, another column, another square matrix, any
-#: other matrix, a quaternion.
+#: Typeface → costs of a scalar, a 3-vector, a 3×3 tensor, another column, another square matrix, any other
+#: matrix, a quaternion.
 FACES = {
     "bold small": (30, 0, 25, 9, 32, 35, 20),
     "bold capital": (35, 14, 0, 18, 8, 12, 40),
@@ -37,7 +37,7 @@ FACES = {
     "script capital": (25, 14, 8, 6, 10, 16, 35),
     "word": (10, 20, 15, 20, 10, 12, 30),
 }
-#: By what the words beside it say.
+#: Words next to a symbol → costs, in the same order.
 SAID = {
     "scalar": (0, 40, 45, 45, 50, 50, 45),
     "vector": (35, 0, 35, 4, 40, 40, 10),
@@ -48,16 +48,16 @@ SAID = {
     "quaternion": (30, 14, 45, 2, 50, 50, 0),
     "hamilton quaternion": (25, 18, 40, 25, 45, 50, 0),
 }
-#: Words that tell no size.
+#: Words that determine no size.
 KINDS_BY_WORDS = frozenset(SAID) - {"transform"}
-#: The bonus of a kind that the text says outright.
+#: The bonus of a kind that the text states explicitly.
 _SURE = 40
 #: The letters of joint spaces, and the bonus of a kind whose size is the number of joints.
 _OF_JOINTS = re.compile(
     r"(?:\\(?:mathbf|boldsymbol)\{)?(?:[quJ]|\\theta|\\tau|\\boldsymbol\{\\(?:theta|tau))\}?(?:_\{.*)?|[MCBDHGg](?:_\{.*)?"
 )
 _OPEN = 9
-#: A text that says nothing of quaternions has none; a row that is no column is rare.
+#: The costs of a quaternion in a text that does not mention quaternions, and of a row.
 _NO_QUATERNIONS, _ROW = 60, 14
 
 _ADJOINT = re.compile(r"\\operatorname\{[aA]d\b")
@@ -72,7 +72,7 @@ _LIKENESS = re.compile(r"[_^]\{\\?[A-Za-z0-9]+(?:[ /,]*\\?[A-Za-z0-9]+)?\}|'+")
 
 @cache
 def face(name: str) -> str:
-    """Returns the typeface of a name, as `FACES` has it."""
+    """Returns the typeface of a name: a key of `FACES`."""
     inner = _LEFT.sub("", name)
     found = re.match(r"((?:\\[a-z]+\{)*)(\\?[A-Za-z]+)", _PREFIX.sub("", inner))
     marks, letter = (found[1], found[2]) if found else ("", inner)
@@ -112,13 +112,17 @@ def _plain_face(inner: str, letter: str, is_capital: bool) -> str:
 
 @cache
 def likeness(name: str) -> str:
-    """Returns what names that are written alike share: all but indices and labels."""
+    """Returns the key that names share which are written alike: all but indices and labels."""
     return _LIKENESS.sub("", name)
 
 
 class Priors:
-    """What each kind costs the symbols of a text. functions: letters before brackets; units: i, j and k,
-    where they are those of quaternions."""
+    """The prior costs of the kinds of a text's symbols.
+
+    Attributes:
+        functions: Letters before brackets.
+        units: i, j and k, if they are those of quaternions.
+    """
 
     def __init__(
         self, prose: Prose, kinds: Sequence[Kind], functions: Collection[str], units: Collection[str] = ()
@@ -151,7 +155,7 @@ class Priors:
 
 
 def is_open(kind: Kind) -> bool:
-    """Returns whether a size of the kind is a number that no formula tells."""
+    """True if a size of the kind is a dimension that no formula determines."""
     return isinstance(kind, tuple) and 0 in kind
 
 

@@ -1,4 +1,4 @@
-"""From factors in a row to operations: functions and what they take, products, and the signs between them."""
+"""From rows of factors to operations: functions and their arguments, products, and infix signs."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.spelling import in_bracket, prefixed
 from workbench.papers.drafting.inference.kind_operations import SYMBOL, Forest, Operation
 
-#: The operations that words are, beside those that the language knows.
+#: The operations that words denote, in addition to those of the language.
 _WORDS = {
     **{"trace": "trace", "Exp": "exp", "Log": "log", "ln": "log", "log": "log", "vex": "vect"},
     **dict.fromkeys(("sgn", "sign", "sinc"), "function"),
     "diag": "diag",
 }
-#: The operations that infix signs are.
+#: The operations that infix signs denote.
 _SIGNS = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "compose", "∧": "wedge", "∨": "wedge", "*": "compose"}
-#: The signs that bind more than the others.
+#: The infix signs with the highest precedence.
 _TIGHT = frozenset("×⊗∧∨")
 _TIMES = frozenset(("t", "\\tau"))
 
 
 class RowWalker:
-    """Factors in a row; `Walker` says what each of them is."""
+    """Walks rows of factors; `Walker` interprets each factor."""
 
     def __init__(self, forest: Forest) -> None:
         self.forest, self.make = forest, forest.make
@@ -49,7 +49,7 @@ class RowWalker:
         raise NotImplementedError
 
     def row(self, items: Sequence[Node]) -> Operation:
-        """Returns the product of the items; a function takes what stands behind it."""
+        """Returns the product of the items; a function takes the factor after it."""
         parts: list[Operation | str] = []
         place = 0
         while place < len(items):
@@ -58,7 +58,7 @@ class RowWalker:
         return self._joined(parts)
 
     def _part(self, items: Sequence[Node], place: int) -> tuple[Operation | str, int]:
-        """Returns the part of a product that begins at a place, and where the next begins."""
+        """Returns the part of a product that begins at a position, and where the next part begins."""
         node, behind = items[place], items[place + 1] if place + 1 < len(items) else None
         inner = core(node)
         if isinstance(node, Infix):
@@ -73,7 +73,8 @@ class RowWalker:
         return self._alone(node), place + 1
 
     def _with_next(self, node: Node, behind: Node) -> Operation | None:
-        """Returns what two items are together: a letter with scripts on its left, a function of a bracket."""
+        """Returns the operation of two items together: a letter with left scripts, or a function of a
+        bracket."""
         if is_left_script(node) and isinstance(node, Scripted):
             return self.prefixed(node, behind) or self.term(behind)
         inner, bracket = core(node), core(behind)
@@ -92,7 +93,7 @@ class RowWalker:
         return self.term(node)
 
     def _function(self, node: Node, behind: Node | None) -> Operation:
-        """Returns the value of a function at what stands behind it."""
+        """Returns the value of a function at the item after it."""
         leaf = node.nucleus if isinstance(node, Scripted) else node
         assert isinstance(leaf, Leaf)
         name, inner = leaf.name, self.term(behind)
@@ -107,7 +108,7 @@ class RowWalker:
         return self.make("apply", word, inner, text="sure")
 
     def _applied(self, node: Node, bracket: Bracket) -> Operation | None:
-        """Returns a letter before a bracket, where it may be a function of what is inside; None for a
+        """Returns a letter before a bracket as a function of its contents, if it may be one; None for a
         product."""
         head = self.term(node)
         letter = head
@@ -121,7 +122,7 @@ class RowWalker:
         return None if how == "product" else self.make("apply", head, inner, text=how)
 
     def _joined(self, parts: list[Operation | str]) -> Operation:
-        """Returns the product: juxtaposition joins first, then × and its like, then the other signs."""
+        """Returns the product: juxtaposition binds first, then × and similar signs, then the other signs."""
         groups: list[Operation | str] = []
         for part in parts:
             if isinstance(part, str) or not groups or isinstance(groups[-1], str):
@@ -158,7 +159,7 @@ def _letter(leaf: Leaf) -> Leaf:
 
 
 def _how(parts: Sequence[Operation], bracket: Bracket) -> str:
-    """Returns what a bracket behind a letter looks like: how likely it holds arguments."""
+    """Returns the shape of a bracket after a letter, which determines how likely it holds arguments."""
     is_lone = all(_is_symbol(part) for part in parts)
     if len(parts) > 1:
         return "sure" if is_lone and bracket.kind == "(" else "tuple"

@@ -1,4 +1,4 @@
-"""The cost of the readings of a formula, with given kinds of its symbols."""
+"""Cost of the readings of a formula for given kinds of its symbols."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from workbench.papers.drafting.inference.kind_signatures import (
 from workbench.papers.drafting.inference.walker import IDENTITY, ZERO
 from workbench.papers.drafting.typefaces import flat
 
-#: What it costs to read a bracket behind a letter as a product, and as arguments, by how it looks.
+#: The cost of reading a bracket after a letter as a product and as arguments, by the bracket's shape.
 BRACKETS = {"time": (60, 0), "lone": (8, 0), "tuple": (0, 4), "skewed": (0, 5), "unclear": (0, 6)}
-#: What 1 costs as a unit tensor.
+#: The cost of 1 as a unit tensor.
 _ONE = 15
 #: The sizes of a unit tensor.
 _UNITS: Table = {TENSOR: 0, (0, 0): 2, (2, 2): 5, (4, 4): 5, (6, 6): 5}
@@ -32,13 +32,13 @@ _SETS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak)|operatorname)")
 
 
 class Costs:
-    """The cheapest readings of operations, remembered by the kinds of the symbols in them."""
+    """The cheapest readings of operations, cached by the kinds of the symbols in them."""
 
     def __init__(self) -> None:
         self._known: dict[tuple[Operation, tuple[Kind, ...]], Table] = {}
 
     def table(self, tree: Operation, kinds: Mapping[str, Kind]) -> Table:
-        """Returns what each kind of the value costs."""
+        """Returns the cost of each kind of the value."""
         key = (tree, tuple([kinds[name] for name in tree.names]))
         known = self._known.get(key)
         if known is None:
@@ -47,7 +47,7 @@ class Costs:
 
     @property
     def count(self) -> int:
-        """The number of readings of operations that were looked at."""
+        """The number of readings of operations evaluated so far."""
         return len(self._known)
 
     def least(self, tree: Operation, kinds: Mapping[str, Kind]) -> int:
@@ -115,7 +115,8 @@ class Costs:
         return {None: 0}
 
     def _matrix(self, tree: Operation, kinds: Mapping[str, Kind]) -> Table:
-        """Blocks: those of a row have its height, those of a column its width."""
+        """Returns the costs of a block matrix; blocks of a row have one height, blocks of a column one
+        width."""
         height, width = map(int, tree.text.split())
         blocks = _Blocks(height, width)
         for place, cell in enumerate(tree.parts):
@@ -124,7 +125,7 @@ class Costs:
 
 
 class _Blocks:
-    """The cells of a matrix; the rows and columns that each has, as far as they are known."""
+    """The cells of a matrix, with the known numbers of rows and columns of each."""
 
     def __init__(self, height: int, width: int) -> None:
         self.heights: list[int | None] = [None] * height
@@ -150,7 +151,7 @@ class _Blocks:
     def table(self) -> Table:
         heights, widths = self.heights, self.widths
         is_blocks = any(extent not in (None, 1) for extent in (*heights, *widths))
-        for i, j in self.units:  # a unit tensor in a block of which nothing else tells the size
+        for i, j in self.units:  # a unit tensor in a block whose size nothing else determines
             if heights[i] is None or widths[j] is None:
                 size = 3 if is_blocks or not self.firm else 1
                 size = max(heights[i] or 0, widths[j] or 0) or size
@@ -170,12 +171,12 @@ def _larger(known: int | None, extent: int) -> int:
 
 
 def _summed(extents: Sequence[int | None]) -> int:
-    """The sum of extents, 1 for each that is not known; 0, an open number, where one of them is open."""
+    """Returns the sum of extents, with 1 for unknown ones; 0 (an open dimension) if one of them is open."""
     return 0 if 0 in extents else sum(extent or 1 for extent in extents)
 
 
 def _applied(tree: Operation, parts: Sequence[Table]) -> Table:
-    """f(x): a value of f's own kind, or the product of f and x."""
+    """Returns the costs of f(x): a value of f's own kind, or the product of f and x."""
     value = combined("value", parts)
     if tree.text == "sure":
         return value
@@ -187,7 +188,7 @@ def _applied(tree: Operation, parts: Sequence[Table]) -> Table:
 
 
 def _stacked(parts: Sequence[Table]) -> Table:
-    """(a, b, c): a column, a row, or a quaternion, of scalars and columns one below the other."""
+    """Returns the costs of (a, b, c): a column, a row, or a quaternion of stacked scalars and columns."""
     rows, cost, free, is_open = 0, 0, 0, False
     for part in parts:
         if part == {None: 0}:  # a zero of any size
@@ -206,7 +207,7 @@ def _stacked(parts: Sequence[Table]) -> Table:
 
 
 def sizes_of_set(text: str) -> set[Kind]:
-    """Returns the kinds that the members of a set have, by what it is called: SO(3), R^3; none if unknown."""
+    """Returns the kinds of the members of a set by its name: SO(3), R^3; empty if unknown."""
     name = _SETS.sub("", text)
     if re.match(r"S?O\(?3|so\(?3", name):
         return {TENSOR}
@@ -223,7 +224,7 @@ def sizes_of_set(text: str) -> set[Kind]:
 
 
 def _member(tree: Operation, table: Table) -> Table:
-    """x ∈ SO(3): costs a misfit if x is something else."""
+    """Returns the costs of x ∈ SO(3), which is a misfit if x is something else."""
     sizes = sizes_of_set(tree.text)
     wrong = {kind for kind in table if sizes and kind is not None and kind not in sizes}
     return {kind: cost + (MISFIT if kind in wrong else 0) for kind, cost in table.items()}

@@ -38,12 +38,12 @@ _FACE = r"(?:\\(?:math(?:bf|bb|ds|rm|cal|sf)|boldsymbol))"
 IDENTITY = re.compile(rf"{_FACE}(?:I|1|Id)_?(?:(\d)(?:\\times\d)?)?|[IE]_(\d)(?:\\times\d)?|I")
 ZERO = re.compile(rf"{_FACE}?[0O]_?(?:(\d)(?:\\times(\d))?)?")
 _TRANSPOSES = frozenset(("T", "\\mathrmT", "\\mathsfT", "\\mathttT", "-T", "t"))
-#: Superscripts that are labels, and no powers.
+#: Superscripts that are labels, not powers.
 _LABEL = re.compile(
     r"\\math(?:scr|cal|frak|rm|sf|bf)|[A-SU-Z]|\\dagger|[+\-](?![\d\w])"
     r"|\\(?:ominus|oplus|star|prime|flat|sharp)|\("
 )
-#: Superscripts that are operations, by what they look like.
+#: Superscripts that are operations.
 _OPERATIONS = {
     **dict.fromkeys(_TRANSPOSES, "transpose"),
     "-1": "inverse",
@@ -51,10 +51,10 @@ _OPERATIONS = {
     **dict.fromkeys(("\\vee", "∨", "\\lor"), "vect"),
     **dict.fromkeys(("*", "\\ast", "\\star"), "star"),
 }
-#: Marks over two letters that are one name: the arrow from A to B.
+#: Marks over two letters that make one name: the arrow from A to B.
 _OVER_POINTS = ("\\vec", "\\overline", "\\underline")
 _CROSSES = ("\\times", "×", "\\wedge", "∧", "x")
-#: Relations, and what they say of their two sides.
+#: Relations, and the operations that they state of their sides.
 _RELATIONS = {
     **dict.fromkeys(("=", "≈", "≠", ":="), "equal"),
     **dict.fromkeys((">", "≥", "<", "≤"), "compare"),
@@ -63,11 +63,13 @@ _RELATIONS = {
 
 
 class Walker(RowWalker):
-    """Formulas as operations of one forest.
+    """Converts formulas to operations of one forest.
 
-    marks_over_several: those over more than a letter, which are no part of a name.   labels: letters with a
-    frame on their left whose superscript T is a label.   labelled, transposed: letters with a frame on their
-    left that have another label, and those that have T.
+    Attributes:
+        marks_over_several: Marks over more than one letter, which are not part of a name.
+        labels: Letters with a frame on their left whose superscript T is a label.
+        labelled: Letters with a frame on their left that have another label.
+        transposed: Letters with a frame on their left that have the superscript T.
     """
 
     def __init__(self, labels: Collection[str] = ()) -> None:
@@ -78,7 +80,7 @@ class Walker(RowWalker):
         self.transposed: set[str] = set()
 
     def statement(self, node: Node) -> list[Operation]:
-        """Returns what the relations of a formula say, or its expressions."""
+        """Returns the operations that the relations of a formula state, or its expressions."""
         match node:
             case Lines():
                 return [each for line in node.lines for clause in line for each in self.statement(clause)]
@@ -98,7 +100,7 @@ class Walker(RowWalker):
         return [self.make(relation, self.term(left), self.term(right))] if relation else []
 
     def term(self, node: Node | None) -> Operation:
-        """Returns the operation that a node is."""
+        """Returns the operation of a node."""
         inner = core(node)
         if inner is None:
             return self.forest.anything()
@@ -130,7 +132,7 @@ class Walker(RowWalker):
         return self.forest.anything()
 
     def symbol(self, name: str) -> Operation:
-        """Returns the symbol of this name: the unit tensor and zero tensors by their letters."""
+        """Returns the symbol of this name; unit and zero tensors are recognized by their letters."""
         bare = flat(name)
         if bare == "I":
             return self.make(UNIT, text=name)
@@ -143,7 +145,7 @@ class Walker(RowWalker):
     # ------------------------------------------------------------------------------------- one letter
 
     def _lettered(self, node: Node, left: Scripts | None = None) -> Operation | None:
-        """Returns a letter under its marks and scripts as operations on a symbol; None if it is no letter."""
+        """Returns a letter with its marks and scripts as operations on a symbol; None for other nodes."""
         styles: list[str] = []
         scripts, powers, has_dots = left or Scripts(), [], False
         while not isinstance(node, Leaf):
@@ -211,13 +213,13 @@ class Walker(RowWalker):
         return self.forest.anything() if spelled is None else self.symbol(str(spelled.exact))
 
     def prefixed(self, left: Scripted, node: Node) -> Operation | None:
-        """Returns the letter with the scripts on its left as part of its name."""
+        """Returns the letter with its left scripts as part of its name."""
         return self._lettered(node, Scripts(left_sub=left.sub, left_sup=left.sup))
 
     # ---------------------------------------------------------------------------------------- scripts
 
     def _power_of(self, node: Scripted) -> str | None:
-        """Returns the operation that a superscript is; None for a label, which is part of a name."""
+        """Returns the operation of a superscript; None for a label, which is part of a name."""
         if node.sup is None:
             return None
         sup = flat(plain(node.sup))
@@ -231,7 +233,7 @@ class Walker(RowWalker):
         return "power"
 
     def _raised(self, inner: Operation, node: Scripted) -> Operation:
-        """Returns a bracket or a function with the operations that its scripts are."""
+        """Returns a bracket or a function with the operations of its scripts applied."""
         sub = flat(plain(node.sub))
         if isinstance(node.nucleus, Bracket):
             if sub in _CROSSES:
@@ -248,7 +250,7 @@ class Walker(RowWalker):
     # ----------------------------------------------------------------------------- brackets, fractions
 
     def _over_several(self, node: Styled | Accented) -> Operation:
-        """Returns what a mark over several letters makes of them."""
+        """Returns the operation of a mark over several letters."""
         body = self.term(node.body)
         mark = ("\\tilde" if node.accent == "~" else "") if isinstance(node, Accented) else node.style
         if mark not in ("\\tilde", "\\hat"):
@@ -290,7 +292,7 @@ class Walker(RowWalker):
 
 
 def plain(node: Node | None) -> str:
-    """Returns a script as it is written, without blanks; "?" for what no label has."""
+    """Returns a script as written, without blanks; "?" for parts that no label has."""
     if node is None:
         return ""
     inner = core(node)

@@ -1,4 +1,10 @@
-"""The right formula where a printed one is false or ill-formed: found by search, proved by the judge."""
+"""Repair: searches the right form of a formula that is false or ill-formed as printed, and proves it.
+
+What is this? `terms` edits typed formulas and `trees` syntax trees, `screening` tests the candidates at
+random points, `propose` runs the search; `author_edits` maps a proposal to the author's source. When do I
+come here? To add a kind of misprint (terms/variants.py, trees/lost_marks.py). What may it import? core,
+algebra, language, source, engines, context, prover, papers. What checks it? tests/repair.
+"""
 
 from workbench.core.callable_package import make_callable
 

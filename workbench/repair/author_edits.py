@@ -1,9 +1,9 @@
-"""A proposed correction as an edit of the author's own characters, in the author's macros and spelling.
+"""Edits of the author's own characters that carry out a proposed correction, in the author's macros.
 
-The printed formula and the proposal are printed by one printer, so that they differ where the correction
-differs. Each difference is carried to the author's characters by aligning the printer's tokens with those of
-the text. What results is read again: an edit counts only if the edited formula says what was proved, or is
-proved itself.
+The printed formula and the proposal are printed by one printer, so that they differ only by the correction.
+Each difference is mapped to the author's characters by aligning the printer's tokens with those of the text.
+The result is read again: an edit counts only if the edited formula states what was proved, or is proved
+itself.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from workbench.source.documents.tex.tex_tokens import PARAGRAPH, lex
 from workbench.source.rewriting.formulas_in_models import or_respelled
 from workbench.source.rows.chains import Step, steps_of
 
-#: Tokens that only format: neither the printer nor the author needs them where the other has them.
+#: Tokens that only format; the alignment ignores them.
 _IDLE = frozenset((r"\left", r"\right", "{", "}", r"\,", r"\;", r"\!", r"\ ", r"\:", r"\quad", "&", r"\cdot"))
 _SAME = {
     r"\bm": r"\boldsymbol",
@@ -46,14 +46,14 @@ _SAME = {
     r"\rVert": r"\|",
     r"\top": "T",
 }
-#: How many edited formulas are read, and how many of them are judged.
+#: The most edited formulas that are read, and the most that are judged.
 _MOST_READ, _MOST_JUDGED = 200, 6
 #: Seconds of processor time for judging one of them.
 _MOST_SECONDS = 2.0
 
 
 def with_author_edits(results: Sequence[ClaimResult], text: Text | None) -> list[ClaimResult]:
-    """The results, each with the edits of the text that make its first proposal of it, if such are found."""
+    """Returns the results, each with the edits of the text that carry out its first proposal, if found."""
     if text is None:
         return list(results)
     return [
@@ -63,8 +63,10 @@ def with_author_edits(results: Sequence[ClaimResult], text: Text | None) -> list
 
 
 def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[SourceEdit, ...]:
-    """The edits of the author's characters that make the printed formula say what is proposed; none where
-    no such edit was found."""
+    """Returns the edits of the author's characters that change the printed formula to the proposal.
+
+    Returns none if no such edit was found.
+    """
     step = _step_of(claim, text)
     if step is None:
         return ()
@@ -90,7 +92,7 @@ def _read(claim: Claim, latex: str) -> Statement:
 
 
 def _step_of(claim: Claim, text: Text) -> Step | None:
-    """The step of the text that the claim was made of."""
+    """Returns the step of the text that the claim was made of."""
     for display in _displays_of(claim, text):
         for steps in steps_of(display, claim.notation.words):
             for step in steps:
@@ -111,7 +113,7 @@ def _displays_of(claim: Claim, text: Text) -> Iterator[Display]:
 
 
 class _Editor:
-    """The ways to carry the difference of a proposal to the author's formula."""
+    """Maps the difference between the printed formula and a proposal to the author's formula."""
 
     def __init__(
         self, claim: Claim, latex: str, owners: Sequence[Token], proposal: str, right: Statement
@@ -129,7 +131,7 @@ class _Editor:
         self._judge.close()
 
     def candidates(self) -> Iterator[tuple[Piece, ...]]:
-        """Edited formulas, the plainest first."""
+        """Yields edited formulas, the simplest first."""
         changes = _changes(self._before, self._after)
         if not changes or len(changes) > 12:
             return
@@ -144,7 +146,7 @@ class _Editor:
                     yield pieces
 
     def is_right(self, pieces: Sequence[Piece]) -> bool:
-        """Whether the edited formula says what was proved, or is proved itself."""
+        """True if the edited formula states what was proved, or is proved itself."""
         edited = _with(self._latex, [(each.start, each.end, each.expanded) for each in pieces])
         try:
             statement = _read(self._claim, edited)
@@ -166,7 +168,7 @@ class _Editor:
         return all(each.text in ("(", ")", *_IDLE) for each in both)
 
     def _ways(self, change: tuple[int, int, int, int]) -> list[Piece]:
-        """The ways to make one change: where it may stand, with and without brackets around what is new."""
+        """Returns the alternatives for one change: its possible positions, with and without new brackets."""
         start, end, first, last = change
         found = []
         for expanded, written in self._texts(first, last):
@@ -195,15 +197,15 @@ class _Editor:
                 stop += 1
                 found += [(own[k].start, own[stop].end) for k in {begin, min(inside)}]
             return found
-        if start < end:  # what goes has no counterpart of its own: all between the neighbours
+        if start < end:  # the removed tokens are not aligned: remove all between their neighbours
             return [(low, high)] if low <= high else []
         between = [k for k in range(len(own)) if low <= own[k].start and own[k].end <= high]
         spots = [high, low, *(own[k].end for k in between), *(own[k].start for k in between)]
         return [(spot, spot) for spot in dict.fromkeys(spots) if low <= spot <= high][:6]
 
     def _texts(self, first: int, last: int) -> list[tuple[str, str]]:
-        """What is inserted, expanded and as the author writes it; without a bracket that opens or closes
-        nothing in it."""
+        """Returns the inserted text, expanded and in the author's spelling; also without unbalanced
+        brackets."""
         atoms = self._after[first:last]
         found = [self._in_the_authors_spelling(atoms)]
         bare = _balanced(atoms)
@@ -228,7 +230,8 @@ class _Editor:
         return _joined(expanded), _joined(written)
 
     def _authors_spellings(self) -> Mapping[tuple[str, ...], tuple[str, str]]:
-        """The printer's tokens of a symbol → how the author writes it here, expanded and in the source."""
+        """Returns the printer's tokens of a symbol → the author's spelling of it here, expanded and in the
+        source."""
         statement = self._claim.printed.statement
         found: dict[tuple[str, ...], tuple[str, str]] = {}
         if statement is None:
@@ -263,17 +266,17 @@ class _Editor:
 
 
 def _atoms(latex: str) -> list[Token]:
-    """The tokens of a formula, each with its place in the LaTeX."""
+    """Returns the tokens of a formula, each with its position in the LaTeX."""
     return [token for token in lex(Source(Path(), latex).view()) if token.text not in (" ", PARAGRAPH)]
 
 
 def _key(token: Token) -> str:
-    """What a token is aligned by: commands for one sign are the same."""
+    """Returns the key by which a token is aligned; commands for one sign have the same key."""
     return _SAME.get(token.text, token.text)
 
 
 def _aligned(printed: Sequence[Token], own: Sequence[Token]) -> dict[int, int]:
-    """Which token of the author's formula each token of the printer's is."""
+    """Returns a map from the printer's tokens to those of the author's formula."""
     firsts = [k for k, each in enumerate(printed) if each.text not in _IDLE]
     seconds = [k for k, each in enumerate(own) if each.text not in _IDLE]
     keys = [_key(printed[k]) for k in firsts], [_key(own[k]) for k in seconds]
@@ -293,7 +296,7 @@ def _changes(before: Sequence[Token], after: Sequence[Token]) -> list[tuple[int,
 
 
 def _balanced(atoms: Sequence[Token]) -> list[Token]:
-    """Without round brackets that have no partner, and what only sizes them."""
+    """Returns the tokens without unmatched round brackets and without commands that only size brackets."""
     open_at: list[int] = []
     drop: set[int] = set()
     for place, each in enumerate(atoms):
@@ -307,7 +310,7 @@ def _balanced(atoms: Sequence[Token]) -> list[Token]:
 
 
 def _closed(latex: str, start: int, end: int) -> tuple[int, int]:
-    """The range with the closing braces that it needs."""
+    """Returns the range, extended by the closing braces that it needs."""
     depth = latex.count("{", start, end) - latex.count("}", start, end)
     while depth > 0 and end < len(latex) and latex[end] in "} ":
         depth -= latex[end] == "}"

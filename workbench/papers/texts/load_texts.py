@@ -84,7 +84,7 @@ def model_beside(text: Path) -> Path | None:
     except FileNotFoundError:
         return None
     except (OSError, ValueError, RecursionError):
-        return path  # its fault is told when it is read
+        return path  # the fault is reported when the file is read
     return path if source == text.name else None
 
 

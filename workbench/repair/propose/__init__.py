@@ -1,1 +1,1 @@
-"""The search for the right form of a claim: from its printed form to proved proposals."""
+"""The search for the right form of a claim, from its printed form to proved proposals."""

@@ -1,4 +1,4 @@
-"""The judge as the search for right forms asks it."""
+"""Judge of candidates, in a process with limits."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from workbench.runtime import Budget, Workers
 
 
 def judging(claim: Claim, judge: Judge) -> Workers:
-    """`verdict_or_none` of statements, in a process that ends with its budget."""
+    """Returns a worker pool of `verdict_or_none`, which is ended at its limits."""
     return Workers(partial(verdict_or_none, claim, judge), Budget(), prepare=load_engines)
 
 
 def verdict_or_none(claim: Claim, judge: Judge, statement: Statement) -> Verdict | None:
-    """The verdict on a statement in the place of the claim's; None where it cannot be judged."""
+    """Returns the verdict on a statement instead of the claim's; None if it cannot be judged."""
     try:
         return judge.judge(statement, assume=claim.supposed, orders=claim.orders)
     except (Unsatisfiable, IllFormed, NotExact):

@@ -1,4 +1,4 @@
-"""The steps of a chain before and behind a claim, with which what is proposed for it must agree."""
+"""The neighbouring steps of a claim in its chain, with which a proposal must agree."""
 
 from __future__ import annotations
 
@@ -13,8 +13,12 @@ from workbench.repair.screening.screen import Screen
 
 @dataclass(frozen=True)
 class Neighbours:
-    """before: the formula of the step that ends with the claim's left side; behind: of the one that begins
-    with its right side. Statements where they are read, and LaTeX."""
+    """The formulas of the neighbouring steps, as statements (if they are read) and as LaTeX.
+
+    Attributes:
+        before: The step that ends with the claim's left side.
+        behind: The step that begins with the claim's right side.
+    """
 
     before: Statement | None = None
     behind: Statement | None = None
@@ -23,12 +27,14 @@ class Neighbours:
 
     @property
     def key(self) -> str:
-        """What proposals depend on beside the claim."""
+        """The inputs of proposals apart from the claim, as a cache key."""
         return f"{self.before_latex}\n{self.behind_latex}"
 
     def agree_with(self, candidate: Statement, printed: Statement, screen: Screen) -> bool:
-        """Whether the neighbours of a step hold at the points with the sides of the candidate. One that says
-        what a free symbol is holds with any."""
+        """True if the neighbouring steps hold at the screen's points with the sides of the candidate.
+
+        A step that gives the value of a free symbol agrees with any candidate.
+        """
         if not (isinstance(candidate, Relation) and isinstance(printed, Relation)):
             return True
         before, behind = self.before, self.behind
@@ -41,8 +47,8 @@ class Neighbours:
         return True
 
     def repeat(self, candidate: Statement) -> bool:
-        """Whether the candidate only joins a side of the claim with one of a neighbour, and so leaves the
-        printed side out."""
+        """True if the candidate only joins a side of the claim with a side of a neighbour, and omits the
+        printed side."""
         if not isinstance(candidate, Relation):
             return False
         first = self.before.left if isinstance(self.before, Relation) else None
@@ -50,7 +56,7 @@ class Neighbours:
         return candidate.left == first or candidate.right == last
 
 
-#: Those of a claim that is no step of a chain.
+#: The neighbours of a claim that is no step of a chain.
 ALONE = Neighbours()
 
 
@@ -63,7 +69,7 @@ def _holds(neighbour: Relation, candidate: Relation, is_before: bool, screen: Sc
 
 
 def neighbours_of(claims: Sequence[Claim]) -> Mapping[str, Neighbours]:
-    """The neighbours of all claims that are steps of chains, by id."""
+    """Returns the neighbours of all claims that are steps of chains, by id."""
     known = {claim.id: claim for claim in claims}
     behind = {claim.chain[-1]: claim for claim in claims if claim.chain}
     found = {}

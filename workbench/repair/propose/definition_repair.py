@@ -1,11 +1,11 @@
-"""Definitions under repair: where several false claims share defined symbols, one change of a definition may
-mend them all at once.
+"""Repair of definitions: one change of a shared definition may correct several false claims at once.
 
-Other coefficients: a claim that is linear in the symbols is an equation for the coefficients of their
-bodies; each addend of a body contributes what the claim's side becomes with the body cut down to that addend.
-One edit of a body, also of a recurrence: tried at random points modulo the prime on all claims that rest on
-it. A claim counts as mended only if the judge proves it under the change; those that are not are repaired
-under it too, for the definition may have hidden a misprint of their own.
+Coefficients: a claim that is linear in the symbols is an equation for the coefficients of their bodies. Each
+addend of a body contributes the value of the claim's side with the body reduced to that addend.
+Edits: one edit of a body, also of a recurrence, is tried at random points modulo the prime on all claims that
+depend on it.
+A claim counts as corrected only if it is proved under the change. Other claims are repaired under it too,
+because the definition may have hidden a misprint of their own.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from workbench.runtime import OutOfBudget
 
 _POINTS = 6
 
-#: For one claim that is repaired under changed definitions.
+#: Limits for the repair of one claim under changed definitions.
 _SECOND = Limits(seconds=10.0, candidates=20_000, proposals=1)
 
 
@@ -53,7 +53,8 @@ class Redefinition:
     bodies: Mapping[Symbol, Term]
 
     def of(self, definitions: Definitions) -> Definitions:
-        """A member that only a definition for all n covered gets one of its own."""
+        """Returns the changed definitions; a member of a family defined for all n gets a definition of its
+        own."""
         bodies = {(s.declaration.name, s.index): (s, body) for s, body in self.bodies.items()}
         changed = []
         for definition in definitions:
@@ -69,9 +70,13 @@ class Redefinition:
 
 @dataclass(frozen=True)
 class DefinitionRepair:
-    """Changed definitions, as LaTeX (symbol, body as it was, body as proposed), the ids of the claims that
-    are proved under them and were false before, and those that one more change makes true: (id, edit,
-    LaTeX)."""
+    """A change of definitions that corrects claims.
+
+    Attributes:
+        changed: (symbol, printed body, proposed body) as LaTeX.
+        mended: Ids of the false claims that are proved under the change.
+        with_edits: (id, edit, LaTeX) of the claims that one more change corrects.
+    """
 
     changed: tuple[tuple[str, str, str], ...]
     mended: tuple[str, ...]
@@ -88,9 +93,13 @@ class DefinitionRepair:
 def repair_definitions(
     claims: Sequence[Claim], least: int = 2, seconds: float = 60.0
 ) -> list[DefinitionRepair]:
-    """Changes of definitions that mend at least `least` of the false ones among the claims, with or without
-    one more change in the claim itself; at least one needs none. A claim that can be mended by itself counts
-    only where the change mends as many without any other. The most mending first. seconds: for the search."""
+    """Returns changes of definitions that correct at least `least` false claims, the most effective first.
+
+    At least one claim is corrected without a further change in the claim itself. A claim that can be
+    corrected by itself counts only if the change corrects at least `least` claims without further changes.
+
+    seconds: the time limit of the search.
+    """
     end = monotonic() + seconds
     claims = [claim for claim in claims if not _holds(claim, claim.notation.definitions)]
     mended_alone = cache(lambda place: bool(repair(claims[place], _SECOND).proposals))
@@ -111,7 +120,8 @@ def repair_definitions(
 
 
 def _with_edit(claim: Claim, change: Redefinition) -> tuple[str, str, str] | None:
-    """The claim with one change, if that makes it true under the other definitions."""
+    """Returns the claim with one change that makes it true under the changed definitions; None if there is
+    none."""
     judge = Judge(change.of(claim.notation.definitions))
     for proposal in repair(claim, _SECOND, judge=judge).proposals:
         if len(proposal.changes) == 1:
@@ -119,11 +129,8 @@ def _with_edit(claim: Claim, change: Redefinition) -> tuple[str, str, str] | Non
     return None
 
 
-# one edit of a definition
-
-
 def _edited(claims: Sequence[Claim], least: int, end: float) -> Iterator[tuple[Redefinition, tuple]]:
-    """Edits of one definition under which at least `least` claims hold at random points."""
+    """Yields edits of one definition under which at least `least` claims hold at random points."""
     resting = {claim.id: _names_below(claim) for claim in claims}
     counts = Counter(name for names in resting.values() for name in names)
     definitions = {(d.declaration.name, d.index): d for claim in claims for d in claim.notation.definitions}
@@ -146,7 +153,7 @@ def _in_words(claim: Claim, *terms: Term) -> tuple[str, ...]:
 
 
 def _near_bodies(name: Symbol, definition: Definition) -> Iterator[Term]:
-    """Bodies with one edit that rest on nothing but what the old one rests on."""
+    """Yields bodies with one edit that depend on no further symbols."""
     try:
         printed = relation("=", name, definition.body)
     except IllFormed:
@@ -159,14 +166,14 @@ def _near_bodies(name: Symbol, definition: Definition) -> Iterator[Term]:
 
 
 def _rests_on(body: Term, name: Symbol) -> set[tuple]:
-    """The names in a body, those of its own family with their indices."""
+    """Returns the names in a body; those of its own family with their indices."""
     family = name.declaration.name
     symbols = [term for term in body.walk() if isinstance(term, Symbol)]
     return {(s.declaration.name, s.index if s.declaration.name == family else ()) for s in symbols}
 
 
 def _names_below(claim: Claim) -> set[Name]:
-    """The names of the symbols on which the claim rests, through all definitions."""
+    """Returns the names of the symbols that the claim depends on, through all definitions."""
     of_name: dict[Name, list[Definition]] = {}
     for definition in claim.notation.definitions:
         of_name.setdefault(definition.declaration.name, []).append(definition)
@@ -205,9 +212,6 @@ def _holds(claim: Claim, definitions: Definitions) -> bool:
     return False
 
 
-# other coefficients
-
-
 def _other_coefficients(claims: Sequence[Claim]) -> Iterator[tuple[Redefinition, tuple]]:
     for claim in claims:
         for bodies in _solutions(claim):
@@ -220,7 +224,8 @@ def _other_coefficients(claims: Sequence[Claim]) -> Iterator[tuple[Redefinition,
 
 
 def _solutions(claim: Claim) -> Iterator[dict[Symbol, Term]]:
-    """Bodies of the claim's defined symbols, with other coefficients, that make it hold at random points."""
+    """Yields bodies of the claim's defined symbols with other coefficients, under which it holds at random
+    points."""
     statement = claim.printed.statement
     if not isinstance(statement, Relation) or claim.orders or statement.operator != "=":
         return
@@ -260,7 +265,7 @@ def _residual(claim: Claim, statement: Statement, change: Redefinition) -> Vecto
 def _bodies(
     sums: dict[Symbol, tuple[Term, ...]], factors: dict[tuple[Symbol, Term], Fraction]
 ) -> dict[Symbol, Term]:
-    """The bodies that change."""
+    """Returns the bodies that change."""
     bodies = {}
     for s, addends in sums.items():
         kept = [times(f, a) for a in addends if (f := factors[s, a]) != 0]

@@ -1,4 +1,4 @@
-"""Forms of a formula that does not fit by its types which fit after one change of its printing."""
+"""Well-typed forms of an ill-typed formula after one change of its printing."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from workbench.repair.terms.changes import Candidate, Change
 from workbench.repair.trees.lost_marks import Mark, marked_lines
 from workbench.repair.trees.typed_marks import stray_relations, type_marks
 
-#: A form that fits and says what a free symbol is: nothing here tells it from others that fit.
+#: The verdict on a well-typed form that gives the value of a free symbol, and so cannot be tested further.
 FITS = Verdict(Outcome.UNCHECKED, reason=VerdictCode.FITS())
 
 
 def fitting(claim: Claim, beside: Neighbours) -> Iterator[Candidate]:
-    """The formula with one change after which its types fit; of a step of a chain also with the sign = before
-    or behind it taken out."""
+    """Yields the formula with one change that makes it well-typed; for a step of a chain, also without the
+    sign = next to it."""
     try:
         lines = parse(claim.printed.latex)
     except Fault:
@@ -38,7 +38,7 @@ def fitting(claim: Claim, beside: Neighbours) -> Iterator[Candidate]:
 
 
 def _chains(lines: Lines, beside: Neighbours) -> Iterator[tuple[Lines, Chain]]:
-    """The step joined with the one before it, and with the one behind it."""
+    """Yields the step joined with the previous step, and with the next step."""
     own = _chain(lines)
     for latex, is_before in ((beside.before_latex, True), (beside.behind_latex, False)):
         try:
@@ -71,7 +71,7 @@ def _read(claim: Claim, mark: Mark, lines: Lines) -> Iterator[Candidate]:
 
 
 def says_what(statement: Statement, definitions: Lookup, supposed: Sequence[Statement]) -> bool:
-    """Whether it says what a symbol is of which nothing else is known."""
+    """True if the equation gives the value of a symbol of which nothing else is known."""
     if not (isinstance(statement, Relation) and statement.operator == "="):
         return False
     left = statement.left.body if isinstance(statement.left, Derivative) else statement.left

@@ -1,4 +1,4 @@
-"""The known errata of a paper: what the machine proposes for each, beside what was corrected by hand."""
+"""Comparison of the proposals for the known errata of a paper with the recorded corrections."""
 
 from __future__ import annotations
 
@@ -21,8 +21,13 @@ _STYLES = {"same": "green", "different": "yellow", "none": "red"}
 
 @dataclass(frozen=True)
 class Erratum:
-    """What the repair of one erratum came to. result: "same" as by hand; "different", but proved too; "none".
-    latex, edit: of the proposal that is the same, else of the first."""
+    """The result of repairing one erratum.
+
+    Attributes:
+        result: "same" as the recorded correction; "different", but also proved; or "none".
+        latex: The proposal that is the same, else the first one.
+        edit: The changes of this proposal.
+    """
 
     id: str
     equation: str | None
@@ -51,7 +56,8 @@ class Erratum:
 
 
 def known_errata(claims: Sequence[Claim]) -> list[Claim]:
-    """The claims with a correction or a reading made by hand; not those that only a theorem could settle."""
+    """Returns the claims with a recorded correction or reading, except those that only a theorem can
+    decide."""
     return [claim for claim in claims if claim.theorem is None and _by_hand(claim) is not None]
 
 
@@ -60,7 +66,7 @@ def _by_hand(claim: Claim) -> Formula | None:
 
 
 def compared(repair: Repair) -> Erratum:
-    """The proposals beside the correction made by hand, which the search has not looked at."""
+    """Returns the comparison of the proposals with the recorded correction, which the search does not use."""
     claim, by_hand = repair.claim, _by_hand(repair.claim)
     assert by_hand is not None, f"{claim.id} is not corrected by hand"
     same = [proposal for proposal in repair.proposals if _says_the_same(claim, proposal, by_hand)]

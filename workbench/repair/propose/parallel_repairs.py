@@ -1,4 +1,4 @@
-"""Repair of several claims, side by side on the cores."""
+"""Parallel repair of several claims."""
 
 from __future__ import annotations
 
@@ -21,9 +21,13 @@ def repair_claims(
     workers: int | None = None,
     beside: Mapping[str, Neighbours] | None = None,
 ) -> list[Repair]:
-    """The repairs of the claims, in their order; `progress` sees each as soon as it is there. Ctrl-C keeps
-    those that are finished, and of a single claim what was found until then. beside: of each claim the steps
-    next to it, by its id; found among the claims if None."""
+    """Returns the repairs of the claims, in their order.
+
+    Ctrl-C keeps the finished repairs, and for a single claim the proposals so far.
+
+    progress: called with each repair as soon as it is finished.
+    beside: claim id → the neighbouring steps; if None, they are found among the claims.
+    """
     known = neighbours_of(claims) if beside is None else beside
     found: dict[str, Repair] = {}
     workers = min(workers or os.cpu_count() or 1, len(claims))
@@ -45,7 +49,7 @@ def _side_by_side(
     beside: Mapping[str, Neighbours],
 ) -> None:
     def repaired(place: int) -> tuple[list[Proposal], int, float, bool, bool]:
-        """All of the repair but the claim, which is here already."""
+        """Returns the repair without the claim, which need not be sent back."""
         done = repair(claims[place], limits, beside=beside.get(claims[place].id, ALONE))
         return done.proposals, done.candidates, done.seconds, done.complete, done.interrupted
 

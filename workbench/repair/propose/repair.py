@@ -1,5 +1,7 @@
-"""What the right form of a claim is, from its printed form alone; nothing is proposed that is not proved, at
-least where the printed denominators do not vanish."""
+"""Search for the right form of a claim, from its printed form alone.
+
+Every proposal is proved, at least where the printed denominators do not vanish.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,7 @@ _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 
 @dataclass(frozen=True)
 class Proposal:
-    """A proved form, as LaTeX that reads as what was proved, and what is different in it."""
+    """A proved form, as LaTeX that reads as what was proved, and its changes."""
 
     latex: str
     changes: tuple[Change, ...]
@@ -53,28 +55,34 @@ class Proposal:
 
     @property
     def edit(self) -> str:
-        """The changes as a person would say them."""
+        """The changes in words."""
         return "; ".join(change.description for change in self.changes)
 
     def difference(self, printed: str) -> list[dict[str, str]]:
-        """Both forms side by side (`Difference.parts`); this one alone where one cannot be taken apart."""
+        """Returns both forms aligned (`Difference.parts`); only the proposal if one form cannot be
+        aligned."""
         found = difference(printed, self.latex)
         return list(found.parts) if found else [{"same": self.latex}]
 
     def in_colour(self, printed: str) -> str:
-        """LaTeX with what differs from the printed form in green."""
+        """Returns LaTeX with the differences from the printed form in green."""
         found = difference(printed, self.latex)
         return in_colour(self.latex, found.marked_after if found else ())
 
     def beside(self, printed: str) -> Proposed:
-        """As a result tells it."""
+        """Returns the proposal as part of a result."""
         return Proposed(self.latex, self.edit, self.difference(printed), self.verdict.outcome)
 
 
 @dataclass(repr=False)
 class Repair:
-    """What was found. `candidates`: how many were looked at; `complete`: the search came to its end;
-    `interrupted`: by Ctrl-C."""
+    """The result of a repair.
+
+    Attributes:
+        candidates: The number of candidates considered.
+        complete: Whether the search finished.
+        interrupted: Whether Ctrl-C stopped it.
+    """
 
     claim: Claim
     proposals: list[Proposal] = field(default_factory=list)
@@ -85,8 +93,8 @@ class Repair:
 
     @property
     def printed(self) -> str:
-        """The printed form in the spelling of the proposals: the canonical one, if it can be read, in the
-        printed letters."""
+        """The printed form in the spelling of the proposals: canonical, with the printed letters, if it can
+        be read."""
         formula = self.claim.printed
         if formula.statement is None or membership(formula.latex) is not None:
             return formula.latex
@@ -122,10 +130,11 @@ def repair(
     judge: Judge | None = None,
     beside: Neighbours = ALONE,
 ) -> Repair:
-    """Proposals for a claim, fewest changes first. Its `reading` and `corrected` are not looked at. beside:
-    the steps before and behind it in its chain, with which proposals agree where any does.
+    """Returns proposals for a claim, fewest changes first; its `reading` and `corrected` are not used.
 
-    Ctrl-C ends the search and keeps what was found, and so does the limit on time.
+    Ctrl-C and the time limit end the search and keep the proposals so far.
+
+    beside: the neighbouring steps in its chain; proposals that agree with them are preferred.
     """
     judge = judge or Judge(claim.notation.definitions)
     found = Repair(claim)
@@ -143,11 +152,11 @@ def repair(
 
 
 class _LimitReached(Exception):
-    """The limit on time or candidates is reached."""
+    """The limit of time or candidates is reached."""
 
 
 class _Bench:
-    """One claim under repair."""
+    """The search for one claim."""
 
     def __init__(
         self,
@@ -166,7 +175,7 @@ class _Bench:
         self.seen: set[Statement] = set()
         self.proved: list[Statement] = []
         self.idle: list[Candidate] = []
-        self.apart: list[Candidate] = []  # those with which a neighbour does not hold
+        self.apart: list[Candidate] = []  # candidates that contradict a neighbouring step
         printed = claim.printed.statement
         self.printed_size = None if printed is None else _size(printed)
         self.like_terms = None if printed is None else like_terms(printed)
@@ -174,7 +183,7 @@ class _Bench:
         self.aside = judging(claim, judge)
 
     def run(self) -> None:
-        self.found.complete = True  # until something is cut short
+        self.found.complete = True  # until a stage is cut short
         if self.claim.theorem is not None:
             return
         printed = self.claim.printed.statement
@@ -200,8 +209,12 @@ class _Bench:
         return Sameness(self.judge.definitions, self.assume, self.instances[-2:])
 
     def _repair_ill_formed(self) -> None:
-        """What fits after one change, if it holds or says what a free symbol is; else the readings that hold;
-        if none of them is proved, the neighbours of the likeliest readings."""
+        """Searches forms that are well-typed after one change and hold, or that give the value of a free
+        symbol.
+
+        After that, it searches the readings that hold; if none is proved, the neighbourhoods of the likeliest
+        readings.
+        """
         fits = [candidate for candidate in fitting(self.claim, self.beside) if self._is_met(candidate)]
         first = self.screen
         if first is not None and self._offer(c for c in fits if first.vanishes(c.statement)):
@@ -226,7 +239,7 @@ class _Bench:
         return not is_vacuous(candidate.statement)
 
     def _suggest(self, candidate: Candidate) -> bool:
-        """Proposes what fits by its types, and that is all that can be said. Whether no more is wanted."""
+        """Proposes a well-typed form that cannot be tested further, and returns whether enough are found."""
         proposals = self.found.proposals
         if not any(self.sameness.same(known, candidate.statement) for known in self.proved):
             proposals.append(Proposal(self._latex(candidate), candidate.changes, FITS))
@@ -234,7 +247,7 @@ class _Bench:
         return len(proposals) >= self.limits.proposals
 
     def _repair_false(self, read: Sequence[Candidate]) -> None:
-        """One stage of the search after another, each for all readings."""
+        """Runs the stages of the search in turn, each for all readings."""
         if self.screen is None:
             for candidate in read:
                 self._offer(_unscreened(candidate))
@@ -244,7 +257,7 @@ class _Bench:
         stages = []
         for candidate in read:
             near, far = symbols_like(candidate.statement, self.table, self.integers)
-            own = self._screen()  # which keeps values of its own
+            own = self._screen()  # the screen keeps values of its own
             assert own is not None
             neighbourhood = Neighbourhood(
                 candidate.statement, own, second, near, far, len(read) > 1, self._tick
@@ -262,7 +275,8 @@ class _Bench:
                     return
 
     def _screen(self) -> Screen | None:
-        """Several points, at values of the integers that are neither the first nor all the same."""
+        """Returns a screen of several points, with varied values of the integers that are not the first
+        ones."""
         some = self.instances[1:4] or self.instances[:1]
         try:
             points = (some * 4)[:3] if len(some) > 1 else some * 3
@@ -279,13 +293,16 @@ class _Bench:
             return []
 
     def _offer(self, candidates: Iterator[Candidate], most: int | None = None) -> bool:
-        """Judges up to `most` candidates of one stage. Whether any was proved."""
+        """Judges up to `most` candidates of one stage, and returns whether any was proved."""
         self._judge_best(list(islice(self._new(candidates), most or self.limits.judged)))
         return bool(self.found.proposals)
 
     def _judge_best(self, candidates: Sequence[Candidate]) -> None:
-        """Makes proposals of those that are proved, the likeliest first, as long as they have no more changes
-        than the first one; where none is, of those that hold where the printed denominators do not vanish."""
+        """Adds proposals for the proved candidates, the likeliest first, if they have no more changes than
+        the first.
+
+        If none is proved, candidates that hold where the printed denominators do not vanish are proposed.
+        """
         proposals = self.found.proposals
         conditional: list[Proposal] = []
         for candidate in sorted(candidates, key=self._rank):
@@ -307,14 +324,17 @@ class _Bench:
             proposals += likeliest[: self.limits.proposals]
 
     def _holds_where_printed_does(self, verdict: Verdict, statement: Statement) -> bool:
-        """Whether it holds unless a denominator vanishes, all of them being printed; the changes of a formula
-        whose types do not fit put none in."""
+        """True if the candidate holds unless a denominator vanishes, and all its denominators are printed.
+
+        The changes of an ill-typed formula introduce no denominators.
+        """
         printed = self.claim.printed.statement
         is_conditional = verdict.outcome is Outcome.CONDITIONAL
         return is_conditional and (printed is None or divisors(statement) <= divisors(printed))
 
     def _rank(self, candidate: Candidate) -> tuple:
-        """Few changes first; of as many, likely misprints, and what does not make the formula longer."""
+        """Returns the sort key of a candidate: the number of changes, the likelihood of the misprint, the
+        length."""
         size = _size(candidate.statement)
         growth = size - self.printed_size if self.printed_size else 0
         kind, *rest = candidate.unlikely or (0,)
@@ -327,7 +347,7 @@ class _Bench:
             if candidate.statement in self.seen or is_vacuous(candidate.statement):
                 continue
             if self.like_terms is not None and like_terms(candidate.statement) > self.like_terms:
-                continue  # an addend that another one takes away in part
+                continue  # an addend that another one partly cancels
             self.seen.add(candidate.statement)
             if self.beside.repeat(candidate.statement):
                 continue
@@ -352,7 +372,7 @@ class _Bench:
             raise _LimitReached
 
     def _latex(self, candidate: Candidate) -> str:
-        """As it would have been printed, if that reads as the candidate; else the canonical LaTeX."""
+        """Returns LaTeX in the printed spelling, if that reads as the candidate; else the canonical LaTeX."""
         canonical = to_latex(candidate.statement)
         integers = self.claim.orders.variables if self.claim.orders else ()
         respelled = as_printed(canonical, self.claim.printed.latex, self.table, integers)
@@ -376,7 +396,7 @@ class _Bench:
 
 
 def _unscreened(printed: Candidate) -> Iterator[Candidate]:
-    """One-place edits of what cannot be screened."""
+    """Yields one-position edits of a statement that cannot be screened."""
     for edit in sorted(edits(printed.statement), key=cost):
         if isinstance(edit, Edit):
             candidate = candidate_of(edit)
@@ -384,5 +404,5 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
 
 
 def _size(statement: Statement) -> int:
-    """How many terms are printed in it, signs left out."""
+    """Returns the number of printed terms, without signs."""
     return sum(not (isinstance(term, Apply) and term.head == "neg") for _, term in places(statement))

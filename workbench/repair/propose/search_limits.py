@@ -1,4 +1,4 @@
-"""How far a search for the right form goes."""
+"""Limits of the search for the right form."""
 
 from __future__ import annotations
 
@@ -7,10 +7,17 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Limits:
-    """seconds: of wall time for one claim. judgement: seconds for one candidate. candidates: looked at.
-    proposals: made. judged: candidates of one stage that are given to the judge; unscreened: so many where no
-    random point tells right from wrong before, as with norms. readings: of an ill-formed claim, whose
-    neighbourhoods are searched."""
+    """Limits of one search.
+
+    Attributes:
+        seconds: Wall time for one claim.
+        judgement: Seconds for one candidate.
+        candidates: The most candidates considered.
+        proposals: The most proposals.
+        judged: The most candidates of one stage that are judged.
+        unscreened: The same if no random point can exclude candidates before, as with norms.
+        readings: The most readings of an ill-formed claim whose neighbourhoods are searched.
+    """
 
     seconds: float = 25.0
     judgement: float = 10.0
@@ -21,5 +28,5 @@ class Limits:
     readings: int = 12
 
 
-#: What one claim gets by default. Results are the same everywhere, unless time runs out (`Repair.complete`).
+#: The default limits. Results are the same on all machines unless time runs out (`Repair.complete`).
 STANDARD = Limits()

@@ -1,4 +1,4 @@
-"""The symbols of a paper that may have stood in a statement."""
+"""Symbols of a paper that may replace those of a statement."""
 
 from __future__ import annotations
 
@@ -16,8 +16,11 @@ from workbench.repair.terms.subterm_positions import places
 def symbols_like(
     statement: Statement, table: SymbolTable, integers: Sequence[str] = ()
 ) -> tuple[list[Term], list[Term]]:
-    """What of a paper may have stood in a statement, likely and less likely: symbols without index and
-    members of families whose indices occur in the statement; members with other small indices."""
+    """Returns the likely and the less likely symbols that a statement may have been meant to contain.
+
+    Likely ones are symbols without index, and members of families whose indices occur in the statement. Less
+    likely ones are members with other small indices.
+    """
     terms = [term for _, term in places(statement)]
     occurring = dict.fromkeys(t.index for t in terms if isinstance(t, Symbol) and t.index)
     named = {t.declaration for t in terms if isinstance(t, Symbol)}

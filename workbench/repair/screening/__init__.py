@@ -1,1 +1,1 @@
-"""The test of thousands of candidates at random points modulo a prime, and of what two candidates say."""
+"""Test of many candidates at random points modulo a prime, and comparison of two candidates."""

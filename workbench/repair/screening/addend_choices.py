@@ -1,4 +1,4 @@
-"""One alternative for each addend of an equation: those that add up, and those with the fewest marks."""
+"""Choices of one alternative for each addend of an equation: by their sum, or by the fewest marks."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from workbench.engines.jet.rings import PRIME
 from workbench.repair.screening.addend_sums import zero_sums
 from workbench.repair.trees.lost_marks import Mark
 
-#: Alternatives kept of each addend, in the rounds of the search for a sum that fits.
+#: The number of alternatives of each addend in successive rounds of the search for a zero sum.
 _ROUNDS = (4, 12, 40, 100)
 _FEW = 6
 
@@ -20,7 +20,7 @@ Marks = tuple[Mark, ...]
 
 @dataclass(frozen=True)
 class Alternative:
-    """What an addend may have been: its marks, the term it then is, and a number that tells its value."""
+    """An alternative of an addend: its marks, the resulting term, and a number that represents its value."""
 
     marks: Marks
     term: Term
@@ -33,15 +33,20 @@ class Alternative:
 
 @dataclass(frozen=True)
 class AddendChoices:
-    """The addends of an equation with their signs and alternatives, those with few marks first. `context`:
-    the marks outside of the addends."""
+    """The addends of an equation with their signs and alternatives, those with few marks first.
+
+    Attributes:
+        context: The marks outside of the addends.
+    """
 
     context: Marks
     slots: list[tuple[int, list[Alternative]]]
 
     def that_add_up(self) -> Iterator[Marks]:
-        """Choices whose values add up to 0: among a few alternatives of each addend, then among more; then
-        among a few of all but one, and all of that."""
+        """Yields choices whose values add up to 0, with more and more alternatives of each addend.
+
+        The last rounds use all alternatives of one addend and a few of the others.
+        """
         valued = [
             [(a, a.value) for a in alternatives if a.value is not None] for _, alternatives in self.slots
         ]
@@ -65,7 +70,7 @@ class AddendChoices:
         yield from ((*self.context, *(m for a in chosen for m in a.marks)) for chosen in fitting)
 
     def cheapest(self, most: int) -> Iterator[Marks]:
-        """Choices with the fewest marks."""
+        """Yields choices with the fewest marks."""
         ordered = [alternatives for _, alternatives in self.slots]
         start = (0,) * len(ordered)
         queue = [(sum(a[0].cost for a in ordered), start)]

@@ -1,4 +1,4 @@
-"""One alternative for each addend so that all add up to zero, found from the two halves of the addends."""
+"""Meet-in-the-middle search for one alternative of each addend such that all add up to zero."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ MOST_SUMS = 3_000_000
 
 
 def zero_sums(values: Sequence[Sequence[int]]) -> Iterator[tuple[int, ...]] | None:
-    """The choices, as places in the lists, whose values add up to 0 modulo the prime; None if there are too
-    many sums to look at."""
+    """Returns the choices, as indices in the lists, whose values add up to 0 modulo the prime.
+
+    Returns None if there are too many sums.
+    """
     left, right = values[::2], values[1::2]
     if any(_count(half) > MOST_SUMS for half in (left, right)):
         return None
@@ -44,7 +46,7 @@ def _matching(left: Sequence[Sequence[int]], right: Sequence[Sequence[int]]) -> 
 
 
 def _all_sums(lists: Sequence[Sequence[int]]) -> np.ndarray:
-    """Of one value of each list; the last list runs fastest. Two residues add up to less than 2^62."""
+    """Returns all sums of one value of each list; the last list varies fastest. The sums stay below 2^62."""
     sums = np.zeros(1, dtype=np.int64)
     for values in lists:
         sums = ((sums[:, None] + np.array(values, dtype=np.int64)[None, :]) % PRIME).ravel()

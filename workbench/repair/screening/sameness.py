@@ -1,10 +1,10 @@
-"""Whether two true statements say the same.
+"""Equivalence of two true statements.
 
-A true equation is known by its sides: another true one says the same if its sides have the values of these,
-up to a common factor, under the definitions. Or one is the other rearranged: then the differences of their
-sides are proportional, with all symbols left free or under the definitions. Both are looked at at random
-points modulo a 61-bit prime. What does not hold by itself, such as the sides of an equivalence, can only be
-rearranged. Chains, equivalences and implications are compared part by part.
+Two true equations are equivalent if the values of their sides agree up to a common factor, under the
+definitions. They are also equivalent if one is the other rearranged: then the differences of their sides are
+proportional, with all symbols free or under the definitions. Both are tested at random points modulo a 61-bit
+prime. Statements that do not hold by themselves, such as the sides of an equivalence, can only be rearranged.
+Chains, equivalences and implications are compared part by part.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from workbench.repair.terms.term_arithmetic import number_and_rest
 
 
 class Sameness:
-    """Compares statements under the definitions and assumptions of one claim, for these integers."""
+    """Compares statements under the definitions and assumptions of one claim, for given integers."""
 
     def __init__(
         self, definitions: Lookup, assume: Sequence[Statement], instances: Sequence[Mapping[str, int]]
@@ -46,11 +46,11 @@ class Sameness:
 
     @classmethod
     def under(cls, claim: Claim) -> Sameness:
-        """For forms of the claim, at the last two choices of its integers."""
+        """Returns a comparison for forms of the claim, at the last two assignments of its integers."""
         return cls(claim.notation.definitions, claim.supposed, claim.instances[-2:])
 
     def same(self, one: Statement, other: Statement) -> bool:
-        """Whether two statements say the same; they must be true."""
+        """True if two true statements are equivalent."""
         if one == other:
             return True
         match one, other:
@@ -104,11 +104,11 @@ class Sameness:
         return any(len(f) == 1 and None not in f for f in (factors, crossed))
 
     def _is_constant(self, side: Term, components: Vector) -> bool:
-        """Whether the side has this value everywhere, as both sides of R Rᵀ = I have."""
+        """True if the side has this value at all points, as both sides of R Rᵀ = I have."""
         return self._elsewhere is not None and self._elsewhere.components(side, side) == components
 
     def _rearranged(self, one: Relation, other: Relation) -> bool:
-        # a free symbol does not depend on the coordinate: its div and curl are 0
+        # a free symbol does not depend on the coordinate, so its div and curl would be 0
         is_field = has_gradient([one.left, one.right, other.left, other.right])
         for screen in (None if is_field else self._free, self._defined):
             if screen is not None:
@@ -125,7 +125,7 @@ def _symbols(statement: Statement) -> frozenset[Symbol]:
 
 
 def _numbers(statement: Relation) -> dict[tuple[Term, ...], Fraction]:
-    """The addends of left − right and their numbers."""
+    """Returns the addends of left − right → their coefficients."""
     found: dict[tuple[Term, ...], Fraction] = {}
     for sign, side in ((1, statement.left), (-1, statement.right)):
         for number, rest in _addends(side):
@@ -134,7 +134,7 @@ def _numbers(statement: Relation) -> dict[tuple[Term, ...], Fraction]:
 
 
 def _addends(term: Term) -> Iterator[tuple[Fraction, tuple[Term, ...]]]:
-    """The addends as a number and the other factors, a number before a sum multiplied out."""
+    """Yields each addend as a number and its other factors, with numbers before sums multiplied out."""
     number, rest = number_and_rest(term)
     match rest:
         case (Apply(head="add", arguments=arguments),):

@@ -1,12 +1,12 @@
-"""A quick look at thousands of candidates: is the residual zero at random points modulo a 61-bit prime?
+"""Fast test of candidates: the residual modulo a 61-bit prime at random points.
 
-A non-zero residual modulo the prime, at a point where no denominator vanishes, shows that the statement is
-false: cleared of denominators it is no zero polynomial then, so it also differs from zero at some rational
-point, and at one where all supposed inequations hold (`Screen.certifies`: where this argument applies).
-Zero proves nothing here; the judge does.
+A non-zero residual at a point where no denominator vanishes shows that the statement is false: the numerator
+is then not the zero polynomial, so it is non-zero at some rational point, also at one where all assumed
+disequations hold (`Screen.certifies` tells where this argument applies). A zero residual proves nothing; the
+judge decides.
 
-A candidate shares all subterms but those above the change with the printed statement, and what they are at
-the points is kept; so only the changed subterms are computed.
+A candidate shares with the printed statement all subterms except those above the change. Their values are
+cached, so that only the changed subterms are computed.
 """
 
 from __future__ import annotations
@@ -29,12 +29,13 @@ from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PRIME, PointSource
 from workbench.language.printing.printer import to_latex
 
-#: So many points are tried for one where the roots of the printed statement exist.
+#: The most points tried to find one where the roots of the printed statement exist.
 _TRIED_POINTS = 16
 
 
 class FlintResidueRing:
-    """The integers modulo PRIME in FLINT: a screen only, so it need not be apart from the first engine."""
+    """The integers modulo PRIME in FLINT. It only screens, so it need not be independent of the first
+    engine."""
 
     def __init__(self) -> None:
         self.took_roots = False
@@ -48,8 +49,11 @@ class FlintResidueRing:
         return nmod(int(a), PRIME) / b
 
     def root(self, square: nmod) -> nmod:
-        """One of the two roots, always the same; the other choice is as good in all identities that hold for
-        norms whatever their signs, and the judge sees those that do not."""
+        """Returns one of the two roots, always the same.
+
+        The other root would serve equally in identities that hold for either sign of norms; the judge rejects
+        others.
+        """
         self.took_roots = True
         root = square ** ((PRIME + 1) // 4)
         if root * root != square:
@@ -58,7 +62,7 @@ class FlintResidueRing:
 
 
 class RandomPoint(dict):
-    """A point of all parameters there may be; each gets its value when it is first asked for."""
+    """A point with a random value for each parameter, drawn at first use."""
 
     def __init__(self, seed: int) -> None:
         super().__init__()
@@ -66,7 +70,7 @@ class RandomPoint(dict):
 
     def __missing__(self, parameter: Parameter) -> nmod:
         symbol = parameter.symbol
-        place = to_latex(symbol)  # of a circle also a product or a norm, as an angle
+        place = to_latex(symbol)  # the angle of a circle may also be a product or a norm
         if isinstance(symbol, Symbol):
             place = f"{symbol.declaration.name} {symbol.index} {symbol.arguments or ''}"
         key = f"{self._seed} {place} {parameter.part}"
@@ -78,7 +82,7 @@ class RandomPoint(dict):
         return self[parameter]
 
     def _put_on_sphere(self, parameter: Parameter, random: Random) -> None:
-        """By stereographic projection."""
+        """Sets a random point on a sphere by stereographic projection."""
         slopes = [nmod(random.randrange(1, PRIME), PRIME) for _ in range(SPHERES[parameter.part] - 1)]
         square = sum((t * t for t in slopes), start=nmod(0, PRIME))
         for place, x in enumerate([1 - square, *(t + t for t in slopes)]):
@@ -86,9 +90,10 @@ class RandomPoint(dict):
 
 
 class SharingEngine(JetEngine):
-    """Keeps what it knows by the identity of terms: hashing a large term would cost more than its value.
+    """Caches values by the identity of terms, because hashing a large term would cost more than its value.
 
-    `given`: symbols whose values are put in from outside, as if they were constant.
+    Attributes:
+        given: Symbols with prescribed values, as if they were constant.
     """
 
     def __init__(self, source: Any, definitions: Lookup) -> None:
@@ -122,7 +127,7 @@ class SharingEngine(JetEngine):
         return self._operators[term, depth]
 
     def forget_candidate(self) -> None:
-        """Drops what was computed while `keeps` was False."""
+        """Drops the values that were computed while `keeps` was False."""
         self._passing.clear()
 
     def _given(self, symbol: Symbol, depth: int) -> Value:
@@ -132,7 +137,7 @@ class SharingEngine(JetEngine):
 
 
 class ScreenPoint:
-    """One point, and one choice of the integers. What is instantiated is shared between candidates."""
+    """One point, and one assignment of the integers. Instances of terms are shared between candidates."""
 
     def __init__(self, values: Mapping[str, int], engine: SharingEngine) -> None:
         self.engine = engine
@@ -144,7 +149,7 @@ class ScreenPoint:
         return self._instances.formula(formula) if self._has_integers else formula
 
     def keep(self) -> None:
-        """From now on what is known of the terms so far stays."""
+        """Keeps the values computed so far for all later candidates."""
         self._kept = len(self._instances.done)
         self.engine.keeps = False
 
@@ -157,7 +162,7 @@ class ScreenPoint:
             done.popitem()
 
     def residual(self, statement: Statement) -> tuple[int, ...] | None:
-        """left − right of all equations of the statement; None where there is no such number."""
+        """Returns left − right for all equations of the statement; None if there is no such number."""
         try:
             found: list[int] = []
             for relation in equations_of(self.instance(statement)):
@@ -169,7 +174,7 @@ class ScreenPoint:
             self.forget_candidate()
 
     def lacks_root(self, statement: Statement) -> bool:
-        """Whether a root, or a quotient, has no value at this point."""
+        """True if a root or a quotient has no value at this point."""
         try:
             for relation in equations_of(self.instance(statement)):
                 self.engine.differences(relation.left, relation.right)
@@ -180,7 +185,8 @@ class ScreenPoint:
         return False
 
     def parts(self, term: Term) -> tuple[list[int], list[int]] | None:
-        """The components of the real and of the dual part, those of an operator by rising power of D."""
+        """Returns the components of the real and of the dual part; those of an operator by rising power of
+        D."""
         try:
             instance = self.instance(term)
             is_operator = instance.type.kind == "operator"
@@ -198,7 +204,7 @@ class ScreenPoint:
         return real, dual
 
     def components(self, term: Term) -> tuple[int, ...] | None:
-        """The term's own components. What is known of it stays, for products that it is a factor of."""
+        """Returns the term's own components, and caches its values for products with it as a factor."""
         kept, self.engine.keeps = self.engine.keeps, True
         try:
             return tuple(map(int, self.engine.components(self.instance(term))))
@@ -210,10 +216,13 @@ class ScreenPoint:
 
 
 class Screen:
-    """The points at which candidates for one statement are looked at.
+    """The points at which candidates for one statement are tested.
 
-    instances: values of the integer variables; assume: what the claim supposes. Equations are satisfied by
-    solving them for a free symbol in which they are linear; raises NotExact where there is none.
+    Assumed equations are satisfied by solving them for a free symbol in which they are linear. Raises
+    NotExact if there is none.
+
+    instances: assignments of the integer variables.
+    assume: the assumptions of the claim.
     """
 
     def __init__(
@@ -231,8 +240,10 @@ class Screen:
             self.points.append(self._defined_point(definitions, values, seed + number))
 
     def _defined_point(self, definitions: Lookup, values: Mapping[str, int], seed: int) -> ScreenPoint:
-        """A point at which the printed statement has a value, if one of a few is such: that of a root modulo
-        the prime exists at every second point."""
+        """Returns a point at which the printed statement has a value, if one of a few tried is such.
+
+        A root modulo the prime exists at about every second point.
+        """
         found = self._point(definitions, values, seed)
         for again in range(1, _TRIED_POINTS):
             if self._about is None or not found.lacks_root(self._about):
@@ -250,20 +261,26 @@ class Screen:
 
     @property
     def certifies(self) -> bool:
-        """Whether a non-zero residual shows that the statement is false: not if a root was taken, which has
-        two values. Supposed equations are solved by Cramer's rule, so the point stands for rational ones."""
+        """True if a non-zero residual shows that the statement is false.
+
+        This is not so if a root was taken, which has two values. Assumed equations are solved by Cramer's
+        rule, so that the point stands for rational ones.
+        """
         return not self._ring.took_roots
 
     def keep(self, statement: Statement) -> tuple[int, ...] | None:
-        """The residual, with the values of all subterms kept for the candidates to come."""
+        """Returns the residual, and keeps the values of all subterms for later candidates."""
         residual = self.residual(statement)
         for point in self.points:
             point.keep()
         return residual
 
     def residual(self, statement: Statement) -> tuple[int, ...] | None:
-        """left − right of all equations of the statement at all points; None where there is no such number:
-        a denominator vanishes, an index leaves its family, or the statement is not made of equations."""
+        """Returns left − right for all equations of the statement at all points.
+
+        Returns None if a denominator vanishes, an index leaves its family, or the statement does not consist
+        of equations.
+        """
         found: list[int] = []
         for point in self.points:
             residual = point.residual(statement)
@@ -273,7 +290,7 @@ class Screen:
         return tuple(found)
 
     def vanishes(self, statement: Statement) -> bool:
-        """Whether the residual is zero at all points; the first that shows otherwise ends it."""
+        """True if the residual is zero at all points; stops at the first other point."""
         for point in self.points:
             residual = point.residual(statement)
             if residual is None or any(residual):
@@ -281,8 +298,11 @@ class Screen:
         return True
 
     def components(self, term: Term, shape: Term) -> tuple[int, ...] | None:
-        """The term at all points: a real and a dual part, each with as many components as the real part of
-        `shape`. Coefficients of an operator and dual parts that the term lacks are 0."""
+        """Returns the components of the term at all points, each with as many components as the real part of
+        `shape`.
+
+        There is a real and a dual part. Missing coefficients of an operator and missing dual parts are 0.
+        """
         found: list[int] = []
         for point in self.points:
             parts = point.parts(term)
@@ -296,8 +316,10 @@ class Screen:
 
 
 def _with_circles(point: RandomPoint, about: Sequence[Statement], definitions: Lookup) -> Lookup:
-    """The definitions with parts of angles. The point then knows of the circles of all angles in the
-    statements that are no symbols, such as ‖x‖ and ω t."""
+    """Returns the definitions with parts of angles, and adds the circles of compound angles to the point.
+
+    Such angles are those that are no symbols, for example ‖x‖ and ω t.
+    """
     sides = [side for statement in about for side in sides_of(statement)]
     try:
         known = with_parts_of_angles(sides, definitions)
@@ -311,7 +333,7 @@ def _with_circles(point: RandomPoint, about: Sequence[Statement], definitions: L
 
 
 def equations_of(statement: Statement) -> Iterator[Relation]:
-    """The equations of which the statement is made. Raises NotExact where it says anything else."""
+    """Yields the equations of the statement. Raises NotExact for other statements."""
     match statement:
         case Relation(operator="="):
             yield statement
@@ -323,10 +345,10 @@ def equations_of(statement: Statement) -> Iterator[Relation]:
 
 
 def satisfy(point: RandomPoint, equations: Sequence[Relation], definitions: Lookup) -> None:
-    """Changes the point so that the equations hold there. Raises NotExact where this does not succeed."""
+    """Changes the point so that the equations hold there. Raises NotExact if this fails."""
     solved: set[tuple[Symbol, str, int]] = set()
     for equation in equations:
-        _differences(point, equation, definitions)  # asks the point for all that occurs
+        _differences(point, equation, definitions)  # adds all parameters of the equation to the point
         groups = dict.fromkeys((p.symbol, p.part, p.order) for p in point if p.part not in SPHERES)
         for group in reversed(groups):
             if group not in solved and _solve(point, equation, definitions, group):
@@ -341,7 +363,8 @@ def satisfy(point: RandomPoint, equations: Sequence[Relation], definitions: Look
 def _solve(
     point: RandomPoint, equation: Relation, definitions: Lookup, group: tuple[Symbol, str, int]
 ) -> bool:
-    """Solves an equation for the components of one derivative of one symbol, if it is linear there."""
+    """Solves an equation for the components of one derivative of one symbol if it is linear in them, and
+    returns whether that succeeded."""
     parameters = [p for p in point if (p.symbol, p.part, p.order) == group]
     before = dict(point)
 

@@ -1,4 +1,4 @@
-"""Equations that hold and say nothing: b = b + c − c, or 0 = 0 in disguise."""
+"""Detection of trivially true equations: b = b + c − c, or 0 = 0 in disguise."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ from workbench.repair.terms.term_arithmetic import number_and_rest
 
 
 def is_vacuous(statement: Statement) -> bool:
-    """Whether addends cancel in a sum, or an equation holds by the order and cancelling of its addends alone,
-    or a chain comes back to one of its sides."""
+    """True if addends cancel in a sum, an equation holds by reordering and cancelling, or a chain repeats a
+    side."""
     sums = (term for _, term in places(statement) if isinstance(term, Apply) and term.head == "add")
     return any(map(_cancels, sums)) or _is_trivial(statement)
 
 
 def like_terms(statement: Statement) -> int:
-    """How many addends of sums differ from another one of the sum in their number alone, as in M − 2 M."""
+    """Returns the number of addends that differ from another addend of their sum only by a number, as in M −
+    2 M."""
     sums = (term for _, term in places(statement) if isinstance(term, Apply) and term.head == "add")
     count = 0
     for term in sums:
@@ -32,8 +33,7 @@ def like_terms(statement: Statement) -> int:
 
 
 def is_idle(statement: Statement, screen: Screen) -> bool:
-    """Whether nothing but 0 is left of both sides of an equation, apart from addends that they share, though
-    neither is printed as 0."""
+    """True if both sides of an equation vanish apart from common addends, though neither is printed as 0."""
     match statement:
         case Relation(operator="="):
             if isinstance(statement.left, Zero) or isinstance(statement.right, Zero):
@@ -89,6 +89,6 @@ def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
         case Apply(head="mul", arguments=(Identity(), x) | (x, Identity())) if x.type.kind == "tensor":
             yield from _addends(x, sign)
         case Apply(head="mul", arguments=(TimeOperator(), x)) if x.type.kind != "operator":
-            yield sign, derivative(x, 1)  # D x is only another way to write it
+            yield sign, derivative(x, 1)  # D x is another way to write it
         case _:
             yield sign, term

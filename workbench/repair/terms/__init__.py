@@ -1,1 +1,1 @@
-"""Edits of typed terms: coefficients, factors, addends, entries."""
+"""Edits of typed terms: coefficients, factors, addends, entries of matrices."""

@@ -1,4 +1,4 @@
-"""Addends that may be missing: all short products of what a statement speaks of, by type and weight."""
+"""Candidates for missing addends: all short products of the symbols of a statement, by type and weight."""
 
 from __future__ import annotations
 
@@ -15,16 +15,18 @@ from workbench.repair.terms.coefficients import Vector
 from workbench.repair.terms.subterm_positions import places
 from workbench.repair.terms.variants import atoms_of, differentiated_to
 
-#: Products of more factors than this, and more products than this, are not tried.
+#: The most factors of a product.
 MOST_FACTORS = 4
 MOST_PRODUCTS = 4000
 
 
 class Supply:
-    """Products of up to MOST_FACTORS symbols, derivatives, tildes, short ones first.
+    """Products of up to MOST_FACTORS symbols, derivatives and skew tensors, short ones first.
 
-    others: terms that may be factors of products of two, though the statement does not hold them.
-    value: the components of a term at a random point. Of products with one value the first is enough.
+    Of products with equal values only the first is kept.
+
+    others: terms outside of the statement that may be factors of products of two.
+    value: a function to the components of a term at a random point.
     """
 
     def __init__(
@@ -37,12 +39,12 @@ class Supply:
         orders = [term.order for term in derivatives if not term.order.is_number]
         if any(not isinstance(term.body, Symbol) for term in derivatives):
             orders.append(Linear(1))
-        #: how often products may be differentiated
+        #: The orders by which products may be differentiated.
         self._orders = tuple(dict.fromkeys(o for order in orders for o in (order, order - order.constant)))
         self._of_weight: dict[Weight, dict[str, list[Term]]] = {}
 
     def of(self, kind: str, weight: Weight) -> list[Term]:
-        """The products of one kind and weight; without weights all of two factors."""
+        """Returns the products of one kind and weight; without weights, all of two factors."""
         if weight not in self._of_weight:
             found: dict[str, list[Term]] = {}
             for term in self._all(weight):
@@ -70,7 +72,7 @@ class Supply:
                 yield from (t for t in rare if t.weight == weight and not self._is_known(t, seen))
 
     def _is_known(self, product: Term, seen: set[object]) -> bool:
-        """Whether its value was met before, or the negative."""
+        """True if its value, or the negative, was met before."""
         value = self._value(product)
         if value is None:
             key: object = product
@@ -81,7 +83,7 @@ class Supply:
         return known
 
     def _products(self, levels: list[list[Term]], factors: int, weight: Weight) -> Iterator[Term]:
-        """weight: that they must have, if the level is the last."""
+        """Yields products of this many factors. weight: the required weight, at the last level."""
         if factors == 1:
             yield from self._basis
         for size in sorted(range(1, factors), key=lambda size: abs(2 * size - factors)):
@@ -95,7 +97,7 @@ class Supply:
             yield from (derivative(product, order) for product in level if product.type.kind != "operator")
 
     def _with_others(self, basis: Sequence[Term], weight: Weight) -> Iterator[Term]:
-        """Symbols that the statement does not hold, alone and in products of two factors."""
+        """Yields symbols outside of the statement, alone and in products of two factors."""
         for other in self._others:
             derived = differentiated_to(weight, other)
             if derived is not None:
@@ -125,8 +127,8 @@ def _sum_is(left: Term, right: Term, weight: Weight) -> bool:
 
 
 def _basis(statement: Statement) -> Iterator[Term]:
-    """The symbols with up to one derivative more than occurs, vectors as tensors too; and what else there is
-    that may be a factor."""
+    """Yields the symbols with up to one derivative more than occurs, vectors also as tensors, and other
+    possible factors."""
     highest: dict[Symbol, int] = {}
     for atom in atoms_of(statement):
         symbol, order = (atom.body, atom.order) if isinstance(atom, Derivative) else (atom, Linear(0))
@@ -189,7 +191,7 @@ def _pairs(left: Term, right: Term) -> Iterator[Term]:
 
 
 def _may_grow_to(term: Term, weight: Weight) -> bool:
-    """Weights of factors only add up."""
+    """True if the term may be a factor of a product of this weight: weights of factors add up."""
     if weight is None or term.weight is None:
         return True
     rest = weight - term.weight

@@ -1,4 +1,4 @@
-"""A statement that may be what was meant, and in words how it differs from the printed one."""
+"""Candidates for the right form, with their changes in words."""
 
 from __future__ import annotations
 
@@ -20,8 +20,12 @@ class Change:
 
 @dataclass(frozen=True)
 class Candidate:
-    """A statement that may be what was meant, and how it differs from the printed one. latex: as it would
-    have been printed; the canonical one if None. unlikely: orders candidates with as many changes."""
+    """A candidate for the right form of a statement.
+
+    Attributes:
+        latex: The LaTeX as it would have been printed; the canonical LaTeX if None.
+        unlikely: Orders candidates with equally many changes.
+    """
 
     statement: Statement
     changes: tuple[Change, ...]
@@ -30,7 +34,7 @@ class Candidate:
 
 
 def rescaled(statement: Statement, place: Place, factor: Fraction) -> Change:
-    """What a changed coefficient is called."""
+    """Returns the description of a changed coefficient."""
     term = subterm(statement, place)
     bare = term.arguments[0] if isinstance(term, Apply) and term.head == "neg" else term
     shown = f"${to_latex(bare)}$"

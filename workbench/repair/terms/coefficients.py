@@ -1,7 +1,8 @@
-"""The printed shape with other numbers: which rational coefficients of its addends make an equation hold.
+"""Search for rational coefficients of the printed addends that make an equation hold.
 
-Each addend's contribution is a vector of its components at random points modulo the prime; the equation says
-that their combination is the other side's. Few changed coefficients are tried before many.
+The contribution of each addend is the vector of its components at random points modulo the prime. The
+equation requires that a linear combination of them is equal to the other side. Few changed coefficients are
+tried before many.
 """
 
 from __future__ import annotations
@@ -21,10 +22,10 @@ from workbench.repair.terms.subterm_positions import Place, find, replaced, subt
 from workbench.repair.terms.term_arithmetic import times
 from workbench.repair.terms.term_edits import without
 
-#: Numerators and denominators beyond this are no misprint.
+#: The greatest numerator and denominator of a plausible misprint.
 LARGEST = 720
 
-#: This many coefficients are changed at once, or all of them.
+#: The most coefficients that are changed at once, except all of them.
 MOST_CHANGED = 4
 _MOST_ADDENDS = 14
 
@@ -33,14 +34,16 @@ Vector = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Scaling:
-    """Addends of a relation by their places, and what each coefficient is multiplied by (0: dropped)."""
+    """Addends of a relation by their positions, with the factors of their coefficients (0: dropped)."""
 
     factors: tuple[tuple[Place, Fraction], ...]
 
 
 def scalings(relation: Relation, screen: Screen) -> Iterator[Scaling]:
-    """The fewest changes of coefficients that make left = right hold at the screen's points; first with the
-    left side as printed, then with the right side as printed."""
+    """Yields the fewest changes of coefficients that make left = right hold at the screen's points.
+
+    First the left side is kept as printed, then the right side.
+    """
     for free, fixed in ((1, 0), (0, 1)):
         side, other = (subterm(relation, (number,)) for number in (free, fixed))
         if isinstance(side, Zero):
@@ -65,7 +68,7 @@ def scalings(relation: Relation, screen: Screen) -> Iterator[Scaling]:
 def _together(
     factors: Mapping[Place, Fraction], under: Place, side: int
 ) -> tuple[tuple[Place, Fraction], ...]:
-    """The changed factors below a place; one factor of the whole where all addends there share it."""
+    """Returns the changed factors below a position; a single factor if all addends there share it."""
     below = {place: f for place, f in factors.items() if place[: len(under)] == under}
     values = set(below.values())
     if values == {Fraction(1)}:
@@ -78,7 +81,7 @@ def _together(
 
 
 def contributions(side: Term, chosen: Sequence[Place], screen: Screen) -> list[Vector] | None:
-    """What each addend adds to the side."""
+    """Returns the contribution of each addend to the side."""
     columns = []
     for place in chosen:
         try:
@@ -94,8 +97,10 @@ def contributions(side: Term, chosen: Sequence[Place], screen: Screen) -> list[V
 def fewest_changes(
     columns: Sequence[Vector], target: Vector, anchored: bool = False
 ) -> Iterator[tuple[Fraction, ...]]:
-    """All ways to multiply as few columns as possible so that they add up to the target. anchored: the first
-    column stays (the target is 0, so that any multiple of a solution is one)."""
+    """Yields all ways to scale as few columns as possible so that they add up to the target.
+
+    anchored: keep the first column (if the target is 0, any multiple of a solution is one).
+    """
     if not columns or len(columns[0]) != len(target):
         return
     free = range(int(anchored), len(columns))
@@ -117,8 +122,10 @@ def fewest_changes(
 
 
 def _with_changed(columns: Sequence[Vector], changed: Sequence[int], target: Vector) -> list[Fraction] | None:
-    """The factors of the changed columns, the others having factor 1; None unless there is just one solution,
-    and that in small numbers."""
+    """Returns the factors of the changed columns, the others having factor 1.
+
+    Returns None unless there is exactly one solution, in small numbers.
+    """
     kept = [columns[i] for i in range(len(columns)) if i not in changed]
     rest = tuple((t - sum(column[row] for column in kept)) % PRIME for row, t in enumerate(target))
     if not changed:
@@ -127,8 +134,10 @@ def _with_changed(columns: Sequence[Vector], changed: Sequence[int], target: Vec
 
 
 def combination(columns: Sequence[Vector], target: Vector) -> list[Fraction] | None:
-    """The factors with which the columns add up to the target; None unless there is just one solution, and
-    that in small numbers."""
+    """Returns the factors with which the columns add up to the target.
+
+    Returns None unless there is exactly one solution, in small numbers.
+    """
     size = len(columns)
     rows = [entry for row, b in enumerate(target) for entry in (*(column[row] for column in columns), b)]
     reduced, rank = nmod_mat(len(target), size + 1, rows, PRIME).rref()
@@ -144,8 +153,11 @@ def combination(columns: Sequence[Vector], target: Vector) -> list[Fraction] | N
 
 
 def rational(residue: int, largest: int = LARGEST) -> Fraction | None:
-    """The fraction with numerator and denominator up to `largest` that has this residue; None if none has.
-    There is at most one, as 2·largest² is below the prime."""
+    """Returns the fraction with numerator and denominator up to `largest` that has this residue; None if none
+    has.
+
+    There is at most one, as 2·largest² is below the prime.
+    """
     above, below = (PRIME, residue % PRIME), (0, 1)
     while above[1] > largest:
         quotient = above[0] // above[1]
@@ -157,7 +169,7 @@ def rational(residue: int, largest: int = LARGEST) -> Fraction | None:
 
 
 def factor_between(one: Vector, other: Vector) -> Fraction | None:
-    """The small number c ≠ 0 with other = c·one, if there is one; 1 if both vanish."""
+    """Returns the small number c ≠ 0 with other = c·one, if there is one; 1 if both vanish."""
     if len(one) != len(other):
         return None
     place = next((i for i, x in enumerate(one) if x), None)
@@ -170,8 +182,11 @@ def factor_between(one: Vector, other: Vector) -> Fraction | None:
 
 
 def scaled(relation: Relation, scaling: Scaling) -> Relation | None:
-    """The relation with the new coefficients; addends with factor 0 go. None where a side would be empty, or
-    where a new addend joins the sum around it, so that the places before it are others."""
+    """Returns the relation with the new coefficients; addends with factor 0 are removed.
+
+    Returns None if a side would be empty, or if a new addend merges with the enclosing sum, which would shift
+    earlier positions.
+    """
     changed: Relation | None = relation
     for place, factor in sorted(scaling.factors, reverse=True):
         part = subterm(relation, place)

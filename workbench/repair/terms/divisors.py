@@ -1,4 +1,4 @@
-"""What a statement divides by."""
+"""Denominators of a statement."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from workbench.repair.terms.term_arithmetic import factors_of
 
 
 def divisors(statement: Statement) -> set[Term]:
-    """The factors of all denominators, and what inverses are taken of."""
+    """Returns the factors of all denominators and the arguments of inverses."""
     parts = (term for _, term in places(statement) if isinstance(term, Apply))
     below = (each.arguments[-1] for each in parts if each.head in ("div", "inverse"))
     return {factor for each in below for factor in factors_of(each)}

@@ -1,8 +1,8 @@
-"""The neighbourhood of a false statement: other coefficients, one edit, one missing addend, two edits.
+"""Neighbourhood search of a false statement: coefficients, one edit, one missing addend, two edits.
 
 Candidates come cheapest first, and only those whose residual vanishes at random points modulo the prime; the
-judge has the last word. Two edits are not tried in all pairs: where they change different addends their
-effects on the residual add up, so the partner of an edit is looked up by what it must contribute.
+judge decides. Two edits are not tried in all pairs: if they change different addends, their effects on the
+residual add up, so that the partner of an edit is looked up by the contribution that it must make.
 """
 
 from __future__ import annotations
@@ -25,13 +25,18 @@ from workbench.repair.terms.subterm_positions import Place, node_at, places, rep
 from workbench.repair.terms.term_arithmetic import times, with_addend
 from workbench.repair.terms.term_edits import KINDS, Edit, Refused, edits, without
 
-#: So many possible addends of a side are tried together with another edit.
+#: The most possible addends of a side that are tried together with another edit.
 MOST_PAIRED = 300
 
 
 @dataclass
 class Neighbour:
-    """A one-place edit, what it does to the residual, and whether it does twice that at twice the change."""
+    """A one-position edit.
+
+    Attributes:
+        delta: Its effect on the residual.
+        scalable: Whether the effect is proportional to the change.
+    """
 
     edit: Edit
     delta: Vector
@@ -40,11 +45,16 @@ class Neighbour:
 
 @dataclass
 class Neighbourhood:
-    """`screen` looks first, `second` again at other points and values of the integers. `tick` is called
-    for each candidate, and may raise to end the search.
+    """The candidates near a statement.
 
-    replacements, farther: what may stand for a symbol, likely and less likely. is_one_of_many: the statement
-    is one of several readings, so that missing addends are looked for only after likelier misprints in all.
+    Attributes:
+        screen: The first test.
+        second: Further tests at other points and values of the integers.
+        replacements: Terms that may replace a symbol, likely ones.
+        farther: The less likely ones.
+        is_one_of_many: Whether the statement is one of several readings. Missing addends are then tried only
+            after likelier misprints of all readings.
+        tick: Called for each candidate; may raise to end the search.
     """
 
     statement: Statement
@@ -57,8 +67,11 @@ class Neighbourhood:
     neighbours: list[Neighbour] = field(default_factory=list)
 
     def stages(self) -> Iterator[Iterator[Candidate]]:
-        """Likely ones first: one change, several coefficients, rarer single changes, two changes in different
-        addends, two in one addend."""
+        """Yields the stages, likely ones first.
+
+        The stages are one change, several coefficients, rarer single changes, two changes in different
+        addends, and two in one addend.
+        """
         kept = self.screen.keep(self.statement)
         self._point = self.screen.points[-1]
         residual = None if kept is None else self._point.residual(self.statement)
@@ -88,15 +101,13 @@ class Neighbourhood:
         return self._point.components(product)
 
     def _without_residual(self) -> Iterator[Candidate]:
-        """Statements that are no equations: one-place edits, unscreened."""
+        """Yields unscreened one-position edits of a statement that is no equation."""
         for edit in sorted(edits(self.statement, self.replacements), key=cost):
             if isinstance(edit, Edit):
                 yield candidate_of(edit)
 
-    # coefficients
-
     def _find_scalings(self) -> Iterator[tuple[Place, Relation, Scaling]]:
-        """With the place of the equation in the statement."""
+        """Yields the scalings, with the position of their equation in the statement."""
         match self.statement:
             case Relation():
                 yield from (((), self.statement, s) for s in scalings(self.statement, self.screen))
@@ -106,7 +117,7 @@ class Neighbourhood:
                         yield from (((number,), part, s) for s in scalings(part, self.screen))
 
     def _scaled(self, changes: int) -> Iterator[Candidate]:
-        """changes: 1, or 2 for more than one."""
+        """Yields scaled candidates. changes: 1, or 2 for more than one."""
         for under, relation, scaling in self._scalings:
             if (len(scaling.factors) > 1) != (changes > 1):
                 continue
@@ -117,14 +128,12 @@ class Neighbourhood:
             if under:
                 (side,) = {place[0] for place, _ in scaling.factors}
                 if side == 0 and under != (0,):
-                    continue  # the right side of the part before
+                    continue  # the right side of the previous part
                 changed = replaced(self.statement, (*under, side), subterm(made, (side,)))
             if self._passes(changed):
                 said = tuple(rescaled(relation, p, f) for p, f in scaling.factors)
                 kinds = [KINDS.index(change.kind) for change in said]
                 yield Candidate(changed, said, None, (max(kinds), -scaling.factors[0][0][0]))
-
-    # entries of matrices, and scalar factors
 
     def _of_entries(self) -> Iterator[Candidate]:
         for under, relation in self._false_equations():
@@ -137,22 +146,22 @@ class Neighbourhood:
                 yield from self._put_under(found, under)
 
     def _places_of_entries(self) -> Iterator[Place]:
-        """The entries of matrices in which no single change mends the equation: more than one is wrong."""
+        """Yields the entries of matrices in which no single change corrects the equation."""
         for under, relation in self._false_equations():
             yield from ((*under, *place) for place in wrong_places(relation, self.screen))
 
     def _put_under(self, found: Candidate, under: Place) -> Iterator[Candidate]:
-        """The candidate for one equation as one for the whole statement."""
+        """Yields the candidate for one equation as a candidate for the whole statement."""
         made: Statement = found.statement
         if under and isinstance(made, Relation):
             made = replaced(self.statement, (*under, 1), made.right)
             if isinstance(found.statement, Relation) and node_at(made, under) != found.statement:
-                return  # the left side is the right side of the part before
+                return  # the left side is the right side of the previous part
         if self._passes(made):
             yield replace(found, statement=made)
 
     def _false_equations(self) -> Iterator[tuple[Place, Relation]]:
-        """The equations of the statement that do not hold at the points, with their places."""
+        """Yields the equations of the statement that do not hold at the points, with their positions."""
         match self.statement:
             case Relation(operator="="):
                 yield (), self.statement
@@ -161,8 +170,6 @@ class Neighbourhood:
                     if isinstance(part, Relation) and not self.screen.vanishes(part):
                         yield (number,), part
 
-    # one edit
-
     def _singles(
         self,
         residual: Vector,
@@ -170,8 +177,12 @@ class Neighbourhood:
         apart: Collection[Place] = (),
         within: Collection[Place] = (),
     ) -> Iterator[Candidate]:
-        """replacements: only symbols are changed then, and into one of these. apart: places in which nothing
-        is changed; within: the only ones in which something is."""
+        """Yields candidates with one edit.
+
+        replacements: if given, only symbols are changed, to one of these.
+        apart: positions in which nothing is changed.
+        within: the only positions in which something is changed.
+        """
         found = edits(self.statement, replacements or self.replacements)
         for edit in sorted(found, key=cost):
             if isinstance(edit, Refused) or (replacements and edit.kind != "symbol"):
@@ -192,8 +203,6 @@ class Neighbourhood:
         for edit in found:
             if self._passes(edit.statement):
                 yield candidate_of(edit)
-
-    # two edits
 
     def _with_two_addends(self) -> Iterator[Candidate]:
         for first, second in self._missing.pairs():
@@ -229,7 +238,7 @@ class Neighbourhood:
                         yield from self._built(first.edit.statement, (first,), other, factor)
 
     def _nested_pairs(self) -> Iterator[Candidate]:
-        """The second edit within the addend that the first one changed, or of what it made."""
+        """Yields candidates whose second edit is in the addend that the first edit changed."""
         firsts = [n.edit for n in self.neighbours if n.edit.kind not in ("addend added", "addend dropped")]
         for first in firsts:
             for second in edits(first.statement, self.replacements, within=self._addend_of(first.place)):
@@ -241,7 +250,7 @@ class Neighbourhood:
                     yield Candidate(second.statement, changes, None, unlikely)
 
     def _addend_of(self, place: Place) -> Place:
-        """The place of the outermost addend around a place."""
+        """Returns the position of the outermost addend around a position."""
         for length in range(1, len(place)):
             term = node_at(self.statement, place[:length])
             if isinstance(term, Apply) and term.head == "add":
@@ -251,8 +260,10 @@ class Neighbourhood:
     def _built(
         self, statement: Statement, before: tuple[Neighbour, ...], last: Neighbour, factor: Fraction
     ) -> Iterator[Candidate]:
-        """The statement with the last edit put in, `factor` times as large; its place is found by identity:
-        the edit before may have moved it."""
+        """Yields the statement with the last edit applied, `factor` times as large.
+
+        Its position is found by identity, because the previous edit may have shifted it.
+        """
         edit = last.edit
         place = next((p for p, term in places(statement) if term is edit.old), None)
         if place is None:
@@ -281,7 +292,7 @@ def _lies_in(place: Place, others: Collection[Place]) -> bool:
 
 
 def cost(edit: Edit | Refused) -> tuple[int, int]:
-    """Likely misprints first; of equally likely ones that on the right side."""
+    """Returns the sort key: likely misprints first, and those on the right side before those on the left."""
     return KINDS.index(edit.kind), -edit.place[0]
 
 
@@ -316,7 +327,7 @@ def _direction(vector: Vector) -> Vector:
 
 
 def _ratio(residual: Vector, delta: Vector) -> Fraction | None:
-    """s with residual + s·delta = 0, if it is a small number."""
+    """Returns s with residual + s·delta = 0, if it is a small number."""
     leading = next((i for i, x in enumerate(delta) if x), None)
     if leading is None or not residual[leading]:
         return None

@@ -1,4 +1,4 @@
-"""What a false x ∈ SO(3) may have been: one change in x, which stands in several equations then."""
+"""Corrections of a false x ∈ SO(3): one change in x, which occurs in several equations after expansion."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _IN = re.compile(r"\\in(?![A-Za-z])")
 
 
 def membership(latex: str) -> tuple[str, str] | None:
-    """The member and the set of a formula that says nothing else."""
+    """Returns the member and the set of a formula that consists of a membership only."""
     with suppress(Fault):
         match parse(latex).lines:
             case ((Chain(relations=(("∈", _),)),),):
@@ -43,8 +43,11 @@ def other_members(
     screen: Screen | None,
     tick: Callable[[], None],
 ) -> Iterator[Candidate]:
-    """Other members of the set, likely ones first; none that is declared to be one, or is 0 or I: that says
-    nothing. No other letters: any member would do. tick: called for each that is looked at."""
+    """Yields other members of the set, likely ones first.
+
+    Members that are declared to be in the set, and 0 and I, are left out as trivial. Letters are not changed,
+    because any member would do. tick: called for each candidate.
+    """
     member, where = parts
     term = read_term(member, notation.symbols, frozenset(orders.variables if orders else ()))
     found = edits(relation("=", term, zero()), within=(0,))

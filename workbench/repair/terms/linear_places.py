@@ -1,4 +1,4 @@
-"""Where a side of an equation is linear: its addends, also those inside brackets."""
+"""Positions in which a side of an equation is linear: its addends, also those inside brackets."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from workbench.repair.terms.subterm_positions import Place
 
 
 def addend_places(side: Term) -> Iterator[tuple[Place, ...]]:
-    """The places of the addends in which the side is jointly linear. Where two factors are sums, one way for
-    each of them."""
+    """Yields sets of addend positions in which the side is jointly linear; one set for each factor that is a
+    sum."""
     yield from _choices(side, ())
 
 
@@ -36,7 +36,7 @@ def _choices(term: Term, place: Place) -> Iterator[tuple[Place, ...]]:
 
 
 def has_sum(term: Term) -> bool:
-    """Whether a sum lies below that the term is linear in."""
+    """True if the term contains a sum in which it is linear."""
     match term:
         case Apply(head="add"):
             return True
@@ -50,7 +50,7 @@ def has_sum(term: Term) -> bool:
 
 
 def alone(side: Term, place: Place) -> Term:
-    """The side with only the addend at the place left of each sum on the way there."""
+    """Returns the side with each sum on the path reduced to the addend that contains the position."""
     if not place:
         return side
     number, *rest = place

@@ -1,4 +1,4 @@
-"""Repair of a matrix entry by entry: each wrong entry with other coefficients or one edit, all together."""
+"""Entry-by-entry repair of a matrix: each wrong entry gets other coefficients or one edit."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from workbench.repair.terms.subterm_positions import Place, replaced, subterm
 from workbench.repair.terms.term_arithmetic import times
 from workbench.repair.terms.term_edits import Edit, edits
 
-#: No misprint is looked for where more entries than this are wrong.
+#: The most wrong entries for which a misprint is assumed.
 MOST_WRONG = 9
 _MOST_OPTIONS = 6
 _LARGEST_NUMBER = 12
 
-#: An entry's new term, and what was changed in it.
+#: (new term of an entry, its changes).
 _Option = tuple[Term, tuple[Change, ...]]
 
 
 @dataclass(frozen=True)
 class _Printed:
-    """A matrix of numbers on one side, its place, and what its entries should be at the points."""
+    """A matrix of scalars on one side, its position, and the required values of its entries at the points."""
 
     matrix: Block
     place: Place
@@ -43,8 +43,11 @@ class _Printed:
 def entrywise(
     relation: Relation, screen: Screen, replacements: Sequence[Term], tick: Callable[[], None]
 ) -> Iterator[Candidate]:
-    """The equation with all wrong entries of a matrix mended: two rows or columns exchanged, the matrix
-    transposed, or in each wrong entry its own change; changes of one kind first."""
+    """Yields the equation with all wrong entries of a matrix corrected.
+
+    Either two rows or columns are exchanged, or the matrix is transposed, or each wrong entry is changed.
+    Changes of one kind come first.
+    """
     for free in (1, 0):
         printed = _printed_matrix(relation, free, screen)
         if printed is None:
@@ -62,7 +65,7 @@ def entrywise(
 
 
 def wrong_places(relation: Relation, screen: Screen) -> list[Place]:
-    """The places of all entries of a matrix of which more than one is wrong."""
+    """Returns the positions of all entries of a matrix with more than one wrong entry."""
     for free in (1, 0):
         printed = _printed_matrix(relation, free, screen)
         if printed is None:
@@ -74,7 +77,7 @@ def wrong_places(relation: Relation, screen: Screen) -> list[Place]:
 
 
 def _printed_matrix(relation: Relation, free: int, screen: Screen) -> _Printed | None:
-    """The matrix of scalars that is a side, or a multiple of one."""
+    """Returns the matrix of scalars that is a side, or a multiple of a side."""
     side, scale = subterm(relation, (free,)), None
     place: Place = (free,)
     other = screen.components(subterm(relation, (1 - free,)), side)
@@ -97,7 +100,7 @@ def _printed_matrix(relation: Relation, free: int, screen: Screen) -> _Printed |
 
 
 def _own(screen: Screen, scalar: Term) -> Vector | None:
-    """The values of a scalar at the points."""
+    """Returns the values of a scalar at the points."""
     found = screen.components(scalar, scalar)
     return None if found is None else found[::2]
 
@@ -126,7 +129,7 @@ def _options(
 
 
 def _rescaled_entries(entry: Term, target: Vector, screen: Screen) -> Iterator[_Option]:
-    """The entry with other coefficients of its addends."""
+    """Yields the entry with other coefficients of its addends."""
     equation = Relation("=", entry, entry)
     for chosen in addend_places(entry):
         columns = contributions(entry, chosen, screen)
@@ -148,7 +151,7 @@ def _rescaled_entries(entry: Term, target: Vector, screen: Screen) -> Iterator[_
 
 
 def _number(entry: Term, target: Vector) -> Iterator[_Option]:
-    """A number in the place of one."""
+    """Yields another number for an entry that is a number."""
     value = rational(target[0], _LARGEST_NUMBER) if len(set(target)) == 1 else None
     if value is not None and isinstance(entry, Number | Zero):
         new = number(value) if value else zero()
@@ -166,7 +169,7 @@ def _replaced_within(entry: Term, at: Place, new: Term) -> Term | None:
 def _together(
     relation: Relation, printed: _Printed, wrong: Sequence[int], options: Sequence[list[_Option]]
 ) -> Iterator[Candidate]:
-    """All wrong entries with changes of one kind; else each with its first."""
+    """Yields all wrong entries with changes of one kind; else each with its first change."""
     kinds = dict.fromkeys(change.kind for ways in options for _, changes in ways for change in changes)
     chosen: list[list[_Option]] = []
     for kind in kinds:
@@ -185,7 +188,7 @@ def _together(
 
 
 def _exchanged(relation: Relation, printed: _Printed, values: Sequence[Vector | None]) -> Iterator[Candidate]:
-    """The matrix with two rows or two columns exchanged, or transposed."""
+    """Yields the matrix with two rows or two columns exchanged, or transposed."""
     rows = printed.matrix.entries
     height, width = len(rows), len(rows[0])
     ways: list[tuple[str, list[list[int]]]] = []

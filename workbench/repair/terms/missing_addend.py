@@ -1,8 +1,8 @@
-"""The addend that is missing: which product, in which place, with which coefficient, makes an equation hold.
+"""Search for a missing addend: the product, position and coefficient that make an equation hold.
 
-What an addend does to the residual is linear in its components wherever the statement is linear there. So the
-components of a probe are put in one after another, and each product is then only multiplied by the response:
-x solves the equation if residual + c·(response · x) = 0 for one small rational c.
+The effect of an addend on the residual is linear in its components at each position where the statement is
+linear. The components of a probe are therefore inserted one by one, and each product is only multiplied by
+the response: x solves the equation if residual + c·(response · x) = 0 for one small rational c.
 """
 
 from __future__ import annotations
@@ -41,25 +41,28 @@ from workbench.repair.terms.subterm_positions import Place, node_at, places, rep
 from workbench.repair.terms.term_arithmetic import number_and_rest, times, with_addend
 from workbench.repair.terms.term_edits import Edit
 
-#: Solutions given for one place.
+#: The most solutions for one position.
 _MOST = 3
 
 _KINDS = frozenset(("scalar", "vector", "tensor", "operator", "matrix"))
 
-#: What an addend is made of a product by, and the kind and weight that the product must have.
+#: (function from a product to an addend, required kind and weight of the product).
 _Form = tuple[Callable[[Term], Term], str, Weight]
 
 
 @dataclass(frozen=True)
 class _Response:
-    """What the components of a probe do to the residual at one point: for each component of the residual the
-    non-zero coefficients."""
+    """The effect of the components of a probe on the residual at one point.
+
+    Attributes:
+        rows: For each component of the residual, the non-zero coefficients.
+    """
 
     rows: tuple[tuple[tuple[int, int], ...], ...]
     residual: Vector
 
     def ratio(self, components: Vector) -> Fraction | None:
-        """c with residual + c·(response · components) = 0, if it is a small number other than 0."""
+        """Returns c with residual + c·(response · components) = 0, if it is a small number other than 0."""
         factor = None
         for row, r in zip(self.rows, self.residual, strict=True):
             y = sum(a * components[i] for i, a in row if i < len(components)) % PRIME
@@ -75,7 +78,7 @@ class _Response:
 
 
 class MissingAddends:
-    """Looks for one addend in all places of a statement. `tick` is called for each product."""
+    """Searches one addend at all positions of a statement. tick: called for each product."""
 
     def __init__(
         self, statement: Statement, screen: Screen, supply: Supply, tick: Callable[[], None] = lambda: None
@@ -89,7 +92,8 @@ class MissingAddends:
         self._heads = {t.head for _, t in places(statement) if isinstance(t, Apply)}
 
     def outer(self) -> Iterator[Edit]:
-        """As an addend of a side: of a right one rather than of a left one, as elsewhere it says the same."""
+        """Yields addends of a side; right sides come first, because an addend of the left side is
+        equivalent."""
         for place, term in sorted(sides(self.statement), key=lambda entry: -entry[0][-1]):
             if not isinstance(term, Zero):
                 found = list(self._at(place, term))
@@ -98,7 +102,7 @@ class MissingAddends:
                     return
 
     def inner(self) -> Iterator[Edit]:
-        """In brackets, or of what may have been in brackets."""
+        """Yields addends inside brackets, or of terms that may have been in brackets."""
         whole = {place for place, _ in sides(self.statement)}
         for place, term in places(self.statement):
             if place not in whole and not isinstance(term, Zero) and is_linear(self.statement, place):
@@ -107,8 +111,10 @@ class MissingAddends:
                     yield from self._at(place, term)
 
     def pairs(self) -> Iterator[tuple[Edit, Edit]]:
-        """Two addends of one side; the second edit is of what the first one makes. With residual r they
-        satisfy r + a·x + b·y = 0, so x and y have the same direction apart from multiples of r."""
+        """Yields two addends of one side; the second edit applies to the result of the first.
+
+        With residual r they satisfy r + a·x + b·y = 0, so x and y have the same direction modulo r.
+        """
         last = len(self.screen.points) - 1
         for place, term in sorted(sides(self.statement), key=lambda entry: -entry[0][-1]):
             residual = self._residuals[last]
@@ -148,7 +154,7 @@ class MissingAddends:
         yield first, Edit(second.kind, place, second.said, first.new, new, changed)
 
     def effects(self, most: int) -> Iterator[tuple[Edit, Vector]]:
-        """Short addends of the sides, and what each of them does to the residual at all points."""
+        """Yields short addends of the sides, with their effect on the residual at all points."""
         for place, term in sides(self.statement):
             if isinstance(term, Zero):
                 continue
@@ -196,8 +202,8 @@ class MissingAddends:
         return factor
 
     def _forms(self, term: Term) -> list[_Form]:
-        """A product as it is; times D, D², …; under a tilde; symmetric; transposed or antisymmetric
-        where the statement has such terms."""
+        """Returns the forms of an addend: a product as it is; times D, D², …; under a tilde; symmetrized; and
+        transposed or antisymmetric if the statement has such terms."""
         kind, weight = term.type.kind, term.weight
         if kind not in _KINDS:
             return []
@@ -216,7 +222,7 @@ class MissingAddends:
     def _responses(
         self, place: Place, term: Term, make: Callable[[Term], Term], kind: str
     ) -> list[_Response]:
-        """The responses at all points; none where one is not known."""
+        """Returns the responses at all points; an empty list if one is unknown."""
         type_ = (term.type if kind == term.type.kind else KINDS[kind]).with_dual(self._is_dual)
         probe = symbol(Declaration(Name("probe"), type_, None))
         try:
@@ -240,7 +246,7 @@ class MissingAddends:
     def _edit(
         self, place: Place, make: Callable[[Term], Term], product: Term, factor: Fraction
     ) -> Edit | None:
-        """None if an addend like it is there already: its coefficient is wrong then."""
+        """Returns the edit; None if a similar addend exists already, whose coefficient is then wrong."""
         old = subterm(self.statement, place)
         try:
             addend = times(factor, make(product))
@@ -259,7 +265,7 @@ class MissingAddends:
         return one is not None and two is not None and factor_between(one, two) is not None
 
     def _addends_beside(self, place: Place) -> Iterator[Term]:
-        """The addends at the place, and those of all sides if it is a side itself."""
+        """Yields the addends at the position; those of all sides if it is a side itself."""
         at = [place]
         if isinstance(node_at(self.statement, place[:-1]), Relation):
             at = [side for side, _ in sides(self.statement)]
@@ -269,7 +275,8 @@ class MissingAddends:
 
 
 def _response(point: ScreenPoint, changed: Statement, probe: Symbol, residual: Vector) -> _Response | None:
-    """The effect of each component of the probe; None where the residual has no number or another length."""
+    """Returns the effect of each component of the probe; None if the residual has no value or another
+    length."""
     columns = []
     count = int(np.prod(array_shape(probe.type), dtype=int))
     for component in range(count * (2 if probe.type.dual else 1)):
@@ -297,7 +304,7 @@ def _unit(type_: Type, component: int, count: int) -> Value:
 
 
 def is_linear(statement: Statement, place: Place) -> bool:
-    """Whether the statement is linear in what stands at the place, by the operations around it."""
+    """True if the statement is linear in the term at the position, by the operations around it."""
     for length in range(1, len(place)):
         parent = node_at(statement, place[:length])
         if not isinstance(parent, Term):
@@ -314,7 +321,7 @@ def is_linear(statement: Statement, place: Place) -> bool:
 
 
 def _direction_beside(y: Vector, r: Vector) -> Vector | None:
-    """The direction of y apart from multiples of r; None if it is one, or 0."""
+    """Returns the direction of y modulo r; None if y is a multiple of r, or 0."""
     pivot = next(i for i, x in enumerate(r) if x)
     c = y[pivot] * pow(r[pivot], -1, PRIME) % PRIME
     rest = [(b - c * a) % PRIME for a, b in zip(r, y, strict=True)]
@@ -326,7 +333,7 @@ def _direction_beside(y: Vector, r: Vector) -> Vector | None:
 
 
 def _degree(term: Term) -> int:
-    """The highest power of D that is written in the term, and one more."""
+    """Returns the highest power of D that is written in the term, plus one."""
     match term:
         case TimeOperator():
             return 1

@@ -1,8 +1,7 @@
-"""A scalar factor that is missing from an addend, or stands for another one.
+"""Search for a scalar factor that is missing from an addend or must replace another one.
 
-At random points it is known by which ratio one addend must change so that the equation holds; the factors
-that may be meant are looked up by their values there: scalars of the statement, 1 ± x, products and quotients
-of two.
+Random points determine the ratio by which one addend must change so that the equation holds. The factors are
+looked up by their values there: scalars of the statement, 1 ± x, products and quotients of two.
 """
 
 from __future__ import annotations
@@ -52,13 +51,13 @@ class _Table:
 
 
 def values_of(screen: Screen, scalar: Term) -> Vector | None:
-    """The values of a real scalar at the points."""
+    """Returns the values of a real scalar at the points."""
     found = screen.components(scalar, scalar)
     return None if found is None or any(found[1::2]) else found[::2]
 
 
 def other_factors(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> Iterator[Candidate]:
-    """The equation with one scalar factor put in or changed so that it holds at the points."""
+    """Yields the equation with one scalar factor inserted or changed so that it holds at the points."""
     table: _Table | None = None
     for free, fixed in ((1, 0), (0, 1)):
         side, other = subterm(relation, (free,)), subterm(relation, (fixed,))
@@ -78,7 +77,7 @@ def other_factors(relation: Relation, screen: Screen, replacements: Sequence[Ter
 
 
 def _needed(columns: Sequence[Vector], column: Vector, goal: Vector, screen: Screen) -> Vector | None:
-    """By what the addend must be multiplied at each point; None where nothing does."""
+    """Returns the factor that the addend needs at each point; None if no factor makes the equation hold."""
     rest = [(g - sum(each[i] for each in columns) + column[i]) % PRIME for i, g in enumerate(goal)]
     size = len(goal) // len(screen.points)
     ratios = []
@@ -91,7 +90,7 @@ def _needed(columns: Sequence[Vector], column: Vector, goal: Vector, screen: Scr
         if any((w - ratio * x) % PRIME for w, x in zip(wanted, own, strict=True)):
             return None
         ratios.append(ratio)
-    return tuple(ratios) if len(set(ratios)) > 1 else None  # a number is a coefficient
+    return tuple(ratios) if len(set(ratios)) > 1 else None  # constant ratios are handled as coefficients
 
 
 def _table(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> _Table:
@@ -103,7 +102,7 @@ def _table(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> 
         for t in scalars
         if isinstance(t, Apply) and t.head in ("sin", "cos")
     ]
-    whole = (relation.left, relation.right)  # a side that stands on the other one says nothing
+    whole = (relation.left, relation.right)  # a side that contains the other one states nothing
     small = sorted((term for term in dict.fromkeys(scalars) if term not in whole), key=_size)
     for term in [t for t in small if _size(t) <= _LARGEST][:_MOST_TERMS]:
         table.add(term)
@@ -161,7 +160,8 @@ def _multiplied(factor: Term, addend: Term) -> Term:
 
 
 def _factors(addend: Term, at: Place, is_below: bool = False) -> Iterator[tuple[Place, Term, bool]]:
-    """The scalar factors of an addend, with their places in it, and whether they stand in a denominator."""
+    """Yields the scalar factors of an addend, with their positions in it, and whether they are in a
+    denominator."""
     match addend:
         case Apply(head="neg", arguments=(inner,)):
             yield from _factors(inner, (*at, 0), is_below)

@@ -1,4 +1,4 @@
-"""Places in a statement: which subterm stands where, and the statement with another one put there."""
+"""Positions in a statement: access to and replacement of subterms."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from workbench.core.terms import (
 )
 from workbench.language.printing.author_spelling import is_spelt_as_one
 
-#: The way from a statement to a subterm: which part or side, then which child, and so on.
+#: The path from a statement to a subterm: the number of the part or side, then of the child, and so on.
 Place = tuple[int, ...]
 
 
 def sides(statement: Statement) -> Iterator[tuple[Place, Term]]:
-    """The sides of all relations. In a chain a = b = c the side b is given once."""
+    """Yields the sides of all relations. In a chain a = b = c the side b is given once."""
     match statement:
         case Relation():
             yield (0,), statement.left
@@ -41,7 +41,7 @@ def sides(statement: Statement) -> Iterator[tuple[Place, Term]]:
 
 
 def places(statement: Statement) -> Iterator[tuple[Place, Term]]:
-    """All subterms that can be changed by themselves, with their places, parents first."""
+    """Yields all subterms that can be changed independently, with their positions, parents first."""
     for place, side in sides(statement):
         yield from _below(place, side)
 
@@ -56,7 +56,7 @@ def _below(place: Place, term: Term) -> Iterator[tuple[Place, Term]]:
 
 
 def _is_by_place(term: Term) -> bool:
-    """Whether it is ∂/∂x of a field, by the one place x that there is, as ∇ is."""
+    """True for ∂/∂x of a field by its only coordinate x, which is equivalent to ∇."""
     if not isinstance(term, Apply) or term.head not in PARTIALS:
         return False
     variable = term.arguments[1]
@@ -64,7 +64,7 @@ def _is_by_place(term: Term) -> bool:
 
 
 def node_at(statement: Statement, place: Place) -> Statement | Term:
-    """The statement, a part of it, or a term, by its place. Raises IndexError where nothing stands."""
+    """Returns the statement, part or term at a position. Raises IndexError if there is none."""
     node: Statement | Term = statement
     for number in place:
         match node:
@@ -80,7 +80,7 @@ def node_at(statement: Statement, place: Place) -> Statement | Term:
 
 
 def subterm(statement: Statement, place: Place) -> Term:
-    """The term at a place. Raises IndexError where there is none."""
+    """Returns the term at a position. Raises IndexError if there is none."""
     node = node_at(statement, place)
     if not isinstance(node, Term):
         raise IndexError(f"a {type(node).__name__} stands at {place}")
@@ -88,7 +88,7 @@ def subterm(statement: Statement, place: Place) -> Term:
 
 
 def find(statement: Statement, place: Place) -> Term | None:
-    """The same; None where there is no such place."""
+    """Returns the term at a position; None if there is none."""
     try:
         return subterm(statement, place)
     except IndexError:
@@ -100,15 +100,17 @@ def replaced(statement: Relation, place: Place, new: Term) -> Relation: ...
 @overload
 def replaced(statement: Statement, place: Place, new: Term) -> Statement: ...
 def replaced(statement: Statement, place: Place, new: Term) -> Statement:
-    """The statement with `new` at the place; all that does not lie above the place stays the same object.
-    Raises IllFormed where `new` does not fit."""
+    """Returns the statement with `new` at the position; objects off the path are shared.
+
+    Raises IllFormed if `new` does not fit.
+    """
     number, rest = place[0], place[1:]
     match statement:
         case Relation():
             both = [statement.left, statement.right]
             both[number] = _replaced_in(both[number], rest, new)
             if isinstance(both[1 - number], Zero):
-                both[1 - number] = zero()  # of whatever stands there now
+                both[1 - number] = zero()  # typed like the other side now
             return relation(statement.operator, *both)
         case Equivalence() | Implication():
             ways = [statement.left, statement.right]
@@ -125,7 +127,8 @@ def replaced(statement: Statement, place: Place, new: Term) -> Statement:
 
 
 def _following(old: Statement, part: Statement, new: Statement) -> Relation | None:
-    """The part of a chain that goes on from an old one, going on from the new one; None for another part."""
+    """Returns the part of a chain that continues an old part, continuing the new one; None for another
+    part."""
     if isinstance(new, Relation) and isinstance(part, Relation) and _goes_on(old, part):
         return relation(part.operator, new.right, part.right)
     return None

@@ -1,4 +1,4 @@
-"""Sums and products of terms as one would print them."""
+"""Sums and products of terms in their usual printed form."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from workbench.core.terms import Apply, Number, Term, Zero
 
 
 def coefficient(term: Term) -> Fraction:
-    """The number in front of a product."""
+    """Returns the number in front of a product."""
     while isinstance(term, Apply) and term.head in (*PRODUCTS, "neg", "div"):
         term = term.arguments[0]
     return term.value if isinstance(term, Number) else Fraction(1)
 
 
 def number_and_rest(addend: Term) -> tuple[Fraction, tuple[Term, ...]]:
-    """The sign and number of an addend, and its other factors."""
+    """Returns the signed number of an addend, and its other factors."""
     sign = Fraction(1)
     while isinstance(addend, Apply) and addend.head == "neg":
         addend, sign = addend.arguments[0], -sign
@@ -33,7 +33,7 @@ def number_and_rest(addend: Term) -> tuple[Fraction, tuple[Term, ...]]:
 
 
 def times(factor: Fraction | int, term: Term) -> Term:
-    """factor·term as one would print it: the sign before the addend, the number in front of the product."""
+    """Returns factor·term in printed form: the sign before the addend, the number in front of the product."""
     factor = Fraction(factor)
     if isinstance(term, Number):
         return number(factor * term.value)
@@ -59,13 +59,13 @@ def sum_of(addends: Sequence[Term]) -> Term:
 
 
 def with_addend(term: Term, addend: Term) -> Term:
-    """term + addend as one sum."""
+    """Returns term + addend as one sum."""
     present = term.arguments if isinstance(term, Apply) and term.head == "add" else (term,)
     return apply("add", *(t for t in present if not isinstance(t, Zero)), addend)
 
 
 def factors_of(term: Term) -> list[Term]:
-    """The factors of a product written in a row."""
+    """Returns the factors of a product written in a row."""
     if isinstance(term, Apply) and term.head == "mul":
         return [*factors_of(term.arguments[0]), term.arguments[1]]
     return [term]

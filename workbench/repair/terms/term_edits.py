@@ -1,7 +1,7 @@
-"""Everything that differs from a statement in one place: what a misprint may have done to it, and so also
-what may undo a misprint.
+"""All one-position edits of a statement: possible misprints, and thus also corrections of misprints.
 
-What construction refuses is yielded too, with the reason: that types exclude a mutant is an answer.
+Edits that make the statement ill-typed are yielded too, with the reason: that types exclude a mutant is a
+result.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from workbench.repair.terms.subterm_positions import Place, node_at, places, rep
 from workbench.repair.terms.term_arithmetic import sum_of
 from workbench.repair.terms.variants import Said, atoms_of, variants
 
-#: The kinds of edit, likeliest misprint first.
+#: The kinds of edit, the likeliest misprint first.
 KINDS = (
     "sign", "coefficient", "tilde", "dots", "product", "swap", "transpose", "exponent", "index",
     "symbol", "mark", "bound", "addend dropped", "addend added",
@@ -36,7 +36,13 @@ KINDS = (
 
 @dataclass(frozen=True)
 class Edit:
-    """One change. `statement`: the changed statement. `old`, `new`: the subterms at `place`."""
+    """One change.
+
+    Attributes:
+        old: The subterm at `place`.
+        new: The subterm that replaces it.
+        statement: The changed statement.
+    """
 
     kind: str
     place: Place
@@ -54,7 +60,7 @@ class Edit:
 
 @dataclass(frozen=True)
 class Refused:
-    """A change of the subterm `old` at `place` that construction refuses; `ill_formed` says why."""
+    """An ill-typed change of the subterm `old` at `place`, with the reason."""
 
     kind: str
     place: Place
@@ -65,11 +71,11 @@ class Refused:
 def edits(
     statement: Statement, replacements: Sequence[Term] = (), addends: Sequence[Term] = (), within: Place = ()
 ) -> Iterator[Edit | Refused]:
-    """All one-place edits of a statement, place by place, none twice.
+    """Yields all one-position edits of a statement, position by position, without duplicates.
 
-    replacements: terms that may stand for a symbol beside those of the statement itself; only those of its
-    type and weight are tried. addends: terms that may be missing from a sum of their type and weight.
-    within: only edits at this place and below.
+    replacements: further terms that may replace a symbol, if type and weight agree.
+    addends: terms that may be missing from a sum of their type and weight.
+    within: restricts the edits to this position and below.
     """
     seen = {statement}
     of_sums: set[int] = set()  # the addends met so far
@@ -79,7 +85,7 @@ def edits(
         if isinstance(term, Apply) and term.head == "add":
             of_sums.update(map(id, term.arguments))
         if isinstance(term, Block) or (isinstance(term, Apply) and term.head == "quaternion"):
-            of_sums.update(map(id, term.children))  # an entry has a sign of its own
+            of_sums.update(map(id, term.children))  # an entry has its own sign
         if place[: len(within)] != within:
             continue
         missing = () if id(term) in of_sums else addends
@@ -98,7 +104,7 @@ def edits(
 
 
 def _is_no_divisor(term: Term) -> bool:
-    """Whether it is a number that nobody prints below a bar: a negative one, or a fraction."""
+    """True for a negative number or a fraction, which nobody prints in a denominator."""
     return isinstance(term, Number) and (term.value < 0 or term.value.denominator > 1)
 
 
@@ -108,7 +114,7 @@ def _is_denominator(statement: Statement, place: Place) -> bool:
 
 
 def _depth_of_sides(statement: Statement, place: Place) -> int:
-    """How long the place of a whole side is that begins as this place does."""
+    """Returns the length of the position of the whole side that contains this position."""
     depth, node = 0, statement
     while isinstance(node, Conjunction | Equivalence | Implication):
         parts = node.parts if isinstance(node, Conjunction) else (node.left, node.right)
@@ -122,7 +128,7 @@ def without(statement: Relation, place: Place) -> Relation | None: ...
 @overload
 def without(statement: Statement, place: Place) -> Statement | None: ...
 def without(statement: Statement, place: Place) -> Statement | None:
-    """The statement without the addend at the place; None where that is a whole side."""
+    """Returns the statement without the addend at the position; None if that is a whole side."""
     for length in range(len(place) - 1, 0, -1):
         parent = node_at(statement, place[:length])
         if isinstance(parent, Apply) and parent.head == "add":

@@ -1,4 +1,4 @@
-"""What may stand in the place of a term after one change at its top, by the term's kind."""
+"""Variants of a term after one change at its top, by the term's kind."""
 
 from __future__ import annotations
 
@@ -47,21 +47,21 @@ from workbench.repair.terms.term_arithmetic import (
     with_addend,
 )
 
-#: A sentence with {} for terms, integers and words, and what goes there.
+#: A sentence with {} for terms, integers and words, followed by these.
 Said = tuple
 
-#: Kind, the change in words, and how the new term is made (IllFormed where it cannot be).
+#: (kind, the change in words, maker of the new term, which may raise IllFormed).
 Variant = tuple[str, Said, Callable[[], Term]]
 
 _FACTORS = tuple(Fraction(text) for text in ("2", "1/2", "3", "1/3", "3/2", "2/3", "4", "1/4"))
 _MOST_ENTRIES = 9
 _PRODUCT_SIGNS = {head: OPERATORS[head].sign or "juxtaposition" for head in PRODUCTS}
-#: Besides letters, what may stand in brackets or bars with an exponent.
+#: Operations that, like letters, may stand in brackets or bars with an exponent.
 _SQUARED = frozenset(("skew", "dot", "outer", "triple", "det", "trace", "norm"))
 
 
 def atoms_of(statement: Statement) -> Iterator[Term]:
-    """The symbols of the statement, as they stand there: with their index and dots."""
+    """Yields the symbols of the statement, with their index and derivatives."""
     for _, term in places(statement):
         bare = term.body if isinstance(term, Derivative) else term
         if isinstance(bare, Symbol) and not bare.arguments:
@@ -71,7 +71,8 @@ def atoms_of(statement: Statement) -> Iterator[Term]:
 def variants(
     term: Term, is_addend: bool, atoms: Sequence[Term] = (), addends: Sequence[Term] = ()
 ) -> Iterator[Variant]:
-    """The variants of a term. is_addend: it is an addend or a whole side, so it has a sign of its own."""
+    """Yields the variants of a term. is_addend: it is an addend or a whole side, so that it has its own
+    sign."""
     if is_addend and not isinstance(term, Zero):
         yield from _sign_and_factor(term)
     match term:
@@ -103,11 +104,9 @@ def variants(
         yield from _missing(term, addends)
 
 
-# sums, signs and numbers
-
-
 def _sign_and_factor(term: Term) -> Iterator[Variant]:
-    """Of an addend or a whole side. What a sum's addends can do is not done to the sum again."""
+    """Yields changes of the sign and the factor of an addend or a whole side, except those of a sum's
+    addends."""
     if isinstance(term, Apply) and term.head == "neg":
         yield "sign", ("remove the minus sign before {}", term.arguments[0]), lambda: term.arguments[0]
     elif not (isinstance(term, Apply) and term.head == "add"):
@@ -134,7 +133,7 @@ def _countings(term: Counting) -> Iterator[Variant]:
 
 
 def _sums(term: Apply) -> Iterator[Variant]:
-    """Each addend dropped."""
+    """Yields the sum without each addend."""
     for place, addend in enumerate(term.arguments):
         rest = term.arguments[:place] + term.arguments[place + 1 :]
         yield "addend dropped", ("remove the addend {}", addend), partial(sum_of, rest)
@@ -158,7 +157,7 @@ def _bounds(term: BigSum) -> Iterator[Variant]:
 
 
 def _entries_exchanged(matrix: Block) -> Iterator[Variant]:
-    """Two entries in the places of each other; of a large matrix none."""
+    """Yields the matrix with two entries exchanged; none for a large matrix."""
     entries, width = matrix.children, len(matrix.entries[0])
     for one, other in combinations(range(len(entries)), 2) if len(entries) <= _MOST_ENTRIES else ():
         if entries[one] == entries[other]:
@@ -168,9 +167,6 @@ def _entries_exchanged(matrix: Block) -> Iterator[Variant]:
         rows = [changed[start : start + width] for start in range(0, len(changed), width)]
         said = ("exchange {} and {}", entries[one], entries[other])
         yield "swap", said, partial(block, rows)
-
-
-# indices, exponents, dots
 
 
 def _indices(term: Symbol) -> Iterator[Variant]:
@@ -216,9 +212,6 @@ def _dots(term: Term) -> Iterator[Variant]:
 
 def differentiated(body: Term, order: Linear) -> Term:
     return body if order == Linear(0) else derivative(body, order)
-
-
-# operations
 
 
 def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
@@ -269,16 +262,13 @@ def _of_multiple(head: str, factor: Fraction, term: Term) -> Term:
 
 
 def _factors(term: Apply) -> Iterator[Variant]:
-    """A numeric factor dropped; the last two factors swapped, those before them in the product they make."""
+    """Yields the product without a numeric factor, and with the last two factors swapped."""
     *before, first, last = factors_of(term)
     if not before and isinstance(first, Number):
         yield "coefficient", ("remove the factor {} of {}", first.value, last), lambda: last
     if "scalar" not in (first.type.kind, last.type.kind):
         said = ("{} and {} change places", first, last)
         yield "swap", said, partial(product_of, [*before, last, first])
-
-
-# marks
 
 
 def _tilde_moved(body: Term) -> Iterator[Variant]:
@@ -311,7 +301,7 @@ def _marks_added(term: Term) -> Iterator[Variant]:
 
 
 def _other_symbols(term: Term, atoms: Sequence[Term]) -> Iterator[Variant]:
-    """Another symbol of the same kind and weight; one of smaller weight with the dots that it lacks."""
+    """Yields other symbols of the same kind and weight; those of smaller weight with derivatives."""
     bare = term.body if isinstance(term, Derivative) else term
     if not isinstance(bare, Symbol) or bare.arguments:
         return
@@ -328,7 +318,7 @@ def _as_it_is(term: Term) -> Term:
 
 
 def differentiated_to(weight: Weight, atom: Term) -> Term | None:
-    """The atom, or its derivative, of this weight."""
+    """Returns the atom, or its derivative, of this weight."""
     if atom.weight == weight:
         return atom
     if weight is None or atom.weight is None or not isinstance(atom, Symbol):
@@ -340,7 +330,7 @@ def differentiated_to(weight: Weight, atom: Term) -> Term | None:
 
 
 def _letter(term: Term) -> str:
-    """The symbol without underline and font."""
+    """Returns the symbol without underline and font."""
     text = to_latex(term)
     for mark in ("\\underline", "\\mathbf", "\\boldsymbol", "{", "}"):
         text = text.replace(mark, "")

@@ -1,1 +1,1 @@
-"""Edits of syntax trees, for formulas that have no type as printed."""
+"""Edits of syntax trees, for formulas that are ill-typed as printed."""

@@ -1,4 +1,4 @@
-"""The addends of an untyped side, also those in brackets, and the side cut down to one of them."""
+"""Addends of an untyped side, also those in brackets, and the side reduced to one of them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from workbench.repair.trees.tree_nodes import below, exchanged
 
 
 def addends_of(node: Node) -> list[Node]:
-    """The addends of a side, also those in brackets with only numbers and linear functions before them."""
+    """Returns the addends of a side, also those in brackets that only have numbers and linear functions
+    before them."""
     match node:
         case Sum(addends=addends):
             return [leaf for _, _, addend in addends for leaf in addends_of(addend)]
@@ -46,7 +47,7 @@ def _is_plain(node: Node) -> bool:
 
 
 def alone(side: Node, leaf: Node) -> Node:
-    """The side with each sum around the leaf cut down to the addend that holds it."""
+    """Returns the side with each sum around the leaf reduced to the addend that contains it."""
     cut: dict[int, Node] = {}
     sums = [part for part in below(side) if isinstance(part, Sum)]
     for node in reversed(sums):

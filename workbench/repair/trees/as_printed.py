@@ -1,5 +1,5 @@
-"""A proposed formula with its symbols spelled as the printed one spells them: \\boldsymbol{\\omega} where the
-paper has it beside \\omega."""
+r"""Spelling of a proposed formula in the letters of the printed one: \boldsymbol{\omega} if the formula has
+it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from workbench.repair.trees.misprinted_integers import bound_variables
 
 
 def as_printed(latex: str, printed: str, table: SymbolTable, integers: Collection[str]) -> str:
-    """The formula in the letters of the printed one; as it is where that cannot be parsed."""
+    """Returns the formula in the letters of the printed one; unchanged if that cannot be parsed."""
     try:
         lines, shown = parse(latex), parse(printed)
     except Fault:

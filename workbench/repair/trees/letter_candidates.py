@@ -1,4 +1,4 @@
-"""Letters that the paper does not have: where they stand in a formula, and which known ones they may be."""
+"""Occurrences of unknown letters in a formula, and the known letters that they may stand for."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.repair.trees.lost_marks import FONTS, Mark, leaf_of, letter_of, other_case
 from workbench.repair.trees.tree_nodes import bare, children
 
-#: Letters that are mistaken for one another in print and by machines that read it.
+#: Letters that are easily confused in print and in optical character recognition.
 _ALIKE = (
     ("\\rho", "p", "P"),
     ("\\omega", "w"),
@@ -46,8 +46,14 @@ _OF_TIME = frozenset(("d", "t"))
 
 @dataclass(frozen=True)
 class Occurrence:
-    """A letter where it stands. node: the letter in its fonts; styles: those further out; holder: the node
-    whose scripts it has; left: what holds its left scripts."""
+    """An occurrence of a letter.
+
+    Attributes:
+        node: The letter in its fonts.
+        styles: The styles outside of `node`.
+        holder: The node with its scripts.
+        left: The node with its left scripts.
+    """
 
     node: Node
     styles: tuple[str, ...]
@@ -70,7 +76,7 @@ class Occurrence:
 
 
 def occurrences(node: Node) -> Iterator[Occurrence]:
-    """The letters of a formula that name something; not those inside indices."""
+    """Yields the letters of a formula that name something, except those inside indices."""
     match node:
         case Product(items=items):
             left = None
@@ -122,7 +128,7 @@ def _letters_in(
 
 
 def is_rate(fraction: Fraction) -> bool:
-    """Whether it is d/dt or d^k x/dt^k."""
+    """True for d/dt and d^k x/dt^k."""
     items = []
     for part in (fraction.numerator, fraction.denominator):
         part = bare(part)
@@ -134,7 +140,7 @@ def is_rate(fraction: Fraction) -> bool:
 def meaning_of(
     found: Occurrence, table: SymbolTable, integers: Collection[str], node: Node | None = None
 ) -> Meaning | None:
-    """What the letter means in the paper, or would with `node` in its place."""
+    """Returns the meaning of the letter in the paper, or of `node` in its position."""
     node = node or found.node
     styles = (*found.styles, *unstyled(node)[0])
     return meaning(table, integers, leaf_of(node), styles, found.scripts, found.bracket is not None)
@@ -143,8 +149,10 @@ def meaning_of(
 def other_letters(
     found: Sequence[Occurrence], table: SymbolTable, integers: Collection[str]
 ) -> Iterator[tuple[list[Mark], int]]:
-    """What one letter may be, wherever it stands, so that the paper has it: the marks, and how much is
-    changed: 1 for the font, the underline or the case, 2 for another letter."""
+    """Yields the known letters that an unknown letter may be: the marks, and the size of the change.
+
+    The size is 1 for the font, the underline or the case, and 2 for another letter.
+    """
     first = found[0]
     letter = leaf_of(first.node)
     names = [letter.text, other_case(letter.text)]
@@ -168,7 +176,7 @@ def other_letters(
 
 
 def has_readable_sup(found: Occurrence, table: SymbolTable, integers: Collection[str]) -> bool:
-    """Whether the superscript of the letter is a power, an order, a mark, or a part of its name."""
+    """True if the superscript of the letter is a power, an order, a mark, or a part of its name."""
     sup = found.scripts.sup
     if sup is None or found.base == "e":
         return True

@@ -1,5 +1,7 @@
-"""What transcription does to a formula, undone on the parse tree: tildes and dots lost or mistaken for one
-another, underlines and fonts lost, a tilde over a factor instead of the product, a lost sign of a product.
+"""Corrections of transcription errors on the parse tree.
+
+Such errors are lost or confused tildes and dots, lost underlines and fonts, a tilde over a factor instead of
+the product, and a lost sign of a product.
 """
 
 from __future__ import annotations
@@ -36,8 +38,12 @@ FONTS = ("\\boldsymbol", "\\mathbf", "\\mathrm", "\\mathcal", "\\mathbb")
 
 @dataclass(frozen=True)
 class Mark:
-    """One node put for another: how many misprints that undoes, and what it is called. dots: how much
-    weight is added by it, in dots; None where that is not known."""
+    """A replacement of one node by another.
+
+    Attributes:
+        cost: The number of misprints that it corrects.
+        dots: The change of the weight, in dots; None if unknown.
+    """
 
     old: Node
     new: Node
@@ -48,7 +54,7 @@ class Mark:
 
 
 def marked(marks: Sequence[Mark], root: Node) -> Node:
-    """The tree with the marks made, small ones first, so that one may lie inside another."""
+    """Returns the tree with the marks applied, small ones first, because one may lie inside another."""
     new: dict[int, Node] = {}
     for mark in sorted(marks, key=lambda mark: sum(1 for _ in below(mark.old))) if len(marks) > 1 else marks:
         new[id(mark.old)] = exchanged(mark.new, new) if new else mark.new
@@ -56,18 +62,17 @@ def marked(marks: Sequence[Mark], root: Node) -> Node:
 
 
 def marked_lines(marks: Sequence[Mark], lines: Lines) -> Lines:
-    """The lines with the marks, which are of parts of them, made."""
+    """Returns the lines with the marks of their parts applied."""
     made = marked(marks, lines)
     assert isinstance(made, Lines)
     return made
 
 
-# letters
-
-
 def letter_marks(node: Node, table: SymbolTable, times: int = 1) -> Iterator[list[Mark]]:
-    """For each letter in the node, with its accents: what else it may have been. times: how often the node
-    counts as a factor."""
+    """Yields, for each letter in the node with its accents, its alternatives.
+
+    times: how often the node counts as a factor.
+    """
     core = core_of(node)
     if core is not None:
         yield [*_other_accents(node, core, times), *_other_letters(node, core, table)]
@@ -87,7 +92,7 @@ def _power(node: Scripted) -> int:
 
 @dataclass(frozen=True)
 class _Core:
-    """A letter in its fonts, with the dots and the tilde over it."""
+    """A letter in its fonts, with its dots and tilde."""
 
     letter: Node
     dots: int
@@ -95,7 +100,7 @@ class _Core:
 
 
 def core_of(node: Node) -> _Core | None:
-    """The letter of a node that is one letter under accents; None for anything else."""
+    """Returns the letter of a node that is one letter under accents; None for other nodes."""
     dots, tilde = 0, False
     while True:
         match node:
@@ -119,7 +124,7 @@ def letter_of(node: Node) -> Leaf | None:
 
 
 def leaf_of(letter: Node) -> Leaf:
-    """What is inside the fonts of a node that is one letter."""
+    """Returns the leaf inside the fonts of a node that is one letter."""
     leaf = letter_of(letter)
     assert leaf is not None, f"{latex_of(letter)} is no letter"
     return leaf
@@ -149,13 +154,13 @@ def _other_accents(node: Node, core: _Core, times: int) -> Iterator[Mark]:
 def _price(had: bool, has: bool, more: int) -> int:
     if had == has:
         return abs(more)
-    if has:  # a tilde lost, or one that became a dot
+    if has:  # a lost tilde, or one that became a dot
         return {0: 1, -1: 1, 1: 2, -2: 2, 2: 3}[more]
     return 1 + abs(more)
 
 
 def _other_letters(node: Node, core: _Core, table: SymbolTable) -> Iterator[Mark]:
-    """The same letter in another font or case, underlined or not, if the paper has such a symbol."""
+    """Yields the same letter in another font or case, underlined or not, if the paper has such a symbol."""
     letter = leaf_of(core.letter)
     printed = latex_of(core.letter)
     known = {name.base for name in table.symbols}
@@ -170,17 +175,14 @@ def _other_letters(node: Node, core: _Core, table: SymbolTable) -> Iterator[Mark
 
 
 def other_case(letter: str) -> str:
-    """\\Phi for \\phi, a for A."""
+    r"""Returns \Phi for \phi, a for A."""
     if letter.startswith("\\"):
         return "\\" + letter[1].swapcase() + letter[2:]
     return letter.swapcase()
 
 
-# products
-
-
 def product_marks(node: Node) -> Iterator[Mark]:
-    """Signs between factors put in or changed, tildes moved, or put over two and more factors in a row."""
+    """Yields inserted and changed signs between factors, and moved or widened tildes."""
     for part in below(node):
         if isinstance(part, Product):
             yield from _signs(part)
@@ -192,7 +194,7 @@ def product_marks(node: Node) -> Iterator[Mark]:
 
 
 def _wide_tilde(over: Accented) -> Iterator[Mark]:
-    """A tilde over more than a letter, away or over one of the factors."""
+    """Yields the removal of a tilde over several letters, or its move to one of the factors."""
     body = bare(over.body)
     shown = f"$\\widetilde{{{latex_of(body)}}}$"
     yield Mark(over, body, 1, "tilde", f"remove the tilde of {shown}", 0)
@@ -207,7 +209,7 @@ def _wide_tilde(over: Accented) -> Iterator[Mark]:
 
 
 def _sums_uncovered(product: Product) -> Iterator[Mark]:
-    """A tilde over a sum sign away, so that the sum is again of all that follows."""
+    """Yields the removal of a tilde over a summation sign, so that the sum extends over all that follows."""
     for place, item in enumerate(product.items):
         match item:
             case Accented(accent="~", body=Group(parts=(Product(items=(Summation(), *_) as inner),))):
@@ -234,7 +236,7 @@ def _signs(product: Product) -> Iterator[Mark]:
 
 
 def _nested(product: Product) -> Iterator[Mark]:
-    """a b c as a × (b × c)."""
+    """Yields a b c as a × (b × c)."""
     items = product.items
     for start in range(len(items) - 2):
         run = items[start : start + 3]

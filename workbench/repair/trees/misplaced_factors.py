@@ -1,5 +1,4 @@
-"""Factors that stand in the wrong place or not at all: an exponent that ends too early, a sign between what
-is written in a row, a lost factor, a lost index that belongs to the name."""
+"""Misplaced and lost factors: short exponents, surplus signs, a lost factor, a lost index of a name."""
 
 from __future__ import annotations
 
@@ -30,13 +29,15 @@ from workbench.repair.trees.tree_nodes import below
 
 _UNIT = Styled(0, "\\mathbf", Leaf(0, "LETTER", "I"))
 
-#: A letter that may be missing, and its weight, if that is a number.
+#: A letter that may be missing, and its weight if that is a number.
 Letter = tuple[Node, int | None]
 
 
 def factor_marks(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
-    """Exponents that go on, surplus signs, and at a higher price factors that are missing; letters: those
-    that the formula speaks of."""
+    """Yields longer exponents, removed signs and, at a higher cost, inserted factors.
+
+    letters: the letters that the formula contains.
+    """
     for part in below(node):
         if isinstance(part, Product):
             yield from _longer_exponents(part)
@@ -92,7 +93,7 @@ def _missing_factors(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
 
 
 def _missing_unit(node: Node) -> Mark:
-    """The unit tensor after a number, as in T* T = det T."""
+    """Returns the insertion of the unit tensor after a number, as in T* T = det T."""
     items = node.items if isinstance(node, Product) else (node,)
     if any(isinstance(item, Infix) or _is_function(item) for item in items):
         items = (Bracket(node.at, "(", (node,)),)
@@ -105,7 +106,7 @@ def _is_function(node: Node) -> bool:
 
 
 def letters_of(node: Node) -> list[Node]:
-    """The letters that the formula speaks of, with the marks and indices that they have there, each once."""
+    """Returns the letters of the formula with their marks and indices, each once."""
     found: dict[str, Node] = {}
     names = {id(one.node) for one in occurrences(node)}
     for part in below(node):
@@ -122,7 +123,8 @@ def letters_of(node: Node) -> list[Node]:
 
 
 def index_marks(node: Node, table: SymbolTable) -> Iterator[list[Mark]]:
-    """For each letter without index the names of the paper that have one which is part of the name."""
+    """Yields, for each letter without index, the names of the paper that have an index as part of the
+    name."""
     scripted = {id(part.nucleus) for part in below(node) if isinstance(part, Scripted)}
     for one in occurrences(node):
         if one.scripts.sub is not None or one.left is not None or id(one.node) in scripted:

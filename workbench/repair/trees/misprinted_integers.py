@@ -1,4 +1,4 @@
-"""Integers in a formula that may be misprinted: indices, orders in brackets, bounds of sums, C_n^k."""
+"""Alternatives of possibly misprinted integers: indices, orders in brackets, bounds of sums, C_n^k."""
 
 from __future__ import annotations
 
@@ -29,8 +29,11 @@ _CONSTANTS = range(-2, 3)
 
 
 def integer_marks(node: Node, variables: Collection[str]) -> Iterator[list[Mark]]:
-    """For each integer in the node what else it may have been: one more or less, an order in the other kind
-    of brackets; at a higher price any sum and difference of the variables that occur."""
+    """Yields the alternatives of each integer in the node.
+
+    These are one more or less, an order in the other kind of brackets and, at a higher cost, any sum and
+    difference of the variables that occur.
+    """
     known = frozenset(variables) | bound_variables(node)
     for holder in below(node):
         match holder:
@@ -53,7 +56,7 @@ def integer_marks(node: Node, variables: Collection[str]) -> Iterator[list[Mark]
 
 
 def bound_variables(node: Node) -> frozenset[str]:
-    """The variables over which the sums in the node run."""
+    """Returns the summation variables in the node."""
     names: set[str] = set()
     for part in below(node):
         if isinstance(part, Summation) and part.lower is not None:
@@ -93,7 +96,7 @@ def _other_values(holder: Node, old: Node, value: Linear, known: frozenset[str])
 
 @cache
 def _forms(variables: Sequence[str]) -> tuple[Linear, ...]:
-    """Sums and differences of up to three variables and a small number, simple ones first."""
+    """Returns sums and differences of up to three variables and a small number, simple ones first."""
     forms = []
     for signs in product((1, -1, 0), repeat=len(variables)):
         if 1 in signs and len(variables) - signs.count(0) <= 3:
@@ -109,7 +112,7 @@ def _mark(holder: Node, old: Node, value: Linear, cost: int = 1) -> Mark:
 
 
 def _shown(value: Linear) -> str:
-    """n - k - 1 rather than -k + n - 1."""
+    """Returns the expression with positive terms first: n - k - 1 instead of -k + n - 1."""
     added = [(name, c) for name, c in value.coefficients if c > 0]
     taken = [(name, c) for name, c in value.coefficients if c < 0]
     return (

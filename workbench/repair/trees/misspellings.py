@@ -1,5 +1,4 @@
-"""What is wrong with a formula before any type is looked at: an accent, a bracket, a condition, a superscript
-or a letter that the reader does not know, each put right in the ways an editor would think of first."""
+"""Corrections of a formula before typing: unknown accents, brackets, conditions, superscripts and letters."""
 
 from __future__ import annotations
 
@@ -26,27 +25,28 @@ from workbench.repair.trees.unparsable import (
 )
 from workbench.source.rows.formula_lines import split_lines
 
-#: The most spellings of one formula that are looked at.
+#: The most spellings of one formula that are considered.
 MOST = 24
 
 _STRANGE_ACCENT = re.compile(r"\\(?:hat|widehat|check|breve|acute|grave)(?![A-Za-z])")
 _CIRCLE = re.compile(r"\\overset\s*\{\s*\\circ\s*\}|\\mathring(?![A-Za-z])|\\r(?![A-Za-z])")
 _DOTS = ("\\dot", "\\ddot", "\\dddot", "\\ddddot")
 
-#: What a strange accent and what a circle may stand for.
+#: The replacements of an unknown accent and of a circle.
 _ACCENTS = (("\\tilde", "\\dddot"), *(("\\underline", dots) for dots in _DOTS), ("\\dot", "\\tilde"))
 
 
 @dataclass(frozen=True)
 class Spelling:
-    """A formula in which every letter, accent and condition is one that the reader knows."""
+    """A formula in which every letter, accent and condition is known to the reader."""
 
     lines: Lines
     changes: tuple[Change, ...] = ()
 
 
 def spellings(latex: str, table: SymbolTable, integers: frozenset[str]) -> Iterator[Spelling]:
-    """The formula as printed if nothing in it is unknown; else with the fewest changes that make it so."""
+    """Yields the formula as printed if nothing in it is unknown; else with the fewest changes that make it
+    so."""
     steps: tuple[Step, ...] = (
         conditions,
         superscripts,
@@ -62,7 +62,7 @@ def spellings(latex: str, table: SymbolTable, integers: frozenset[str]) -> Itera
 
 
 def _with_rows_joined(latex: str) -> str:
-    """The formula without an environment of rows: rows that go on are one line."""
+    """Returns the formula without an environment of rows, if its rows are one line."""
     if "\\begin{" not in latex and "\\\\" not in latex:
         return latex
     try:
@@ -87,7 +87,7 @@ def _spelled(
 
 
 def _in_rows(lines: Lines) -> Lines:
-    """One statement to a line, with the conditions that follow it; a line that goes on joined to the last."""
+    """Returns one statement per line with its conditions; continuation lines are joined."""
     if (
         not any(isinstance(clause, Lines) for line in lines.lines for clause in line)
         and len(lines.lines) == 1
@@ -100,9 +100,6 @@ def _in_rows(lines: Lines) -> Lines:
     except Fault:
         return lines
     return Lines(lines.at, tuple(rows))
-
-
-# text that cannot be parsed
 
 
 def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
@@ -124,12 +121,12 @@ def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
 
 
 def _always(text: str) -> Callable[[re.Match[str]], str]:
-    """What puts the text in the place of each match."""
+    """Returns a function that replaces each match by the text."""
     return lambda _: text
 
 
 def _brackets(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
-    """One bracket dropped or put in, where that makes a formula."""
+    """Yields the formula with one bracket dropped or inserted, if it then parses."""
     for place, sign in enumerate(latex):
         if sign in "()[]":
             text = latex[:place] + latex[place + 1 :]

@@ -1,4 +1,4 @@
-"""Terms of nodes that stand in many trees: the variants of a formula share most of their nodes."""
+"""Cache of the terms of nodes: the variants of a formula share most of their nodes."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from workbench.language.naming.symbols import SymbolTable
 
 
 class RememberingElaborator(Elaborator):
-    """Reads a node once, though it stands in many trees."""
+    """An elaborator that reads each node once."""
 
     def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
         super().__init__(table, variables)
         self._known: dict[tuple[int, frozenset[str]], tuple[Node, Term | Exception]] = {}
 
     def term(self, node: Node) -> Term:
-        """Raises Fault, Misfit or IllFormed, each time anew."""
+        """Returns the term of a node. Raises Fault, Misfit or IllFormed at each call."""
         key = id(node), self.variables
         if key not in self._known:
             try:

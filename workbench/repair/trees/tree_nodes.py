@@ -1,6 +1,6 @@
-"""Untyped formulas as trees: subtrees by identity, and one put for another.
+"""Untyped formulas as trees: subtrees by identity, and their replacement.
 
-An ill-typed formula has no term, so its edits are made on what the parser saw.
+An ill-typed formula has no term, so its edits are made on the syntax tree.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from workbench.language.grammar.syntax import Node, core
 
 
 def below(node: Node) -> Iterator[Node]:
-    """The node and all that is in it, outer ones first."""
+    """Yields the node and all its descendants, outer ones first."""
     yield node
     for child in children(node):
         yield from below(child)
@@ -29,7 +29,7 @@ _FIELDS: dict[type[Node], tuple[str, ...]] = {}
 
 
 def _fields(node: Node) -> tuple[str, ...]:
-    """Where a node of this kind may hold others."""
+    """Returns the names of the fields in which a node of this kind may hold others."""
     kind = type(node)
     if kind not in _FIELDS:
         names = (field.name for field in fields(kind) if field.type not in ("int", "str", "bool"))
@@ -38,7 +38,7 @@ def _fields(node: Node) -> tuple[str, ...]:
 
 
 def bare(node: Node) -> Node:
-    """The node without braces around it."""
+    """Returns the node without braces around it."""
     inner = core(node)
     assert inner is not None
     return inner
@@ -53,7 +53,7 @@ def _nodes_in(value: Any) -> Iterator[Node]:
 
 
 def exchanged(node: Node, new: Mapping[int, Node]) -> Node:
-    """The tree with the nodes of these ids exchanged; what holds none of them stays the same object."""
+    """Returns the tree with the nodes of these ids replaced; unchanged subtrees are shared."""
     if id(node) in new:
         return new[id(node)]
     changed = {}
@@ -75,7 +75,7 @@ def _exchanged_in(value: Any, new: Mapping[int, Node]) -> Any:
 
 
 def hole(root: Node, inner: Node) -> Callable[[Node], Node]:
-    """What puts another node where `inner` stands in the tree."""
+    """Returns a function that puts another node in the position of `inner`."""
     filled = _hole(root, inner)
     if filled is None:
         raise ValueError("expected a node of the tree")

@@ -1,9 +1,8 @@
-"""Readings of a formula whose types or weights do not fit, by what its printing may have lost.
+"""Readings of an ill-typed formula, by corrections of what its printing may have lost.
 
-An equation is taken apart into addends. Each has its own alternatives: the marks that can be put on it so
-that it has the type and weight of the other side. Of one alternative for each addend those are sought that
-add up to the other side at random points modulo the prime; and those with the fewest marks, whatever they
-add up to.
+An equation is split into addends. Each addend has alternatives: the marks that give it the type and weight of
+the other side. The search chooses one alternative for each addend such that they add up to the other side at
+random points modulo the prime; it also yields those with the fewest marks, regardless of their sum.
 """
 
 from __future__ import annotations
@@ -40,22 +39,22 @@ from workbench.repair.trees.misspellings import Spelling, spellings
 from workbench.repair.trees.shared_terms import RememberingElaborator
 from workbench.repair.trees.tree_nodes import below, hole
 
-#: The most misprints undone in one addend, and the most alternatives of one addend that are read.
+#: The most misprints corrected in one addend, and the most alternatives of one addend that are read.
 MOST_MARKS = 4
 MOST_READ = 1500
 MOST_CHOICES = 40_000
 
-#: The most misprints undone in an addend that has the right type and weight as printed, stage by stage.
+#: The most misprints corrected in an addend that has the right type and weight as printed, by stage.
 DEPTHS = (1, 3)
 
-#: Alternatives of an addend that have the same value.
+#: The most alternatives of an addend with equal values.
 _MOST_ALIKE = 2
 
 _MOST_PAIRS = 3000
 
 
 class Readings:
-    """The readings of an ill-formed claim. `tick` is called now and then, and may raise to end the search."""
+    """The readings of an ill-formed claim. tick: called now and then; may raise to end the search."""
 
     def __init__(self, claim: Claim, screen: Screen | None, tick: Callable[[], None]) -> None:
         integers = frozenset(claim.orders.variables if claim.orders else ())
@@ -64,14 +63,14 @@ class Readings:
         self._seen: set[Statement] = set()
 
     def that_hold(self) -> Iterator[Iterator[Candidate]]:
-        """Stage after stage, equations that hold at the screen's points, those with few marks first."""
+        """Yields, stage by stage, equations that hold at the screen's points, those with few marks first."""
         yield (c for reader in self._readers for c in self._candidates(reader, reader.as_it_is()))
         for depth in DEPTHS:
             for reader in self._readers:
                 yield self._candidates(reader, reader.that_add_up(depth))
 
     def likeliest(self, most: int) -> Iterator[Candidate]:
-        """Up to `most` readings with few marks, true or not."""
+        """Yields up to `most` readings with few marks, true or not."""
         for number, reader in enumerate(self._readers[:most]):
             share = -(-most // len(self._readers)) if number else max(2, most // len(self._readers[:4]))
             yield from islice(self._candidates(reader, reader.few_marks(most)), share)
@@ -88,7 +87,7 @@ class Readings:
 
 
 class _Reader:
-    """One spelling of a formula and what is known of its integers."""
+    """One spelling of a formula, with its integers."""
 
     def __init__(
         self, claim: Claim, spelling: Spelling, screen: Screen | None, tick: Callable[[], None]
@@ -125,7 +124,7 @@ class _Reader:
         return None if term.weight is None or not term.weight.is_number else int(term.weight)
 
     def as_it_is(self) -> Iterator[Marks]:
-        """No marks, if the equation then holds at the points."""
+        """Yields no marks, if the equation holds at the points as it is."""
         if self.screen is None or not self.changes:
             return
         statement = self.statement(())
@@ -134,7 +133,10 @@ class _Reader:
             yield ()
 
     def that_add_up(self, depth: int) -> Iterator[Marks]:
-        """depth: how many marks are tried on an addend with which nothing is wrong by itself."""
+        """Yields marks with which the equations hold.
+
+        depth: the most marks that are tried on an addend that is well-typed by itself.
+        """
         self._taken_apart = []
         ways = [self._of_equation(equation, depth) for equation in self._equations()]
         if len(ways) == 1:
@@ -156,8 +158,8 @@ class _Reader:
             yield from self._anywhere()
 
     def _equations(self) -> list[Chain]:
-        """The equations to be put right: of a = b = c each side that cannot be read or does not fit, with one
-        that can."""
+        """Returns the equations to correct: for a = b = c, each side that is unreadable or does not fit, with
+        one that is readable."""
         chains = [c for line in self.lines.lines for c in line if isinstance(c, Chain) and c.relations]
         chains = [c for c in chains if all(sign == "=" for sign, _ in c.relations) and not _is_bound(c)]
         screen = self.screen
@@ -175,7 +177,7 @@ class _Reader:
         return [Chain(chain.at, (chain.sides[number], chain.sides[n]), chain.relations[:1]) for n in bad]
 
     def _anywhere(self) -> Iterator[Marks]:
-        """One or two marks anywhere, for what is no equation."""
+        """Yields one or two marks anywhere, for statements that are no equations."""
         single = sorted(all_marks(self.lines, self.table), key=lambda mark: mark.cost)
         yield from ((mark,) for mark in single if mark.cost <= 2)
         cheap = [mark for mark in single if mark.cost == 1]
@@ -186,7 +188,7 @@ class _Reader:
 
 
 def _agree(screen: Screen, good: Term, other: Term | None) -> bool:
-    """Whether two sides have one type and weight, and one value at the points."""
+    """True if two sides agree in type, weight and value at the points."""
     if other is None or not _fits(other, good):
         return False
     values = screen.components(good, good), screen.components(other, good)
@@ -194,12 +196,12 @@ def _agree(screen: Screen, good: Term, other: Term | None) -> bool:
 
 
 def _is_bound(chain: Chain) -> bool:
-    """n = \\overline{1, m}."""
+    r"""True for n = \overline{1, m}."""
     return any(isinstance(side, Styled) and side.style == "\\overline" for side in chain.sides)
 
 
 class _Equation:
-    """left = right, at least one of which cannot be read."""
+    """An equation left = right with at least one unreadable side."""
 
     def __init__(self, reader: _Reader, chain: Chain, depth: int) -> None:
         self.reader, self.chain, self.depth = reader, chain, depth
@@ -209,7 +211,7 @@ class _Equation:
         self._known: dict[tuple, list[Marks]] = {}
 
     def taken_apart(self) -> Iterator[AddendChoices]:
-        """The alternatives of all addends, for each way to read the denominators."""
+        """Yields the alternatives of all addends, for each way to read the denominators."""
         for context in self._contexts():
             printed = [self._slots(side, context, None) for side in self.chain.sides]
             whole = [slots[0][0].term for slots in printed if len(slots) == 1 and slots[0]]
@@ -223,7 +225,7 @@ class _Equation:
                     yield AddendChoices(context, slots)
 
     def _contexts(self) -> Iterator[Marks]:
-        """What makes the denominators readable."""
+        """Yields the marks that make the denominators readable."""
         ways: list[list[Marks]] = []
         for part in below(self.chain):
             if not isinstance(part, Fraction) or is_rate(part):
@@ -243,22 +245,25 @@ class _Equation:
                 break
         return ways
 
-    # addends
-
     def _slots(
         self, side: Node, context: Marks, wanted: Term | None, apart: bool = False
     ) -> list[list[Alternative]]:
-        """The alternatives of each addend of a side; of a side that fits, unless `apart`, only as it is.
-        wanted: a term of the type and weight that they must have; without it only what can be read as printed
-        is given."""
+        """Returns the alternatives of each addend of a side.
+
+        A side that fits has only itself as an alternative, unless `apart`.
+
+        wanted: a term of the required type and weight; if None, only readings as printed are returned.
+        """
         whole = self.reader.term(marked(context, side))
         if whole is not None and not apart and (wanted is None or _fits(whole, wanted)):
             return [[Alternative((), whole, self._value(whole, wanted))]]
         return [self._alternatives(side, leaf, context, wanted) for leaf in addends_of(side)]
 
     def _wanted(self, found: Sequence[list[list[Alternative]]]) -> list[Term]:
-        """Terms of the types and weights that both sides may have: those of a whole side that can be read, or
-        those that most addends have."""
+        """Returns terms of the types and weights that both sides may have.
+
+        These are those of a readable whole side, or those of most addends.
+        """
         whole = [slots[0][0].term for slots in found if len(slots) == 1 and slots[0]]
         if len(whole) == 2 and not _fits(*whole):
             return whole
@@ -292,7 +297,7 @@ class _Equation:
                 continue
             value = self._value(term, wanted)
             if not marks:
-                most = self.depth  # nothing is wrong with it by itself
+                most = self.depth  # it is well-typed by itself
             alike = found.setdefault(term if value is None else value, [])
             if len(alike) < _MOST_ALIKE and term not in [a.term for a in alike]:
                 alike.append(Alternative(marks, term, value))
@@ -302,7 +307,8 @@ class _Equation:
         return sorted(alternatives, key=lambda alternative: alternative.cost)
 
     def _readable(self, leaf: Node, wanted: Term) -> Iterable[Marks]:
-        """Marks to try on an addend: once it was read beside one denominator, those that could be read."""
+        """Returns the marks to try on an addend; with further denominators, only those that were readable
+        before."""
         known = self._known.get((id(leaf), wanted.type.kind, wanted.weight))
         return islice(self._choices(leaf), MOST_CHOICES) if known is None else known
 
@@ -313,7 +319,7 @@ class _Equation:
             return False
 
     def _choices(self, leaf: Node) -> Iterator[Marks]:
-        """Combinations of marks by their cost: one on each letter and integer, and one on the products."""
+        """Yields combinations of marks by cost: one on each letter and integer, and one on the products."""
         table = self.reader.table
         places = [*letter_marks(leaf, table), *index_marks(leaf, table), *integer_marks(leaf, self.variables)]
         products = [*factor_marks(leaf, self.reader.letters), *product_marks(leaf)]
@@ -326,7 +332,7 @@ class _Equation:
                         yield on_letters
 
     def _value(self, term: Term, shape: Term | None) -> int | None:
-        """A random combination of the components at the points."""
+        """Returns a random combination of the components at the points."""
         screen = self.reader.screen
         if shape is None or screen is None:
             return None
@@ -337,7 +343,7 @@ class _Equation:
 
 
 def _dots(marks: Sequence[Mark]) -> int | None:
-    """How many dots the marks add; None where one may change the weight otherwise."""
+    """Returns the number of dots that the marks add; None if a mark changes the weight otherwise."""
     dots = 0
     for mark in marks:
         if mark.dots is None:
@@ -347,7 +353,7 @@ def _dots(marks: Sequence[Mark]) -> int | None:
 
 
 def _offset(dots: int, wanted: Weight, weight: Weight, before: int | None) -> int | None:
-    """How many dots a term needs that has this weight with these dots; as before where it has no weight."""
+    """Returns the number of dots that a term of this weight needs; `before` if it has no weight."""
     if wanted is None or weight is None:
         return before
     lacking = wanted - weight
@@ -355,7 +361,7 @@ def _offset(dots: int, wanted: Weight, weight: Weight, before: int | None) -> in
 
 
 def _fits(term: Term, wanted: Term) -> bool:
-    """Whether it can stand beside the other: a tensor may beside an operator."""
+    """True if the terms may be equated; a tensor may be with an operator."""
     free = None in (term.weight, wanted.weight)
     kinds = {term.type.kind, wanted.type.kind}
     is_same = len(kinds) == 1 or kinds == {"tensor", "operator"}
@@ -363,7 +369,7 @@ def _fits(term: Term, wanted: Term) -> bool:
 
 
 def _with_cost(letters: Sequence[list[Mark]], cost: int) -> Iterator[Marks]:
-    """One mark or none on each letter, of this cost together."""
+    """Yields at most one mark for each letter, with this total cost."""
     if not letters:
         if cost == 0:
             yield ()

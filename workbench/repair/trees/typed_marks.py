@@ -1,5 +1,5 @@
-"""What the printing of a formula whose types do not fit may have lost or put in: a transpose, a row or column
-of a matrix, the sign of a relation or of a sum where a product stands."""
+"""Corrections of an ill-typed formula: a transpose, a row or column of a matrix, a relation or sum sign that
+stands for a product."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ from workbench.language.grammar.syntax import (
 from workbench.repair.trees.lost_marks import Mark
 from workbench.repair.trees.tree_nodes import below
 
-#: What is printed was seldom put in; more often something is lost.
+#: The cost of removing something printed; losses are more frequent.
 _SURPLUS = 9
 
 _ZERO, _ONE = Leaf(0, "NUMBER", "0"), Leaf(0, "NUMBER", "1")
 
 
 def type_marks(lines: Lines) -> Iterator[Mark]:
-    """One change each; likely misprints first."""
+    """Yields single changes, likely misprints first."""
     parts = list(below(lines))
     for part in parts:
         if isinstance(part, Product):
@@ -57,14 +57,11 @@ def type_marks(lines: Lines) -> Iterator[Mark]:
 
 
 def _is_symbol(node: Node) -> bool:
-    """Whether it is a letter with its accents and subscripts, and with a dot."""
+    """True for a letter with accents, subscripts and a dot."""
     nucleus = core(node.nucleus if isinstance(node, Scripted) and node.sup is None else node)
     while isinstance(nucleus, Accented | Styled):
         nucleus = core(nucleus.body)
     return isinstance(nucleus, Leaf) and nucleus.kind == "LETTER" and nucleus.text != "T"
-
-
-# transposes
 
 
 def _is_factor(node: Node) -> bool:
@@ -74,7 +71,7 @@ def _is_factor(node: Node) -> bool:
 
 
 def _with_transpose(node: Node) -> Node | None:
-    """The node with a T above it, or without the one that it has; None where another superscript stands."""
+    """Returns the node with a T added or removed; None if it has another superscript."""
     if isinstance(node, Scripted):
         if is_transpose(node.sup):
             bare = replace(node, sup=None)
@@ -92,7 +89,7 @@ def _has_transpose(node: Node) -> bool:
 
 
 def _moved_transposes(product: Product) -> Iterator[Mark]:
-    """x^T y as x y^T."""
+    """Yields x^T y as x y^T."""
     items = product.items
     for one, other in permutations(range(len(items)), 2):
         if not _has_transpose(items[one]) or _has_transpose(items[other]):
@@ -118,11 +115,8 @@ def _transposes(part: Node) -> Iterator[Mark]:
             yield Mark(part, row, 1, "transpose", said)
 
 
-# signs and factors
-
-
 def _products_for_sums(part: Sum) -> Iterator[Mark]:
-    """x^T + x as x^T x."""
+    """Yields x^T + x as x^T x."""
     for place in range(len(part.addends) - 1):
         (sign, at, left), (between, _, right) = part.addends[place : place + 2]
         if between != "+":
@@ -140,7 +134,7 @@ def _factors(node: Node) -> tuple[Node, ...]:
 
 
 def stray_relations(chain: Chain) -> Iterator[Mark]:
-    """a = b = c as a = b c."""
+    """Yields a = b = c as a = b c."""
     for place in range(1, len(chain.relations)):
         sides, relations = chain.sides, chain.relations
         left, right = sides[place], sides[place + 1]
@@ -159,7 +153,7 @@ def _bracketed(side: Node) -> Node:
 
 
 def _missing_factors(part: Sum | Chain, letters: list[Node]) -> Iterator[Mark]:
-    """A letter of the formula behind or before an addend."""
+    """Yields insertions of a letter of the formula after or before an addend."""
     addends = [each for _, _, each in part.addends] if isinstance(part, Sum) else list(part.sides)
     for addend in addends:
         if isinstance(core(addend), Sum):
@@ -168,9 +162,6 @@ def _missing_factors(part: Sum | Chain, letters: list[Node]) -> Iterator[Mark]:
             for row in ((*_factors(addend), letter), (letter, *_factors(addend))):
                 said = f"insert the factor ${latex_of(letter)}$ of ${latex_of(addend)}$"
                 yield Mark(addend, in_a_row(addend.at, row), 1, "factor", said)
-
-
-# rows and columns
 
 
 def _rows_and_columns(matrix: Matrix) -> Iterator[Mark]:

@@ -1,5 +1,5 @@
-"""Letters that the paper does not have become letters that it has: in another font, underlined or not, those
-that they are mistaken for, with other left scripts or with the argument that was lost."""
+"""Replacement of unknown letters by known ones: fonts, underlines, similar letters, left scripts,
+arguments."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from workbench.repair.trees.misprinted_integers import bound_variables
 from workbench.repair.trees.tree_nodes import below
 from workbench.repair.trees.unparsable import Found, changes_of, letters_of_clauses
 
-#: The most ways to put the letters of one formula right.
+#: The most corrections of the letters of one formula.
 MOST = 24
 
 
 def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """PQ for the vector between P and Q, where the paper has the places of both, as r_P and r_Q."""
+    """Returns PQ as the vector from P to Q, if the paper has the positions of both, such as r_P and r_Q."""
     letters = letters_of_clauses(lines)
     strange = {id(f.node): f.text for f in letters if meaning_of(f, table, integers) is None}
     found: list[Found] = []
@@ -61,7 +61,7 @@ def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[F
 
 
 def _letters_with_subscripts(labels: Sequence[str], table: SymbolTable) -> list[Name]:
-    """The letters x for which the paper has vectors x_P for all the labels P."""
+    """Returns the letters x for which the paper has vectors x_P for all the labels P."""
     first, *others = (
         [
             replace(n, sub=())
@@ -74,7 +74,7 @@ def _letters_with_subscripts(labels: Sequence[str], table: SymbolTable) -> list[
 
 
 def known_letters(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """Letters that the paper does not have become letters that it has, each in the same way throughout."""
+    """Returns the lines with unknown letters replaced by known ones, each consistently."""
     known = integers | bound_variables(lines)
     strange: dict[str, list[Occurrence]] = {}
     for found in letters_of_clauses(lines):
@@ -96,7 +96,7 @@ def known_letters(lines: Lines, table: SymbolTable, integers: frozenset[str]) ->
 def _known_forms(
     found: Sequence[Occurrence], lines: Lines, table: SymbolTable, integers: frozenset[str]
 ) -> Iterator[tuple[list[Mark], int]]:
-    """Other letters; also with the left scripts up for down, or without them."""
+    """Yields other letters, also with the left scripts swapped or removed."""
     yield from other_letters(found, table, integers)
     if found[0].left is None:
         return
@@ -131,8 +131,8 @@ def _without_left(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]
 
 
 def left_scripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """Left scripts that have run into what stands before them: a subscript on a bracket, or perhaps the
-    second digit of an index."""
+    """Returns the lines with left scripts that had merged with the preceding symbol: a subscript on a
+    bracket, or the second digit of an index."""
     marks: list[Mark] = []
     for part in below(lines):
         if isinstance(part, Product):
@@ -175,7 +175,7 @@ def _from_brackets(product: Product) -> Iterator[Mark]:
 
 
 def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """A function of the paper that takes one argument more than it has here."""
+    """Returns the lines with a function of the paper that takes one more argument than written."""
     known = integers | bound_variables(lines)
     for found in letters_of_clauses(lines):
         if found.bracket is None:

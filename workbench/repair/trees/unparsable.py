@@ -1,5 +1,4 @@
-"""Conditions, superscripts, orders and signs in which no reader can see a meaning, each put right in the ways
-an editor would think of first."""
+"""Corrections of conditions, superscripts, orders and signs that have no meaning as printed."""
 
 from __future__ import annotations
 
@@ -32,13 +31,14 @@ from workbench.repair.trees.lost_marks import Mark, letter_of, marked, marked_li
 from workbench.repair.trees.misprinted_integers import bound_variables
 from workbench.repair.trees.tree_nodes import bare, below
 
-#: A formula, and what was changed to get it.
+#: A formula, and the changes that led to it.
 Found = tuple[Lines, tuple[Change, ...]]
 Step = Callable[[Lines, SymbolTable, frozenset[str]], Sequence[Found]]
 
 
 def conditions(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """Conditions on integers whose variable is in bold; those that cannot be read at all are left out."""
+    """Returns the lines with conditions on integers whose variable was in bold; unreadable ones are
+    dropped."""
     found: list[Found] = [(lines, ())]
     for line in lines.lines:
         stated = line[1:]
@@ -90,7 +90,7 @@ def _with_conditions(lines: Lines, old: tuple[Node, ...], conditions: tuple[Node
 
 
 def superscripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """A superscript that is none: a factor set too high."""
+    """Returns the lines with a meaningless superscript read as a factor."""
     marks = []
     for found in letters_of_clauses(lines):
         holder = found.holder
@@ -105,7 +105,7 @@ def superscripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> 
 
 
 def repeated_sides(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """a = b = a says no more than a = b."""
+    """Returns a = b = a as a = b."""
     marks = []
     for part in below(lines):
         if isinstance(part, Chain) and len(part.sides) > 2:
@@ -122,7 +122,7 @@ def _row(node: Node) -> tuple[Node, ...]:
 
 
 def rates(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """d^k/dt^m: the order above is meant, or that below."""
+    """Returns d^k/dt^m with either order in both positions."""
     faults = []
     for part in below(lines):
         if isinstance(part, Fraction) and (orders := _orders(part)) is not None:
@@ -135,7 +135,7 @@ def rates(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Fo
 
 
 def _orders(fraction: Fraction) -> tuple[tuple[Scripted, Node], tuple[Scripted, Node]] | None:
-    """What carries the orders above and below, and these."""
+    """Returns the nodes with the orders above and below, and the orders."""
     above, below_ = _row(fraction.numerator)[0], _row(fraction.denominator)
     if not (isinstance(above, Scripted) and isinstance(above.nucleus, Leaf) and above.nucleus.text == "d"):
         return None
@@ -153,7 +153,7 @@ def _exchanged_order(holder: Scripted, order: Node) -> Mark:
 
 
 def stray_signs(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
-    """A sign of a product with nothing before or after it."""
+    """Returns the lines without a product sign that lacks an operand."""
     marks = []
     for part in below(lines):
         if isinstance(part, Product) and any(isinstance(part.items[end], Infix) for end in (0, -1)):
@@ -169,7 +169,7 @@ def stray_signs(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> l
 
 
 def letters_of_clauses(lines: Lines) -> Iterator[Occurrence]:
-    """The letters of all clauses that are no conditions on integers."""
+    """Yields the letters of all clauses that are no conditions on integers."""
     for line in lines.lines:
         for clause in line:
             if not is_condition(clause):

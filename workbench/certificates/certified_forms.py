@@ -1,4 +1,4 @@
-"""The exact forms of a paper (printed, reading, corrected) and what each one's certificate is about."""
+"""The exact forms of a paper (printed, reading, corrected) and their certificates."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ from workbench.context.claims import Claim, Formula
 from workbench.core.integer_instances import instantiate
 from workbench.core.terms import IllFormed, Relation, Statement
 
-#: What is needed where a dual quantity is divided by, or has a length; and where sums or numbers depend on n.
+#: Extensions of the library for division by dual quantities and their lengths, and for sums and numbers that
+#: depend on n.
 MORE = {
     "Duals": ("dual_over", "dual_length"),
     "Inverses": ("inverse_matrix",),
@@ -31,7 +32,7 @@ FORMS = ("printed", "reading", "corrected")
 
 @dataclass(frozen=True)
 class Form:
-    """One way in which a claim stands in the paper. `every`: it is to be shown for all n at once."""
+    """One form of a claim. every: whether it is certified for all n at once."""
 
     claim: Claim
     name: str
@@ -50,7 +51,7 @@ class Form:
 
 
 class Written(Protocol):
-    """A theorem as a file has it: its name, what it says, and all its text."""
+    """A theorem in a file: its name, its statement, and its whole text."""
 
     name: str
 
@@ -65,8 +66,12 @@ class Written(Protocol):
 
 @dataclass(frozen=True)
 class Certificate:
-    """A Coq file: its theorems, in order. `motions`: that their premises can be met, in a file of its own (of
-    no form), since it rests on the real numbers and many theorems can share it."""
+    """A Coq file with theorems in order.
+
+    Attributes:
+        motions: A file that shows that the premises can be met. It is a separate file without a form, since
+            it depends on the real numbers and many theorems can share it.
+    """
 
     form: Form | None
     theorems: tuple[Written, ...]
@@ -77,12 +82,13 @@ class Certificate:
 
     @property
     def misread(self) -> str:
-        """What its text, read again, says otherwise than its terms: a defect of the emitter; "" if none."""
+        """The differences between the text, as read back, and its terms: a defect of the emitter; "" if
+        none."""
         return "; ".join(fault for theorem in self.theorems for fault in theorem.read_back_faults())
 
     @property
     def statement(self) -> str:
-        """What it says, after its title if that is not a form's."""
+        """The statement of the file, after its title if it is not that of a form."""
         own = [] if self.form or not self.title else [_comment(self.title)]
         return "\n".join([*own, "\n\n".join(t.statement for t in self.theorems)])
 
@@ -92,7 +98,7 @@ class Certificate:
         names = [t.name for t in self.theorems]
         last = names[0]
         together = ""
-        if len(names) > 1:  # printing what one rests on takes a second, whatever it is
+        if len(names) > 1:  # printing the assumptions of a theorem takes about a second
             last = f"{names[0]}_each"
             together = f"Definition {last} := ({', '.join(f'@{name}' for name in names)})."
         texts = [t.text for t in self.theorems]
@@ -112,7 +118,7 @@ def _comment(text: str) -> str:
 
 
 def forms_of(claim: Claim) -> Iterator[Form]:
-    """The forms that are formulas; a theorem's printed form is words, or more than one identity."""
+    """Yields the forms that are formulas; a theorem's printed form is words, or more than one identity."""
     for name in FORMS:
         formula = getattr(claim, name)
         if formula is None or formula.statement is None or (name == "printed" and claim.theorem is not None):
@@ -121,9 +127,10 @@ def forms_of(claim: Claim) -> Iterator[Form]:
 
 
 def certificate(form: Form, every: bool) -> Certificate:
-    """The theorems of a form: one for all n where that can be stated, else one for each instance.
+    """Returns the theorems of a form: one for all n if that can be stated, else one for each instance.
 
-    Raises NotCertified with the first obstacle.
+    Raises:
+        NotCertified: The first obstacle.
     """
     claim = form.claim
     definitions = claim.notation.definitions

@@ -1,4 +1,4 @@
-"""The certificates of a paper: written, checked, and what the report says of them."""
+"""The certificates of a paper: written, checked, and summarized for the report."""
 
 from __future__ import annotations
 
@@ -20,10 +20,13 @@ from workbench.prover.results.claim_results import Certification, ClaimResult
 
 @dataclass(frozen=True)
 class Certified:
-    """One exact form: its certificate, or the first obstacle to one; what Coq said, if it was asked.
+    """One exact form with its certificate, or the first obstacle to one, and Coq's answer if it was asked.
 
-    `outcome`: the verdict on the form, which a certificate never changes. `gap`: why no motion is known that
-    meets the premises; `met`: what Coq said of one. `misread`: what the text says otherwise than the terms.
+    Attributes:
+        outcome: The verdict on the form, which a certificate never changes.
+        gap: Why no motion is known that meets the premises.
+        met: Coq's answer on the motion that meets the premises.
+        misread: The differences between the text and its terms.
     """
 
     form: Form
@@ -37,13 +40,13 @@ class Certified:
 
     @property
     def texts(self) -> list[str]:
-        """What Coq is to check."""
+        """The texts for Coq to check."""
         made = self.certificate
         return [c.text for c in (made, made.motions) if c] if made else []
 
     @property
     def certified(self) -> bool:
-        """Coq accepts the certificate, and that its premises can be met, if it has any."""
+        """True if Coq accepts the certificate, and that its premises can be met, if it has any."""
         if self.certificate is None or self.checked is None or self.gap or self.misread:
             return False
         met = self.certificate.motions is None or (self.met is not None and self.met.expected)
@@ -55,8 +58,11 @@ class Certified:
 
     @property
     def broken(self) -> bool:
-        """Coq refuses the certificate, it rests on axioms nobody expects, or it does not say what its terms
-        say: a defect of the workbench."""
+        """True if Coq rejects the certificate, it depends on unexpected axioms, or its text differs from its
+        terms.
+
+        Each of these is a defect of the workbench.
+        """
         if self.misread:
             return True
         refused = [said for said in (self.checked, self.met) if said is not None and not said.expected]
@@ -64,7 +70,7 @@ class Certified:
 
     @property
     def word(self) -> str:
-        """What a table says of it."""
+        """The state of the certificate in words, for tables."""
         if self.certificate is None:
             return f"not certified: {self.obstacle}"
         if self.misread:
@@ -84,7 +90,7 @@ class Certified:
 
     @property
     def certification(self) -> Certification:
-        """As a result tells it."""
+        """The certificate as part of a result."""
         said = self.checked if self.certified else None
         motions = self.certificate.motions if self.certificate else None
         return Certification(
@@ -100,7 +106,7 @@ class Certified:
 
 
 def exact_forms(results: Sequence[ClaimResult]) -> Iterator[tuple[Form, ClaimResult, Verdict]]:
-    """The forms that are proved or refuted by their own exact verdict."""
+    """Yields the forms that are proved or refuted by their own exact verdict."""
     for result in results:
         for form in forms_of(result.claim):
             verdict = result.verdicts.get(form.name)
@@ -109,10 +115,10 @@ def exact_forms(results: Sequence[ClaimResult]) -> Iterator[tuple[Form, ClaimRes
 
 
 def written(form: Form, verdict: Verdict) -> Certified:
-    """The certificate of a form, not yet checked."""
+    """Returns the certificate of a form, not yet checked."""
     try:
         if verdict.outcome == Outcome.REFUTED:
-            with in_the_hand_of(form.claim.notation.hand):  # the counterexample names symbols as it does
+            with in_the_hand_of(form.claim.notation.hand):  # the counterexample spells symbols that way
                 made = refutation(form, verdict)
             return Certified(form, verdict.outcome, made, misread=made.misread)
         made = certificate(form, every=verdict.scope is not None and verdict.is_for_all)
@@ -133,7 +139,7 @@ def written(form: Form, verdict: Verdict) -> Certified:
 
 
 def recalled(each: Certified) -> Certified:
-    """With what Coq is remembered to have said."""
+    """Returns the form with Coq's cached answers."""
     if each.certificate is None:
         return each
     motions = each.certificate.motions
@@ -142,8 +148,8 @@ def recalled(each: Certified) -> Certified:
 
 
 def with_certificates(results: Sequence[ClaimResult], paper: Paper) -> list[ClaimResult]:
-    """Each with what is remembered of the certificates of its exact forms, of the steps of its theorem, and
-    of the theorems on it that are written by hand."""
+    """Returns the results with the cached certifications of their exact forms, theorem steps and handwritten
+    theorems."""
     found: dict[str, list[Certification]] = {}
     for form, result, verdict in exact_forms(results):
         each = recalled(written(form, verdict))

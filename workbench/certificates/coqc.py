@@ -1,6 +1,6 @@
-"""Coq's compiler: the library, compiled once for each version of it, and the check of one certificate.
+"""Coq's compiler: builds the library once for each version of it, and checks certificates.
 
-What was found is remembered by the hash of the Coq version, of what the certificate imports, and of itself.
+Answers are cached by the hash of the Coq version, of the imported files, and of the certificate.
 """
 
 from __future__ import annotations
@@ -21,45 +21,49 @@ from functools import cache
 from importlib import resources
 from pathlib import Path
 
-#: In the order in which they are compiled; the first is the one that a reader must read.
+#: The files in the order of compilation; a reader of certificates must read the first one.
 LIBRARY = (
     "Kin", "Poly", "Terms", "Certify", "Divide", "Modulo", "Symbols", "Forms", "Facts", "Fraction",
     "Context", "Steps", "Orders", "Smooth", "Time", "Refute", "Witness", "Duals", "Moment",
     "Instant", "Reciprocals", "Inverses", "Every",
 )  # fmt: skip
 
-#: Of Coq's real numbers: what statements about real motions may rest on, and nothing else.
+#: The axioms of Coq's real numbers: the only ones that statements about real motions may depend on.
 REALS = frozenset((
     "ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec",
     "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic",
 ))  # fmt: skip
 
-#: No certificate may take longer, in processor time.
+#: The limit of processor time for one certificate.
 SECONDS = 300
 
-#: How many certificates Coq checks in one run, at most.
+#: The most certificates that Coq checks in one run.
 TOGETHER = 24
 
-#: And so many characters.
+#: The most characters in one run.
 LENGTH = 400_000
 
-#: How a process ends that has used up its time: by a signal, or by what the shell makes of one.
+#: The exit codes of a process that has used up its time: of the signal itself, or as the shell reports it.
 _STOPPED = frozenset(code for sign in (signal.SIGXCPU, signal.SIGKILL) for code in (-sign, 128 + sign))
 
-#: What is said of one that takes longer.
+#: The fault of a certificate that takes longer.
 UNFINISHED = "not finished"
 
 INSTALL = "apt-get install coq (Debian 12 and later, Ubuntu), or opam install coq"
 
 
 class CoqFault(RuntimeError):
-    """The library does not compile: a defect, or a version of Coq that it was not written for."""
+    """The library does not compile: a defect, or an unsupported version of Coq."""
 
 
 @dataclass(frozen=True)
 class Checked:
-    """What Coq said of a certificate. `axioms`: what its theorems rest on at most, sorted; `fault`: why it
-    was refused."""
+    """Coq's answer on a certificate.
+
+    Attributes:
+        axioms: The axioms that its theorems depend on at most, sorted.
+        fault: Why it was rejected.
+    """
 
     accepted: bool
     axioms: tuple[str, ...]
@@ -81,7 +85,7 @@ def library_text(name: str) -> str:
 
 @cache
 def version() -> str | None:
-    """Such as 8.16.1; None where there is no coqc."""
+    """Returns the version, such as 8.16.1; None if there is no coqc."""
     if shutil.which("coqc") is None:
         return None
     found = subprocess.run(["coqc", "--print-version"], capture_output=True, text=True, check=False)
@@ -90,7 +94,7 @@ def version() -> str | None:
 
 @cache
 def _needs(name: str) -> frozenset[str]:
-    """The files of the library that one of them rests on, itself among them."""
+    """Returns the files of the library that a file depends on, including itself."""
     return _imported(library_text(name)) | {name}
 
 
@@ -108,13 +112,14 @@ def _fingerprint(names: Iterable[str]) -> str:
 
 
 def memory() -> Path:
-    """Where compiled libraries and results are kept."""
+    """Returns the directory of compiled libraries and results."""
     root = os.environ.get("XDG_CACHE_HOME")
     return (Path(root) if root else Path.home() / ".cache") / "workbench" / "certificates"
 
 
 def library() -> Path:
-    """The directory of the compiled library; compiled on first use (half a minute on two cores)."""
+    """Returns the directory of the compiled library; compiles it on first use (half a minute on two
+    cores)."""
     place = memory() / _fingerprint(LIBRARY)[:16]
     if _is_whole(place):
         return place
@@ -133,7 +138,7 @@ def _is_whole(place: Path) -> bool:
 
 
 def _compile(place: Path) -> None:
-    """Each file of the library as soon as those are compiled that it rests on."""
+    """Compiles each file of the library as soon as its dependencies are compiled."""
     compiled: dict[str, Future[None]] = {}
     cores = threading.Semaphore(os.cpu_count() or 1)
 
@@ -155,13 +160,13 @@ def _compile(place: Path) -> None:
 
 
 def is_settled(text: str) -> bool:
-    """Whether Coq came to its end with the certificate; what ran out of time may have more of it now."""
+    """True if Coq has finished with the certificate. One that ran out of time may be tried again."""
     known = recall(text)
     return known is not None and not known.unfinished
 
 
 def recall(text: str) -> Checked | None:
-    """What is remembered of the certificate."""
+    """Returns the cached answer on the certificate; None if there is none."""
     note = _note(text)
     if version() is None or not note.exists():
         return None
@@ -175,7 +180,7 @@ def _note(text: str) -> Path:
 
 
 def check(text: str, remember: bool = True) -> Checked:
-    """Whether Coq accepts the certificate, and what its theorems rest on."""
+    """Returns whether Coq accepts the certificate, and the axioms of its theorems."""
     known = recall(text) if remember else None
     if known is not None and not known.unfinished:
         return known
@@ -186,7 +191,7 @@ def check(text: str, remember: bool = True) -> Checked:
 
 
 def _asked(text: str) -> tuple[Checked, str]:
-    """And all that Coq printed."""
+    """Returns the answer and Coq's whole output."""
     compiled = library()
     with tempfile.TemporaryDirectory() as place:
         file = Path(place, "claim.v")
@@ -207,7 +212,7 @@ def _remember(text: str, result: Checked) -> None:
 
 
 def check_all(texts: Iterable[str], progress: Callable[[object], None] = lambda done: None) -> None:
-    """Certificates put before Coq on all cores, many in one run, and what it says of each remembered."""
+    """Checks certificates on all cores, many in one run, and caches the answers."""
     library()
     texts = list(dict.fromkeys(texts))
     batches = in_batches(texts)
@@ -220,9 +225,12 @@ def check_all(texts: Iterable[str], progress: Callable[[object], None] = lambda 
 
 
 def check_together(texts: Sequence[str]) -> Sequence[str]:
-    """Certificates that begin with the same header in one run of Coq, which takes half a second to begin and
-    one to print what theorems rest on: what all of them rest on is remembered of each. The first that is
-    not accepted is asked by itself, and the others again without it; the certificates are returned."""
+    """Checks certificates with the same header in one run of Coq, and returns them.
+
+    Coq takes half a second to start and one to print assumptions, so the assumptions of all together are
+    recorded for each. If one is rejected, the first such certificate is checked by itself, and the others
+    again without it.
+    """
     left = list(texts)
     while left:
         said, passed = _asked(_joined(left))
@@ -236,7 +244,7 @@ def check_together(texts: Sequence[str]) -> Sequence[str]:
 
 
 def _joined(texts: Sequence[str]) -> str:
-    """Each in a module of its own; Coq says which ones it has passed."""
+    """Returns one file with a module for each text; Coq prints which ones it has passed."""
     parts = [
         f"Module m{place}.\n{_theorems(text)}\nEnd m{place}.\nLocate Module m{place}.\n"
         for place, text in enumerate(texts, start=1)
@@ -247,8 +255,7 @@ def _joined(texts: Sequence[str]) -> str:
 
 
 def in_batches(texts: Iterable[str]) -> list[list[str]]:
-    """What can be checked together and is not yet known: what imports the same, in small numbers, and what
-    is long by itself."""
+    """Returns the unchecked certificates in batches: equal imports, limited number and length."""
     batches: list[list[str]] = []
     open_batches: dict[str, list[str]] = {}
     for text in texts:
@@ -262,7 +269,7 @@ def in_batches(texts: Iterable[str]) -> list[list[str]]:
 
 
 def _header(text: str) -> str:
-    """Its lines before the first theorem, without the comment."""
+    """Returns the lines before the first theorem, without the comment."""
     lines = text.partition("\nTheorem ")[0].splitlines()
     return "\n".join(line for line in lines if not line.startswith("(*"))
 
@@ -272,12 +279,12 @@ def _theorems(text: str) -> str:
 
 
 def _last(text: str) -> str:
-    """What it prints the assumptions of."""
+    """Returns the name whose assumptions the text prints."""
     return text.rpartition("Print Assumptions ")[2].strip().removesuffix(".")
 
 
 def _run(file: Path, compiled: Path) -> tuple[subprocess.CompletedProcess[str], float]:
-    """What Coq's compiler says, within its processor time; and how much of that it took."""
+    """Returns the output of Coq's compiler within its time limit, and the processor time used."""
     command = ["coqc", "-q", "-w", "none", "-Q", str(compiled), "Kin", str(file)]
     limited = ["sh", "-c", f'ulimit -t {SECONDS}; exec "$@"', "sh", *command]
     with tempfile.TemporaryFile("w+") as said, tempfile.TemporaryFile("w+") as faults:
@@ -291,7 +298,8 @@ def _run(file: Path, compiled: Path) -> tuple[subprocess.CompletedProcess[str], 
 
 
 def with_assumptions(text: str) -> str:
-    """A file written by hand, which then prints what its theorems rest on. Raises CoqFault without any."""
+    """Returns a handwritten file that also prints the assumptions of its theorems. Raises CoqFault if it has
+    none."""
     names = re.findall(r"^(?:Theorem|Lemma|Corollary|Example)\s+([\w']+)", text, re.MULTILINE)
     if not names:
         raise CoqFault("a file without theorems")
@@ -300,7 +308,7 @@ def with_assumptions(text: str) -> str:
 
 
 def _axioms(output: str) -> tuple[str, ...]:
-    """The names that `Print Assumptions` gives; none if it says that all is closed."""
+    """Returns the names that `Print Assumptions` lists; none if everything is closed."""
     names = set(re.findall(r"^([A-Za-z_][\w.']*)\s*:", output, re.MULTILINE))
     return tuple(sorted(names - {"Axioms"}))  # the heading of the list
 

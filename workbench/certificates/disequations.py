@@ -1,4 +1,4 @@
-"""Statements with ≠: what differs from what at an instant of a motion of the real numbers."""
+"""Certificates of disequations (≠) at an instant of a motion over the real numbers."""
 
 from __future__ import annotations
 
@@ -28,13 +28,17 @@ Open Scope Q_scope. Open Scope kin_scope.
 
 @dataclass
 class Unequal(Theorem):
-    """a ≠ b ⇔ c ≠ d at any instant, or ⇒; `ratio`: of their differences, or of that of the first
-    and the square of the second. `conclusions` are the two equations that are denied."""
+    """The theorem a ≠ b ⇔ c ≠ d at any instant, or ⇒.
+
+    Attributes:
+        ratio: The ratio of the differences, or of the first one and the square of the second.
+        conclusions: The two equations that are negated.
+    """
 
     word: str = "<->"
     ratio: Fraction = Fraction(1)
     lemma: str = "unequal_scaled"
-    swapped: bool = False  # what is squared stands first
+    swapped: bool = False  # the squared difference comes first
 
     @property
     def statement(self) -> str:
@@ -77,7 +81,7 @@ def _sides(conclusion: str) -> str:
 
 
 def denies(statement: Statement) -> bool:
-    """Whether something is to be shown to differ."""
+    """True if the statement concludes a disequation."""
     if isinstance(statement, Equivalence):
         return True
     return isinstance(statement, Implication) and getattr(statement.right, "operator", "=") == "≠"
@@ -86,7 +90,7 @@ def denies(statement: Statement) -> bool:
 def unequal(
     name: str, statement: Statement, assume: Sequence[Statement], definitions: Definitions
 ) -> Unequal:
-    """Raises NotCertified with the first obstacle."""
+    """Returns the theorem. Raises NotCertified with the first obstacle."""
     if not isinstance(statement, Equivalence | Implication) or assume:
         raise NotCertified("an inequation to be proved")
     sides = (statement.left, statement.right)
@@ -117,7 +121,7 @@ def unequal(
 
 
 def _any(emitter: Emitter) -> Iterator[Instance]:
-    """Any polynomial motions, if nothing is supposed."""
+    """Yields arbitrary polynomial motions, if there are no premises."""
     chance = Random(0)
     for _ in range(0 if emitter.holes else 5):
         sizes = {
@@ -132,7 +136,7 @@ def _any(emitter: Emitter) -> Iterator[Instance]:
 
 
 def _ratio(relations: Sequence[Relation], swapped: bool, definitions: Definitions) -> Fraction:
-    """Of the differences, on a motion on which the second one is not 0."""
+    """Returns the ratio of the differences, on a motion on which the second one is not 0."""
     emitter = Emitter(definitions, BASE)
     sides = [emitted_nodes.together((emitter.term(r.left), emitter.term(r.right))) for r in relations]
     differences = [emitted_nodes.minus(*side).deep for side in sides]

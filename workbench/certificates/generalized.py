@@ -1,7 +1,7 @@
-"""Steps that hold whatever some of their terms are: each term of which no theorem can speak, such as a sum
-over k < n or Dⁿ of a product, is a symbol of its own, and the theorem is about every value of that.
+"""Generalized steps: each term that no theorem can express becomes a symbol with an arbitrary value.
 
-The step is an instance of it. That it holds so is tried on random motions first: Coq is asked only then.
+Such terms are, for example, a sum over k < n, or Dⁿ of a product. The step is an instance of the theorem. It
+is tested on random motions before Coq is asked.
 """
 
 from __future__ import annotations
@@ -36,9 +36,13 @@ from workbench.language.printing.printer import to_latex
 
 
 class Generalizer:
-    """Terms with symbols of their own for what cannot be said. `meant`: what each stands for; `premises`:
-    what it is by definition, if it is a member of a recurrence, such as Fₙ₊₁(ω) in terms of Fₙ(ω), or what
-    such an operator makes of a value."""
+    """Replaces inexpressible terms by symbols.
+
+    Attributes:
+        meant: Symbol → the term that it stands for.
+        premises: The definitions of these terms, if they are members of a recurrence (Fₙ₊₁(ω) in terms of
+            Fₙ(ω)) or the value of such an operator.
+    """
 
     def __init__(self, definitions: Definitions, integers: Mapping[str, int]) -> None:
         self.meant: dict[Symbol, Term] = {}
@@ -48,18 +52,18 @@ class Generalizer:
         self._speaker.several = True
         self._speaker.integers = {name: name for name in integers}
         self._speaker.bounds = {n: (Linear(least), Linear.variable(n)) for n, least in integers.items()}
-        self._bound: tuple[str, ...] = ()  # the variables of sums around
+        self._bound: tuple[str, ...] = ()  # the variables of enclosing sums
 
     @property
     def said(self) -> list[str]:
-        """Such as: any_1 is \\sum_k …"""
+        r"""Descriptions such as: any_1 is \sum_k …"""
         return [f"{to_latex(made)} is {to_latex(meant)}" for made, meant in self.meant.items()]
 
     def equation(self, said: Statement) -> Relation:
         if not isinstance(said, Relation) or said.operator != "=":
             raise NotCertified("no equation")
         sides = said.left, said.right
-        for part in (p for side in sides for p in side.walk()):  # before what is one of its addends
+        for part in (p for side in sides for p in side.walk()):  # before its addends
             if isinstance(part, BigSum):
                 self.term(part)
         return relation(said.operator, *map(self.term, sides))
@@ -83,7 +87,7 @@ class Generalizer:
         return named
 
     def _meaning(self, term: Term) -> Term | None:
-        """What it is by definition, if that says anything."""
+        """Returns the definition of the term, if it is useful."""
         match term:
             case Symbol():
                 return self._definitions.lookup(term)
@@ -92,7 +96,7 @@ class Generalizer:
         return None
 
     def _made_of(self, operator: Term, value: Term) -> Term | None:
-        """What the operator makes of the value, one step of a recurrence or power further."""
+        """Returns the value of the operator, expanded by one step of a recurrence or power."""
         match operator:
             case Symbol():
                 body = self._definitions.lookup(operator)
@@ -136,7 +140,7 @@ class Generalizer:
         return True
 
     def _anything(self, term: Term, constant: bool = False) -> Symbol:
-        """A symbol of its own; with an index for each variable of a sum on which the term depends."""
+        """Returns a symbol for the term, with an index for each summation variable in it."""
         for known, meant in self.meant.items():
             index = _by_index(meant, [*known.index, None][0], term)
             if index is not None:
@@ -154,7 +158,7 @@ class Generalizer:
 
 
 def _by_index(meant: Term, index: Linear | None, term: Term) -> tuple[Linear, ...] | None:
-    """For which index the one is the other."""
+    """Returns the index for which the first term is equal to the second."""
     if index is None:
         return () if meant == term else None
     (variable,) = index.variables

@@ -1,7 +1,7 @@
-"""Theorems that no emitter writes: files `certificates/*.v` beside a paper's files or beside their folder.
+"""Handwritten theorems: files `certificates/*.v` next to a paper's files or their folder.
 
-A comment before a theorem names the claims it is about: (* on 14, 20.Phi: … *). Its statement is not read
-back: what it says of them is for a reader to judge.
+A comment before a theorem names its claims: (* on 14, 20.Phi: … *). Its statement is not read back; a reader
+must compare it with the claims.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class ByHand:
 
     @property
     def text(self) -> str:
-        """The file, which then prints what its theorems rest on. Raises CoqFault without any."""
+        """The file, extended to print the assumptions of its theorems. Raises CoqFault if it has none."""
         try:
             return coqc.with_assumptions(self.path.read_text("utf-8"))
         except (coqc.CoqFault, UnicodeDecodeError) as fault:
@@ -32,13 +32,13 @@ class ByHand:
 
     @property
     def about(self) -> list[tuple[str, str, str]]:
-        """The claims' ids, and what each theorem says of them in words and in Coq."""
+        """(claim id, description, Coq statement) of each theorem."""
         found = _ABOUT.findall(self.path.read_text("utf-8"))
         return [(claim, words, said.strip()) for ids, words, said in found for claim in ids.split(", ")]
 
     @property
     def certifications(self) -> Iterator[tuple[str, Certification]]:
-        """What Coq is remembered to have said of those on each claim; nothing unless it accepts all."""
+        """Yields Coq's cached answer on the theorems of each claim; nothing unless it accepts all."""
         said = coqc.recall(self.text)
         if said is None or not said.expected:
             return
@@ -54,7 +54,7 @@ class ByHand:
 
 
 def by_hand(paper: Paper) -> list[ByHand]:
-    """Raises CoqFault if a theorem is on a claim that the paper does not have."""
+    """Returns the handwritten files of a paper. Raises CoqFault if a theorem is on an unknown claim."""
     folders = {path.parent for path in paper.paths} | {path.parent.parent for path in paper.paths}
     files = [ByHand(file) for folder in folders for file in (folder / "certificates").glob("*.v")]
     known = {claim.id for claim in paper.claims}

@@ -1,5 +1,7 @@
-"""What is not so for all smooth motions: false statements, by a motion on which they fail; and that no motion
-meets a theorem's premises, by one that does, so that the theorem is not empty."""
+"""Theorems that deny: a false statement fails on a motion, and the premises of a theorem hold on a motion.
+
+The latter shows that the theorem is not vacuous.
+"""
 
 from __future__ import annotations
 
@@ -30,10 +32,10 @@ from workbench.core.terms import Conjunction, IllFormed, Naming
 from workbench.core.verdict import Verdict
 from workbench.language.printing.printer import to_latex
 
-#: Of a vector on which an operator acts: any that tells two operators apart.
+#: The components of a vector that distinguishes any two operators.
 _PROBE = (("1", "2", "-1", "3"), ("2", "-3", "1", "1"), ("3", "1", "2", "-1"))
 
-#: The n with which premises about every n are tried.
+#: The n at which premises for every n are tried.
 _NUMBERS = (2, 3, 4)
 
 HEADER = """From Coq Require Import QArith List.
@@ -47,8 +49,12 @@ Notation K := smooth_functions.
 
 @dataclass
 class Denied:
-    """`~ forall …`: that the premises of a theorem exclude each other (`conclusions` is then empty), or that
-    its conclusion follows from them. `made`: the statement of which a motion is an instance."""
+    """`~ forall …`: the negation of the claim that premises contradict each other, or imply the conclusion.
+
+    Attributes:
+        conclusions: Empty if the premises are claimed to contradict each other.
+        made: The statement that the motion is an instance of.
+    """
 
     name: str
     emitter: Emitter
@@ -71,7 +77,7 @@ class Denied:
         )
 
     def read_back_faults(self) -> list[str]:
-        """Where what is denied, read again, does not say what the terms say."""
+        """Returns where the denied statement, read back, differs from the terms."""
         return self.made.read_back_faults()
 
     def _lines(self) -> list[str]:
@@ -111,20 +117,20 @@ class Denied:
         return "\n  ".join(["Proof.", *lines, self.last]) + "\nQed."
 
     def _known(self) -> Iterator[tuple[Node, str]]:
-        """The slots whose value is said before there are reciprocals and inverses, with it."""
+        """Yields the slots with values that are known before reciprocals and inverses."""
         late = [origin for origin, _ in self._late()]
         for origin in latest(self.made.emitter):
             if origin not in late:
                 yield origin.node, self._meaning(origin)
 
     def _late(self) -> list[tuple[Origin, str]]:
-        """Reciprocals and inverses, and what is defined after the first of them."""
+        """Returns reciprocals and inverses, and everything defined after the first of them."""
         origins = latest(self.made.emitter)
         first = next((i for i, o in enumerate(origins) if o.how in ("over", "inverse")), len(origins))
         return [(o, self._meaning(o)) for o in origins[first:] if o.how in ("over", "inverse", "is")]
 
     def _steps(self) -> list[str]:
-        """How what is known grows by these, and by what they divide by."""
+        """Returns the proof steps that introduce these, with their divisors."""
         lines, count = [], 0
         for origin, deep in self._late():
             if (one := self.instance.quotients.get(origin)) is not None:
@@ -143,7 +149,8 @@ class Denied:
 
     @property
     def opened(self) -> tuple[str, str, list[tuple[Quotient, str]]]:
-        """What opens and closes a deep copy in which these stand; and what is divided by, so opened."""
+        """Returns the opening and closing of a deep copy that contains these, and the divisors opened
+        likewise."""
         opened, quotients = "", []
         for place_, (origin, deep) in enumerate(self._late()):
             if (one := self.instance.quotients.get(origin)) is not None:
@@ -156,7 +163,7 @@ class Denied:
         return known[1] if known else origin.meaning.deep
 
     def _posed(self) -> Iterator[str]:
-        """The variables, and the definitions, in an order in which each is made of those before."""
+        """Yields the variables and the definitions in order of dependence."""
         emitter = self.made.emitter
         said = 0
         for origin, (text, _) in self.instance.variables.items():
@@ -166,7 +173,7 @@ class Denied:
         yield from map(self._as_pose, emitter.statement[said:])
 
     def _as_pose(self, line: str) -> str:
-        """A definition of the statement, within a proof."""
+        """Returns a definition of the statement as a line of a proof."""
         found = re.fullmatch(r"let (\S+)(?: : ([^:=]+))? := (.*) in", line, re.DOTALL)
         if found is None:
             solved, _ = self.made.emitter.solved.get(line.removesuffix(" ->"), ("", ""))
@@ -189,7 +196,7 @@ class Denied:
 
     @property
     def use(self) -> str:
-        """What is claimed, of this motion."""
+        """The denied statement, applied to this motion."""
         own = self.made.emitter
         numbers = [f"{v - 1 if n.endswith('_less_1') else v}%nat" for n, v in self.numbers.items()]
         given = [
@@ -209,7 +216,7 @@ def _inside(text: str) -> str:
 
 
 def refutation(form: Form, verdict: Verdict) -> Certificate:
-    """Raises NotCertified with the first obstacle."""
+    """Returns the certificate. Raises NotCertified with the first obstacle."""
     example = verdict.counterexample
     if example is None:
         raise NotCertified("no rational counterexample")
@@ -222,7 +229,7 @@ def refutation(form: Form, verdict: Verdict) -> Certificate:
             statement = instantiate(form.statement, values)
             supposed = [instantiate(s, values) for s in claim.supposed]
             if isinstance(statement, Naming) and len(statement.parts) > 1 and not statement.given:
-                statement = Conjunction(statement.parts)  # what must be true for it to be one
+                statement = Conjunction(statement.parts)  # the parts that a membership asserts
         except IllFormed as error:
             raise NotCertified(str(error)) from None
         made = theorem(form.identifier, statement, supposed, definitions, slots=BASE)
@@ -233,7 +240,7 @@ def refutation(form: Form, verdict: Verdict) -> Certificate:
 
 
 def _fails(made: Theorem, given: Mapping[str, tuple[str, ...]]) -> Denied:
-    """By the judge's counterexample; under suppositions, by a motion on which they hold."""
+    """Returns the theorem by the judge's counterexample, or by a motion on which the premises hold."""
     emitter = made.emitter
     if emitter.holes:
         tried = instances(emitter)
@@ -249,9 +256,11 @@ def _fails(made: Theorem, given: Mapping[str, tuple[str, ...]]) -> Denied:
 
 
 def not_empty(of: Certificate) -> Certificate | None:
-    """That the premises of its theorems can be met; None if they have none.
+    """Returns the certificate that the premises of its theorems can be met; None if they have none.
 
-    Raises NotCertified where no motion was found."""
+    Raises:
+        NotCertified: No motion was found.
+    """
     shown = {}
     for each in of.theorems:
         if isinstance(each, Theorem) and each.emitter.holes:
@@ -267,8 +276,10 @@ def not_empty(of: Certificate) -> Certificate | None:
 
 
 def _declared(of: Theorem) -> Denied:
-    """Where only symbols are supposed to be rotations, units or constants: of these alone, so that many
-    theorems share it. The others may be anything."""
+    """Returns the theorem for premises that only make symbols rotations, units or constants.
+
+    It is about these symbols alone, so that many theorems share it.
+    """
     emitter = Emitter(of.emitter.definitions, BASE)
     for name, type_ in of.emitter.binders:
         if name in of.emitter.holes:
@@ -305,7 +316,7 @@ def _instance(name: str, emitter: Emitter, made: Theorem, numbers: Mapping[str, 
 
 
 def _contradicted(denied: Denied, part: int, left: str, right: str) -> str:
-    """That the conclusion, or a part of it, is not so at t = 0."""
+    """Returns the proof that the conclusion, or a part of it, is false at t = 0."""
     orders: dict[tuple[str, str, str], int] = {}
     opened, closed, quotients = denied.opened
     for one, _ in quotients:
@@ -337,7 +348,7 @@ def _contradicted(denied: Denied, part: int, left: str, right: str) -> str:
 
 
 def _motion(emitter: Emitter, name: str, values: Mapping[str, tuple[str, ...]]) -> list[list[Fraction]]:
-    """The derivatives of each component at t = 0."""
+    """Returns the derivatives of each component at t = 0."""
     symbol = emitter.read_back.get(name)
     if symbol is None:
         return [[Fraction(x) for x in component] for component in _PROBE]

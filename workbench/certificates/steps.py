@@ -1,5 +1,4 @@
-"""Theorem claims: as one theorem where the rules of their proof can be joined in Coq; else each equation that
-the proof asks for, as a theorem of its own."""
+"""Certificates of theorem claims: one theorem if the proof can be joined in Coq, else one per equation."""
 
 from __future__ import annotations
 
@@ -25,7 +24,7 @@ from workbench.prover.results.claim_results import Certification, ClaimResult
 
 @dataclass(frozen=True)
 class Step:
-    """One equation: its certificate, or the first obstacle to one."""
+    """One equation of a proof: its certificate, or the first obstacle to one."""
 
     certificate: Certificate | None
     obstacle: str = ""
@@ -33,7 +32,7 @@ class Step:
 
     @property
     def checked(self) -> coqc.Checked | None:
-        """What Coq is remembered to have said."""
+        """Coq's cached answer."""
         return coqc.recall(self.certificate.text) if self.certificate else None
 
     @property
@@ -44,8 +43,12 @@ class Step:
 
 @dataclass(frozen=True)
 class Steps:
-    """The steps of one theorem claim; `whole`: the theorem that says its goal, or why there is none. Its
-    lemmas are the steps; without it the rules that join them are the judge's."""
+    """The steps of one theorem claim.
+
+    Attributes:
+        whole: The theorem of the goal, or why there is none. Its lemmas are the steps; without it, the steps
+            are joined by the rules of the prover only.
+    """
 
     claim: Claim
     steps: tuple[Step, ...]
@@ -53,7 +56,7 @@ class Steps:
 
     @property
     def asked(self) -> tuple[Step, ...]:
-        """What Coq is to check."""
+        """The certificates for Coq to check."""
         return (self.whole,) if self.whole.certificate else self.steps
 
     @property
@@ -70,13 +73,13 @@ class Steps:
 
     @property
     def broken(self) -> bool:
-        """Coq refuses one of them, or one does not say what its terms say."""
+        """True if Coq rejects one of them, or the text of one differs from its terms."""
         said = [(step.misread, step.checked) for step in self.asked]
         return any(misread or (s is not None and not s.expected and not s.unfinished) for misread, s in said)
 
     @property
     def word(self) -> str:
-        """Such as: steps certified, 3 of 4; not certified: a norm."""
+        """A summary such as: steps certified, 3 of 4; not certified: a norm."""
         count = f"steps certified, {len(self.certified)} of {len(self.steps)}"
         if self.is_one_theorem:
             return f"{count}; joined to one theorem"
@@ -86,7 +89,7 @@ class Steps:
 
     @property
     def certification(self) -> Certification:
-        """As a result tells it, beside the forms'."""
+        """The certificate as part of a result, in addition to those of the forms."""
         done = [step for step in self.asked if step.certified]
         axioms = {name for step in done if step.checked for name in step.checked.axioms}
         return Certification(
@@ -102,7 +105,7 @@ class Steps:
 
 
 def steps_of(result: ClaimResult, theorems: Mapping[str, object]) -> Steps | None:
-    """None if the claim is not proved from a goal."""
+    """Returns the steps of a claim; None if the claim is not proved from a goal."""
     claim = result.claim
     proven = theorems.get(claim.theorem or "")
     if result.verdict.outcome != Outcome.PROVED or claim.goal is None or not isinstance(proven, Proven):

@@ -54,7 +54,7 @@ Open Scope Q_scope. Open Scope kin_scope.
 
 @dataclass
 class Theorem:
-    """What a statement says in Coq, and the goals of its proof: pairs of deep copies."""
+    """A statement in Coq, and the goals of its proof: pairs of deep copies."""
 
     name: str
     emitter: Emitter
@@ -64,10 +64,10 @@ class Theorem:
     source: tuple[Statement, Sequence[Statement], Sequence[str]] | None = (
         None  # statement, premises, integers
     )
-    stands: dict[str, Linear] = field(default_factory=dict)  # for each integer that was asked for, by its own
+    stands: dict[str, Linear] = field(default_factory=dict)  # integer of the statement → its value
 
     def read_back_faults(self) -> list[str]:
-        """Where the text, read again, does not say what the terms say, or is not the text again."""
+        """Returns where the text, read back, differs from the terms, or does not reproduce the text."""
         return faults_of(self.emitter, self.conclusions, self.relations, self._supposed())
 
     def _supposed(self) -> list[Relation]:
@@ -86,7 +86,7 @@ class Theorem:
 
     @property
     def lines(self) -> list[str]:
-        """Definitions and premises before the conclusion."""
+        """Returns the definitions and premises before the conclusion."""
         own = self.emitter
         above_0 = [f"let {n} := S {n}_less_1 in" for v, n in own.integers.items() if v in own.positive]
         return [*above_0, *own.statement]
@@ -137,7 +137,7 @@ class Theorem:
 
 
 class _Emitter(Emitter):
-    """One that can write theorems before its own."""
+    """An emitter that can write preceding theorems."""
 
     def shows(self, terms: Sequence[Term], value: Term) -> str:
         said = Conjunction(tuple(make_relation("=", term, value) for term in terms))
@@ -166,12 +166,15 @@ def theorem(
     several: bool = False,
     lasting: bool = False,
 ) -> Theorem:
-    """Raises NotCertified with the first obstacle. slots: symbols before those of the statement. several:
-    families of several indices are taken, too, of which it is not shown that there are any. lasting: what is
-    assumed holds at all times."""
+    """Returns the theorem of a statement. Raises NotCertified with the first obstacle.
+
+    slots: symbols before those of the statement.
+    several: accepts families of several indices, whose existence is not shown.
+    lasting: the assumptions hold at all times.
+    """
     for expands in (False, True):
         cores: Sequence[Summed] = ()
-        while True:  # once more where there are sums, with what these have in common
+        while True:  # repeated with the common parts of sums, if there are any
             emitter = _Emitter(definitions, slots)
             emitter.several, emitter.expands, emitter.cores = several, expands, cores
             made = _written(emitter, name, statement, assume, integers, lasting)
@@ -186,7 +189,7 @@ def theorem(
 def theorem_for_all(
     name: str, statement: Statement, assume: Sequence[Statement], scope: Scope, lasting: bool = False
 ) -> Theorem:
-    """For every value of the integers of the scope that it speaks of."""
+    """Returns the theorem for all values of the scope's integers that it contains."""
     stands: dict[str, Linear] = {}
     if scope.integers:
         try:
@@ -244,7 +247,7 @@ def relations(statement: Statement) -> Iterator[Relation]:
 
 
 def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:
-    """A norm is what a rule says of it, and rules stand before quotients."""
+    """Emits the norms first, because their rules must precede quotients."""
     for part in (p for term in terms for p in term.walk()):
         if isinstance(part, Apply) and part.head == "norm" and part.arguments[0].type.kind == "vector":
             real = Apply(SCALAR, None, "norm", (emitted_functions.part("re", part.arguments[0]),))
@@ -252,7 +255,7 @@ def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:
 
 
 def _proof_of(parts: list[str]) -> str:
-    """Of an equation, or of a matrix equation, entry by entry."""
+    """Returns the proof of an equation, or of a matrix equation entry by entry."""
     if len(parts) == 1:
         return f"{parts[0]}."
     return "apart.\n  " + "\n  ".join(f"* {part}." for part in parts)
@@ -278,7 +281,7 @@ def _conclude(made: Theorem, relation: Relation) -> None:
         if not kinds <= set(KINDS):
             raise NotCertified(emitted_nodes.named(min(kinds - set(KINDS))))
         first, second = emitted_nodes.together((emitter.term(left), emitter.term(right)))
-        if not emitter.binders:  # nothing else says which ring the numbers are of
+        if not emitter.binders:  # nothing else determines the ring of the numbers
             first = replace(first, text=f"({first.text} : {first.type})", level=ATOM)
     made.conclusions.append(equation(first, second))
     made.goals.append([(first.deep, second.deep)])
@@ -290,7 +293,7 @@ def equation(left: Node, right: Node) -> str:
 
 
 def _suppose(emitter: Emitter, premise: Relation) -> None:
-    """The premise, and what it says that one of its symbols is."""
+    """Adds the premise, and the value that it gives to one of its symbols."""
     pivot = _pivot(emitter, premise)
     if pivot is not None:
         emitter.pivots[pivot[0]] = True
@@ -312,7 +315,7 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
 
 
 def _pivot(emitter: Emitter, premise: Relation) -> tuple[Symbol, list[Term], str] | None:
-    """A symbol that the premise is solved for: what it is (a difference), and the lemma that says so."""
+    """Returns a symbol that the premise is solved for, its value (a difference), and the lemma."""
     left, right = premise.left, premise.right
     for side, other, proof in ((left, right, "as_given"), (right, left, "turned")):
         if isinstance(side, Symbol) and _may_stand(emitter, side, other):
@@ -336,7 +339,7 @@ def _occurs(symbol: Symbol, term: Term) -> bool:
 
 
 def _at_an_instant(premise: Relation, statement: Statement, definitions: Definitions) -> bool:
-    """Whether the statement is about derivatives of a symbol whose value the premise gives."""
+    """True if the statement differentiates a symbol whose value the premise gives."""
     sides = [premise.left, premise.right]
     sides += [
         part for side in sides if isinstance(side, Apply) and side.head == "add" for part in side.arguments

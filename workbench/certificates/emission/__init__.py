@@ -1,1 +1,1 @@
-"""Terms as Coq text."""
+"""The emitter: writes terms as Coq text."""

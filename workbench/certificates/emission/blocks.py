@@ -1,4 +1,4 @@
-"""Block matrices: as matrices of scalars, so that products, sums and derivatives are those of any matrix."""
+"""Block matrices as matrices of scalars, so that products, sums and derivatives are those of any matrix."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _NOTHING = "(Num false (0 # 1))"
 
 @dataclass(frozen=True)
 class Matrix:
-    """Its text, how tightly that binds, and the deep copies of its entries."""
+    """A matrix as text with its precedence level, and the deep copies of its entries."""
 
     text: str
     level: int
@@ -35,7 +35,7 @@ class Matrix:
 
 
 def is_column(term: Term) -> bool:
-    """Whether it is a vector, written as a column of three numbers."""
+    """True if the term is a vector that is written as a column of three numbers."""
     return (
         isinstance(term, Block)
         and term.type.kind == "vector"
@@ -44,8 +44,7 @@ def is_column(term: Term) -> bool:
 
 
 def made_of_blocks(term: Term, definitions: Lookup) -> bool:
-    """Whether a matrix that is written entry by entry and no vector, or one of another size than 3, stands
-    in the term."""
+    """True if the term contains a matrix that is written entry by entry, other than a vector of size 3."""
     waiting, seen = [term], set()
     while waiting:
         part = waiting.pop()
@@ -154,8 +153,10 @@ def _total(row: Sequence[str], column: Sequence[str]) -> str:
 
 
 def _inverse(emitter: Collector, term: Term, of: Term) -> Matrix:
-    """A⁻¹ as a matrix X with A X and X A the unit matrix. It is any Y with A Y = 1, which a theorem before
-    shows: of A = [P q; 0 1] that is [P⁻¹ −P⁻¹q; 0 1]."""
+    """Returns A⁻¹ as a matrix X with A X = X A = 1.
+
+    It is any Y with A Y = 1, which a preceding theorem shows. For A = [P q; 0 1] that is [P⁻¹ −P⁻¹q; 0 1].
+    """
     if term not in emitter.matrices:
         undone = _undone(of, emitter.definitions)
         value, solved = matrix(emitter, of), matrix(emitter, undone)

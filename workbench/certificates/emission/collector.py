@@ -1,4 +1,5 @@
-"""What the terms of one statement need of a Coq theorem: variables, definitions, premises, steps."""
+"""Collector of the parts of a Coq theorem that the terms of one statement need: variables, definitions,
+premises, steps."""
 
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ from workbench.core.terms import BigSum, Symbol, Term
 from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
 
-#: What Coq, the library and the proofs call otherwise.
+#: Names that Coq, the library and the proofs use for other things.
 _TAKEN = frozenset([
     "K", "D", "as", "at", "by", "do", "else", "end", "exists", "fix", "for", "forall", "fun", "if",
     "in", "let", "match", "of", "then", "using", "where", "with", "O", "S", "T", "U", "V", "S_", "DT",
@@ -35,9 +36,13 @@ _TAKEN = frozenset([
 
 @dataclass(frozen=True)
 class Origin:
-    """What a symbol of the proof is: `free`, or free and a `rotation`, `unit` or `constant`; or what `is` the
-    value, by definition or by a premise, is one `over` it, its `inverse`, `cos` or `sin`. `after`: how
-    many lines of the statement stand before."""
+    """The meaning of a symbol of the proof.
+
+    Attributes:
+        how: `free`, or free and a `rotation`, `unit` or `constant`. Otherwise the symbol `is` the value, by
+            definition or by a premise, or is one `over` it, its `inverse`, `cos` or `sin`.
+        after: The number of lines of the statement before it.
+    """
 
     node: Node
     how: str
@@ -46,60 +51,63 @@ class Origin:
 
     @property
     def meaning(self) -> Node:
-        """The value of a symbol that is not free."""
+        """Returns the value of a symbol that is not free."""
         assert self.value is not None, f"{self.node.text} is {self.how}"
         return self.value
 
 
 @dataclass(frozen=True)
 class Summed:
-    """A sum that a statement, or what is known of it, speaks of, or what several have in common; whether the
-    proof needs its derivative."""
+    """A sum in a statement or a premise, or the common part of several sums.
+
+    Attributes:
+        differentiated: Whether the proof needs its derivative.
+    """
 
     total: BigSum
     differentiated: bool
 
 
 class Collector:
-    """Collects what the terms of one statement need."""
+    """Collects the parts of the theorem that the terms of one statement need."""
 
     def __init__(self, definitions: Definitions, slots: Sequence[tuple[bool, str, str]] = ()) -> None:
         self.definitions = definitions
         self.binders: list[tuple[str, str]] = []  # universally quantified, in order
         self.statement: list[str] = []  # definitions and premises before the conclusion
-        self.introduced: list[str] = []  # the names that `intros` gives
-        self.slots = list(slots)  # what has indeterminates or stands for such
-        self.facts: list[str] = []  # what the proof knows of symbols, each with its own proof
-        self.values: list[str] = []  # what it knows of their values, in terms of those before
-        self.origins: list[Origin] = []  # of the symbols, in the order in which they came
-        self.places: dict[str, Node] = {}  # of what is universally quantified
-        self.holes: dict[str, list[tuple[str, str]]] = {}  # what each supposition says, as deep copies
-        self.steps: list[str] = []  # of the context, after the premises
+        self.introduced: list[str] = []  # the names given to `intros`
+        self.slots = list(slots)  # symbols with indeterminates, and their substitutes
+        self.facts: list[str] = []  # facts of symbols, each with its proof
+        self.values: list[str] = []  # values of symbols, in terms of earlier ones
+        self.origins: list[Origin] = []  # one for each symbol, in order
+        self.places: dict[str, Node] = {}  # the universally quantified variables
+        self.holes: dict[str, list[tuple[str, str]]] = {}  # the equations of each premise, as deep copies
+        self.steps: list[str] = []  # steps of the context after the premises
         self.pivots: dict[Symbol, bool] = {}  # defined symbols whose definition is not used
         self.read_back: dict[str, Term] = {}
         self.operators: dict = {}
         self.matrices: dict = {}
-        self.solved: dict[str, tuple[str, str]] = {}  # what the matrix of a premise is, and the proof
-        self.before: dict[str, str] = {}  # theorems that stand before this one, by their names
+        self.solved: dict[str, tuple[str, str]] = {}  # premise → its matrix and the proof
+        self.before: dict[str, str] = {}  # names of the preceding theorems
         self.helpers: dict[Term, Node] = {}  # reciprocals and inverses
         self.circles: dict[Term, tuple[Node, Node]] = {}
-        self.families: dict[Declaration, str] = {}  # of recurrences, and of free functions of n
-        self.firsts: dict[str, int] = {}  # where a recurrence starts
-        self.positive: set[str] = set()  # integers that index one that starts at 1
+        self.families: dict[Declaration, str] = {}  # recurrences and free functions of n
+        self.firsts: dict[str, int] = {}  # the first index of a recurrence
+        self.positive: set[str] = set()  # integers that index a recurrence starting at 1
         self.integers: dict[str, str] = {}  # integer variables of the statement
         self.orders: dict = {}  # derivatives of symbolic order
-        self.bounds: dict[str, tuple[Linear, Linear]] = {}  # between which the variables of sums are
-        self.met: list[Summed] = []  # the sums that were met (`sums.py`)
-        self.cores: Sequence[Summed] = ()  # what they are known to have in common, if that is known
-        self.middles: dict[Term, Node] = {}  # the symbols of these
-        self.rates: dict[str, str] = {}  # what those of derivatives are by the others, as deep copies
-        self.differentiated: set[BigSum] = set()  # the sums that stand under a dot
-        self.composed = False  # whether there are sums, or derivatives of order n of what is no symbol
-        self.expands = True  # whether x⁽ⁿ⁾ is said in terms of those of the parts of x
-        self.lemmas: list[str] = []  # what the proof shows before
-        self.premised: dict[Symbol, tuple[Term, str]] = {}  # what premises say that symbols are, at all times
+        self.bounds: dict[str, tuple[Linear, Linear]] = {}  # bounds of the summation variables
+        self.met: list[Summed] = []  # the sums so far (`emitted_sums.py`)
+        self.cores: Sequence[Summed] = ()  # their known common parts
+        self.middles: dict[Term, Node] = {}  # the symbols of the common parts
+        self.rates: dict[str, str] = {}  # rates of common parts, as deep copies
+        self.differentiated: set[BigSum] = set()  # the sums under a dot
+        self.composed = False  # whether sums or n-th derivatives of compound terms occur
+        self.expands = True  # whether x⁽ⁿ⁾ is expanded by the parts of x
+        self.lemmas: list[str] = []  # lemmas that the proof shows first
+        self.premised: dict[Symbol, tuple[Term, str]] = {}  # values given to symbols at all times
         self.coordinate: Node | None = None
-        self.several = False  # whether families of several indices are taken
+        self.several = False  # whether families with several indices are accepted
         self._places = 1000
         self._symbols: dict[Symbol, Node] = {}
         self._names: set[str] = set(_TAKEN)
@@ -118,18 +126,18 @@ class Collector:
         return name
 
     def forget(self, name: str) -> None:
-        """A name that is bound where it stands, and free again."""
+        """Frees a name that was bound locally."""
         self._names.discard(name)
 
     def variable(self, dual: bool, kind: str, name: str, how: str = "free") -> Node:
-        """A universally quantified variable."""
+        """Adds a universally quantified variable."""
         self.binders.append((name, emitted_nodes.type_name(dual, kind)))
         self.places[name] = self.slot(dual, kind, name)
         self.origins.append(Origin(self.places[name], how, len(self.statement)))
         return self.places[name]
 
     def helper(self, node: Node, how: str, value: Node) -> Node:
-        """A universally quantified variable that a premise will say everything of."""
+        """Adds a universally quantified variable that a premise determines completely."""
         self.binders.append((node.text, emitted_nodes.type_name(node.dual, node.kind)))
         self.places[node.text] = node
         self.origins.append(Origin(node, how, len(self.statement), value))
@@ -140,7 +148,7 @@ class Collector:
         return Node(dual, kind, text, level, f"(Var {flag(dual)} {kind} {len(self.slots) - 1})")
 
     def suppose(self, text: str, name: str, says: list[tuple[str, str]]) -> str:
-        """A premise of the statement; its name in the proof."""
+        """Adds a premise to the statement, and returns its name in the proof."""
         name = self.fresh(name)
         self.holes[name] = says
         self.statement.append(f"{text} ->")
@@ -149,12 +157,12 @@ class Collector:
 
     @property
     def premises(self) -> list[tuple[str, str]]:
-        """The names and the texts of what the statement supposes."""
+        """The names and texts of the premises."""
         texts = [line.removesuffix(" ->") for line in self.statement if line.endswith("->")]
         return list(zip((n for n in self.introduced if n in self.holes), texts, strict=True))
 
     def stands_for(self, node: Node, value: Node, proof: str, by_definition: bool = True) -> None:
-        """The symbol of a slot is known to be the value."""
+        """Records that the symbol of a slot has the value."""
         if by_definition:
             self.origins.append(Origin(node, "is", len(self.statement), value))
         index = node.deep.split()[-1].rstrip(")")
@@ -165,7 +173,7 @@ class Collector:
             self.values.append(single(f"@Value {place} {value.deep}", proof))
 
     def shown(self, left: Node, right: Node, script: str) -> str:
-        """An equation that the proof shows first; its name there."""
+        """Adds an equation that the proof shows first, and returns its name there."""
         left, right = emitted_nodes.together((left, right))
         name = self.fresh("fact")
         said = f"{left.at(69)} {'≡ε' if left.dual else '≡'} {right.at(69)}"
@@ -173,7 +181,7 @@ class Collector:
         return name
 
     def place(self) -> int:
-        """An index for a symbol that a step of the context brings."""
+        """Returns a new index for a symbol that a step of the context introduces."""
         self._places += 1
         return self._places
 
@@ -181,7 +189,7 @@ class Collector:
         self.steps.append(f"pose (known{len(self.steps) + 1} := {made.format(f'known{len(self.steps)}')}).")
 
     def defined(self, name: str, value: Node) -> Node:
-        """A definition of the statement."""
+        """Adds a definition to the statement."""
         self.statement.append(f"let {name} := {value.text} in")
         self.introduced.append(name)
         return self.same(name, value)
@@ -197,14 +205,17 @@ class Collector:
         self._symbols[symbol] = node
 
     def symbol_named(self, name: str) -> Symbol:
-        """The symbol that a name of the text stands for."""
+        """Returns the symbol of a name in the text."""
         term = self.read_back[name]
         if not isinstance(term, Symbol):
             raise NotCertified(f"{name}, which stands for no symbol")
         return term
 
     def inside(self, variable: str, body: Term, name: str = "i") -> Collector:
-        """An emitter for the body of a step, whose definitions must all be there. name: of the variable."""
+        """Returns an emitter for the body of a step, whose definitions must all exist.
+
+        name: the name of the variable.
+        """
         for part in body.walk():
             if isinstance(part, Symbol) and all(i.is_number for i in part.index):
                 self.symbol(part)
@@ -217,7 +228,7 @@ class Collector:
         return inner
 
     def shows(self, terms: Sequence[Term], value: Term) -> str:
-        """The proof that all of these are the value, by a theorem before this one."""
+        """Returns the proof that all terms are equal to the value, by a preceding theorem."""
         raise NotImplementedError
 
     def term(self, term: Term) -> Node:
@@ -233,7 +244,7 @@ def identifier(symbol: Symbol) -> str:
 
 
 def spelled(latex: str) -> str:
-    """LaTeX as an identifier."""
+    """Returns LaTeX as an identifier."""
     name = re.sub(r"\\(boldsymbol|mathbf|mathrm|text|left|right)\b", "", latex)
     name = name.replace("\\underline", "u").replace("*", "_star").replace("'", "_prime")
     name = re.sub(r"[^A-Za-z0-9_]+", "_", name).strip("_")

@@ -1,7 +1,7 @@
 """Statements for all n: families given by a first member and a step, and derivatives of order n.
 
-Φₙ of a recurrence is `Phi n`, where `Phi` is `from_one Phi_1 (fun n Phi_n => …)`; Φₙ₊₁ is then by computation
-what the step makes of Φₙ, and the proof holds for any tensor at the place of Φₙ.
+Φₙ of a recurrence is `Phi n`, where `Phi` is `from_one Phi_1 (fun n Phi_n => …)`. Φₙ₊₁ is then by computation
+the step applied to Φₙ, and the proof holds for any tensor Φₙ.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 def general(
     statement: Statement, supposed: Sequence[Statement], definitions: Definitions
 ) -> tuple[Statement, list[Statement], dict[str, Linear]]:
-    """The statement for all n, its n shifted so that the least index is n itself; what its n stands for.
+    """Returns the statement for all n, with n shifted so that n is the least index, and the meaning of its n.
 
-    Raises NotCertified where no integer variable is left, or one of them does not stand alone in an index.
+    Raises NotCertified if no integer variable is left, or an index has several variables.
     """
     statements = [statement, *supposed]
     least: dict[str, Linear] = {}
@@ -46,7 +46,7 @@ def general(
 
 
 def _places(term: Term, bound: frozenset[str]) -> Iterator[Linear]:
-    """Where integers stand that no sum binds."""
+    """Yields the integers of the term that no sum binds."""
     found: tuple[Linear, ...] = ()
     match term:
         case Symbol(index=found) | Counting(arguments=found):
@@ -69,7 +69,7 @@ def _terms(statement: Statement) -> Iterator[Term]:
 
 
 def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> Node:
-    """A member of a family whose index holds an integer variable."""
+    """Returns a member of a family whose index contains an integer variable."""
     if len(symbol.index) != 1:
         return _of_several(emitter, symbol, kind, body)
     own = [d for d in emitter.definitions if d.declaration == symbol.declaration]
@@ -86,7 +86,7 @@ def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> 
         value = emitted_nodes.embedded(emitter.term(body), symbol.type.dual)
         return emitter.same(text, value, APPLICATION)
     if symbol.declaration in emitter.families and own:
-        numeral(emitter, symbol.index[0] - own[0].index[0].constant)  # that it is defined there
+        numeral(emitter, symbol.index[0] - own[0].index[0].constant)  # checks that it is defined there
         text = f"{emitter.families[symbol.declaration]} {number}"
         node = emitter.slot(symbol.type.dual, kind, text, APPLICATION)
         if not emitter.bounds:
@@ -104,7 +104,7 @@ def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> 
 
 
 def _of_several(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> Node:
-    """A member of a free family of several indices, such as ᵐR₍ₘ₊₁₎, in a step of a proof."""
+    """Returns a member of a free family with several indices, such as ᵐR₍ₘ₊₁₎, in a step of a proof."""
     if (
         not emitter.several
         or body is not None
@@ -146,7 +146,7 @@ def _free_family(emitter: Collector, symbol: Symbol, kind: str) -> str:
 
 
 def numeral(emitter: Collector, index: Linear) -> str:
-    """n + c, n - k, … as a natural number of Coq, where that is none below 0."""
+    """Returns n + c, n - k, … as a natural number of Coq, if it is never below 0."""
     least = index
     for variable, (lower, upper) in reversed(emitter.bounds.items()):
         end = lower if index.coefficient(variable) > 0 else upper
@@ -162,7 +162,7 @@ def numeral(emitter: Collector, index: Linear) -> str:
 
 
 def _total(emitter: Collector, index: Linear, constant: int) -> str:
-    """What is added in it."""
+    """Returns the sum of the variables and the constant as text."""
     names = [name for name, coefficient in index.coefficients for _ in range(coefficient)]
     if any(name not in emitter.integers for name in names):
         raise NotCertified(f"the index {index}")
@@ -186,7 +186,7 @@ def _family_name(emitter: Collector, symbol: Symbol) -> str:
 
 
 def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: Definition, kind: str) -> str:
-    """`let Phi := from_one base (fun n Phi_n => …) in`, once."""
+    """Writes `let Phi := from_one base (fun n Phi_n => …) in` once, and returns the name."""
     declaration = symbol.declaration
     if declaration in emitter.families:
         return emitter.families[declaration]
@@ -218,7 +218,7 @@ def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: 
 
 
 def prepare(emitter: Collector, body: Term, but: Declaration | None = None) -> None:
-    """The families of which it speaks stand before it."""
+    """Writes the families that the body uses before it."""
     for part in body.walk():
         if not isinstance(part, Symbol) or part.declaration == but or all(i.is_number for i in part.index):
             continue
@@ -234,7 +234,7 @@ def prepare(emitter: Collector, body: Term, but: Declaration | None = None) -> N
 
 
 def _function(emitter: Collector, symbol: Symbol, defined: Definition, kind: str) -> None:
-    """`let w := (fun i => …) in`, once, of a family that is defined for every index."""
+    """Writes `let w := (fun i => …) in` once, for a family that is defined for every index."""
     variables, least = defined.index[0].variables, defined.index[0].constant
     if symbol.declaration in emitter.families or defined.parameters or len(variables) != 1 or least < 0:
         return

@@ -16,7 +16,8 @@ def divergence(emitter: Collector, field: Term) -> Node:
 
 
 def curl(emitter: Collector, field: Term) -> Node:
-    """Its components are told along the axes: curl f = Σ (∂ᵢ fⱼ − ∂ⱼ fᵢ) eₖ has no deep copy of its own."""
+    """Returns the curl by its components along the axes; curl f = Σ (∂ᵢ fⱼ − ∂ⱼ fᵢ) eₖ has no deep copy of
+    its own."""
     text, along = _field(emitter, field)
     components = [f"(Minus {_part(along, j, k)} {_part(along, k, j)})" for j, k in ((1, 2), (2, 0), (0, 1))]
     return Node(False, "Vector", f"curl {text}", APPLICATION, "(Triad {} {} {})".format(*components))
@@ -27,7 +28,7 @@ def _part(along: list[str], axis: int, component: int) -> str:
 
 
 def _field(emitter: Collector, field: Term) -> tuple[str, list[str]]:
-    """The field and its coordinate in the statement; the derivative along each axis."""
+    """Returns the field over its coordinate as text, and the derivative along each axis."""
     if emitter.coordinate is not None or field.type.dual:
         raise NotCertified("a field of a dual quantity, or of a derivative of a field")
     full = expand(field, emitter.definitions)

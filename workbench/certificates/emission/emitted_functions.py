@@ -1,4 +1,4 @@
-"""Quotients, inverses, sines, cosines and exponentials: by what defines them, as premises of the theorem."""
+"""Quotients, inverses, sines, cosines and exponentials: by their defining equations as premises."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def quotient(emitter: Collector, term: Apply) -> Node:
 
 
 def reciprocal(emitter: Collector, below: Term) -> Node:
-    """1/x as a scalar y with x • y ≡ 1; of a dual number by that of its real part."""
+    """Returns 1/x as a scalar y with x • y ≡ 1; for a dual number by the reciprocal of its real part."""
     key = Apply(below.type, None, "reciprocal", (below,))
     if key not in emitter.helpers:
         value = emitter.term(below)
@@ -49,7 +49,7 @@ def reciprocal(emitter: Collector, below: Term) -> Node:
 
 
 def inverse(emitter: Collector, term: Apply) -> Node:
-    """A⁻¹ as a tensor X with A X ≡ I and X A ≡ I; it is (1/det A) adj A, which the proof computes with."""
+    """Returns A⁻¹ as a tensor X with A X ≡ I and X A ≡ I; the proof computes with (1/det A) adj A."""
     if term not in emitter.helpers:
         value = emitter.term(term.arguments[0])
         if value.dual or value.kind != "Tensor":
@@ -81,7 +81,8 @@ def sine(emitter: Collector, term: Apply) -> Node:
 
 
 def circle(emitter: Collector, angle: Term) -> tuple[Node, Node]:
-    """cos and sin as scalars c, s with c² + s² = 1, ċ = −s α̇, ṡ = c α̇; of a dual angle by its real part."""
+    """Returns cos and sin as scalars c, s with c² + s² = 1, ċ = −s α̇, ṡ = c α̇; for a dual angle by its real
+    part."""
     key = Apply(angle.type, None, "turn", (angle,))
     if key not in emitter.circles:
         value = emitter.term(angle)
@@ -101,7 +102,7 @@ def circle(emitter: Collector, angle: Term) -> tuple[Node, Node]:
 
 
 def _real_angle(emitter: Collector, angle: Term) -> Term | None:
-    """α of an angle that is defined as α + ε d."""
+    """Returns α of an angle that is defined as α + ε d."""
     body = emitter.definitions.lookup(angle) if isinstance(angle, Symbol) else None
     match body:
         case Apply(head="add", arguments=(Symbol() as real, Apply(head="mul", arguments=(DualUnit(), d)))):
@@ -137,7 +138,8 @@ def _dual(text: str, sign: str, angle: Node, main: Node, other: Node) -> Node:
 
 
 def exponential(emitter: Collector, term: Apply) -> Node:
-    """Of ε X: I + ε X, since the series ends. Of α ũ with a unit vector u: Rodrigues' formula."""
+    """Returns exp(ε X) = I + ε X, since the series ends, or exp(α ũ) for a unit vector u by Rodrigues'
+    formula."""
     argument = term.arguments[0]
     turn = angle_and_axis(argument, NoDefinitions())
     if turn is not None and (not isinstance(turn[1], Symbol) or term.type.kind == "quaternion"):
@@ -161,7 +163,7 @@ def exponential(emitter: Collector, term: Apply) -> Node:
 
 
 def _over_epsilon(argument: Term) -> Term | None:
-    """X of ε X, and −X of −ε X."""
+    """Returns X of ε X, and −X of −ε X."""
     match argument:
         case Apply(head="mul", arguments=(DualUnit(), inner)):
             return inner
@@ -172,11 +174,13 @@ def _over_epsilon(argument: Term) -> Term | None:
 
 
 def norm(emitter: Collector, term: Apply) -> Node:
-    """‖a‖ as a scalar n with n • n ≡ a · a, which may not be differentiated; of a dual vector by that of its
-    real part."""
+    """Returns ‖a‖ as a scalar n with n • n ≡ a · a, which may not be differentiated.
+
+    The norm of a dual vector is given by that of its real part.
+    """
     if term not in emitter.helpers:
         (inner,) = term.arguments
-        if any(map(is_column, inner.walk())):  # Coq's division knows too little of such a number
+        if any(map(is_column, inner.walk())):  # Coq's division cannot handle such a number
             raise NotCertified("the norm of what is made of a column of numbers")
         value = emitter.term(inner)
         if value.kind != "Vector":
@@ -203,7 +207,7 @@ def norm(emitter: Collector, term: Apply) -> Node:
 
 
 def part(head: str, term: Term) -> Term:
-    """The real or the dual part of a dual term."""
+    """Returns the real or the dual part of a dual term."""
     return Apply(term.type.with_dual(False), None, head, (term,))
 
 

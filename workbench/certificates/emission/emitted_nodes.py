@@ -1,4 +1,4 @@
-"""Values of the Coq statements in both forms: what is read, and the deep copy that is computed with."""
+"""Values of Coq statements in two forms: the readable text, and the deep copy for computation."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from fractions import Fraction
 
 KINDS = {"scalar": "Scalar", "vector": "Vector", "tensor": "Tensor"}
 
-#: How an obstacle calls the kinds that the library does not have.
+#: Names of kinds that the library does not have, in obstacles.
 _BEYOND = {
     "quaternion": "quaternions",
     "covector": "covectors",
@@ -15,7 +15,7 @@ _BEYOND = {
     "operator": "an operator among values",
 }
 
-#: Levels of Coq's grammar: what binds closer has the smaller number.
+#: Levels of Coq's grammar: a smaller number binds more tightly.
 ATOM, APPLICATION, NEGATION, PRODUCT, SUM = 0, 10, 35, 40, 50
 
 
@@ -24,7 +24,7 @@ class NotCertified(Exception):
 
 
 class OneInstant(NotCertified):
-    """What is supposed holds at one instant only."""
+    """The premises hold at one instant only."""
 
 
 def named(kind: str) -> str:
@@ -33,7 +33,7 @@ def named(kind: str) -> str:
 
 @dataclass(frozen=True)
 class Node:
-    """A scalar, vector or tensor, real or dual: its text, how tightly that binds, and its deep copy."""
+    """A scalar, vector or tensor, real or dual: its text with its precedence level, and its deep copy."""
 
     dual: bool
     kind: str
@@ -81,7 +81,7 @@ def identity(dual: bool) -> Node:
 
 
 def embedded(node: Node, dual: bool = True) -> Node:
-    """The node as a dual quantity."""
+    """Returns the node as a dual quantity."""
     if node.dual == dual:
         return node
     if node.number is not None:
@@ -99,7 +99,7 @@ def together(nodes: tuple[Node, ...]) -> tuple[Node, ...]:
 
 
 def call(name: str, deep: str, kind: str, *arguments: Node) -> Node:
-    """name a b …; the deep copy is (deep a b …)."""
+    """Returns the application `name a b …`; its deep copy is (deep a b …)."""
     arguments = together(arguments)
     text = " ".join([name, *(a.at(ATOM) for a in arguments)])
     return Node(
@@ -126,7 +126,7 @@ def neg(node: Node) -> Node:
 
 
 def times(left: Node, right: Node) -> Node:
-    """The product that the kinds allow; a scalar stands on the left."""
+    """Returns the product that the kinds allow, with a scalar on the left."""
     if right.kind == "Scalar" and left.kind != "Scalar":
         left, right = right, left
     match left.kind, right.kind:
@@ -140,7 +140,7 @@ def times(left: Node, right: Node) -> Node:
 
 
 def column(*entries: Node) -> Node:
-    """The vector of three scalars."""
+    """Returns the vector of three scalars."""
     entries = together(entries)
     dual, text = entries[0].dual, " ".join(entry.at(ATOM) for entry in entries)
     deep = f"(Triad {' '.join(entry.deep for entry in entries)})"
@@ -162,7 +162,7 @@ def derivative(node: Node, order: int = 1) -> Node:
 
 
 def raised(node: Node, exponent: int) -> Node:
-    """A power: of a vector the square of its length is meant, so the exponent is even."""
+    """Returns a power. That of a vector is a power of its squared length, so the exponent must be even."""
     if node.kind == "Vector":
         if exponent % 2:
             raise NotCertified("an odd power of a vector")
@@ -181,7 +181,7 @@ def raised(node: Node, exponent: int) -> Node:
 
 
 def half(name: str, deep: str, node: Node) -> Node:
-    """real_part or dual_part."""
+    """Returns the real or the dual part."""
     node = embedded(node)
     text = f"({name} {node.at(ATOM)} : {type_name(False, node.kind)})"
     return Node(False, node.kind, text, ATOM, f"({deep} {node.deep})")
@@ -191,5 +191,5 @@ DUAL_UNIT = Node(True, "Scalar", "(eps : dual_scalar K)", ATOM, "Eps")
 
 
 def single(premise: str, proof: str) -> str:
-    """The proof of one premise, as a list of one."""
+    """Returns the proof of one premise, as a list of one."""
     return f"(single (e := here) (p := {premise}) {proof})"

@@ -1,4 +1,4 @@
-"""Polynomials in D = d/dt, as what they do to a value."""
+"""Polynomials in D = d/dt as functions of a value."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from workbench.core.terms import Apply, Identity, Power, Symbol, Term, TimeOpera
 
 @dataclass(frozen=True)
 class Operator:
-    """Its text, how tightly that binds, and the deep copy of what it makes of a value."""
+    """An operator as text with its precedence level, and a function from a value's deep copy to the
+    result's."""
 
     text: str
     level: int
@@ -29,7 +30,7 @@ class Operator:
 
 
 def operator(emitter: Collector, term: Term, dual: bool, kind: str) -> Operator:
-    """The operator that acts on values of this kind."""
+    """Returns the operator that acts on values of this kind."""
     if term.type.kind == "tensor":
         value = emitted_nodes.embedded(emitter.term(term), dual)
         deep = {"Vector": "Act", "Tensor": "Prod"}[kind]

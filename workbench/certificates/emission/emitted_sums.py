@@ -1,7 +1,7 @@
-"""Sums over k and n-th derivatives of what is no symbol: symbols of the proof, each with what it is.
+"""Sums over k and n-th derivatives of compound terms: symbols of the proof with their defining equations.
 
-A sum is the sum over what all sums of alike addends have in common, with the addends beside it; x⁽ⁿ⁾ of a sum
-or a product is that of its parts. `coq/Orders.v` has the lemmas.
+A sum is split into the common part of all sums with similar addends and the remaining addends. x⁽ⁿ⁾ of a sum
+or a product is expanded by its parts. `coq/Orders.v` has the lemmas.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from workbench.core.integer_instances import instantiate
 from workbench.core.terms import Apply, BigSum, Derivative, IllFormed, Statement, Symbol, Term, Zero
 from workbench.prover.goals.sequents import relations_of
 
-_ANY = "·"  # stands for the variable of a sum
+_ANY = "·"  # stands for the summation variable
 _SHIFTS = (0, 1, -1, 2, -2)
 
 
 def differentiated(statement: Statement) -> set[BigSum]:
-    """The sums that stand under a dot."""
+    """Returns the sums under a dot."""
     return {
         inner
         for one in relations_of(statement)
@@ -56,7 +56,7 @@ def cores_of(met: Sequence[Summed]) -> list[Summed]:
 
 
 def _in_common(total: BigSum, core: BigSum) -> BigSum | None:
-    """The sum over what the ranges have in common, if the addends are alike."""
+    """Returns the sum over the intersection of the ranges, if the addends are alike."""
     shift = _shift(total, core)
     if shift is None:
         return None
@@ -68,7 +68,7 @@ def _in_common(total: BigSum, core: BigSum) -> BigSum | None:
 
 
 def _shift(total: BigSum, core: BigSum) -> int | None:
-    """By which index the addend k of the one is an addend of the other."""
+    """Returns the index shift by which the addends of one sum are those of the other."""
     wanted = _addend(total, Linear.variable(_ANY))
     return next((s for s in _SHIFTS if _addend(core, Linear.variable(_ANY) + s) == wanted), None)
 
@@ -81,7 +81,7 @@ def _addend(total: BigSum, index: Linear) -> Term | None:
 
 
 def _end(total: BigSum, index: Linear) -> Term:
-    """The addend at an end of the range. Raises NotCertified where it is ill-formed."""
+    """Returns the addend at an end of the range. Raises NotCertified if it is ill-formed."""
     addend = _addend(total, index)
     if addend is None:
         raise NotCertified("a sum with an addend that is ill-formed")
@@ -89,7 +89,7 @@ def _end(total: BigSum, index: Linear) -> Term:
 
 
 def _lower(total: BigSum) -> Linear:
-    """The lower bound; a sum over several indices, which has none, is not certified."""
+    """Returns the lower bound; a sum over several indices has none and is not certified."""
     assert total.lower is not None, f"a sum over {', '.join(total.variables)}"
     return total.lower
 
@@ -99,7 +99,7 @@ def count(total: BigSum) -> Linear:
 
 
 def of_sum(emitter: Collector, total: BigSum) -> Node:
-    """Σ, as the sum over what it has in common with others, and the rest."""
+    """Returns Σ as the common part with other sums, plus the rest."""
     if total.lower is None or len(total.variables) != 1:
         raise NotCertified("a sum over several indices")
     if emitter.bounds:
@@ -116,7 +116,7 @@ def of_sum(emitter: Collector, total: BigSum) -> Node:
 
 
 def _written(emitter: Collector, total: BigSum) -> Node:
-    """Its text."""
+    """Returns the sum as text."""
     (variable,) = total.variables
     emitted_families.prepare(emitter, total.body)
     inner = emitter.inside(variable, total.body, variable)
@@ -183,7 +183,7 @@ def _rate(total: BigSum) -> BigSum:
 
 
 def _follows(emitter: Collector, node: Node, rate: BigSum, value: Node) -> None:
-    """What the sums of the derivatives have in common is then known by the derivative of this sum."""
+    """Records the common part of the sums of the derivatives by the derivative of this sum."""
     common = next(c for c in (_in_common(rate, core.total) for core in emitter.cores) if c in emitter.middles)
     middle = emitter.middles[common]
     said = next((o.value for o in emitter.origins if o.node == value and o.value), value)
@@ -191,11 +191,8 @@ def _follows(emitter: Collector, node: Node, rate: BigSum, value: Node) -> None:
     emitter.rates[middle.deep] = f"(Minus (DD {node.deep}) {rest})"
 
 
-# derivatives of symbolic order
-
-
 def of_symbolic_order(emitter: Collector, term: Derivative) -> Node:
-    """x⁽ⁿ⁺ᶜ⁾: x⁽ⁿ⁾ is a symbol of its own."""
+    """Returns x⁽ⁿ⁺ᶜ⁾ as the c-th derivative of a new symbol x⁽ⁿ⁾."""
     body, order = term.body, term.order
     if body.type.kind not in KINDS:
         raise NotCertified("a derivative of symbolic order of a matrix")
@@ -221,7 +218,7 @@ def _names_a_symbol(emitter: Collector, term: Term) -> bool:
 
 
 def _expanded(emitter: Collector, body: Term, order: Linear) -> tuple[Term, str] | None:
-    """What x⁽ⁿ⁾ is in terms of those of the parts of x, and how Coq shows it."""
+    """Returns x⁽ⁿ⁾ in terms of derivatives of the parts of x, with the Coq proof."""
     match body:
         case Symbol() if body in emitter.premised:
             value, known = emitter.premised[body]
@@ -246,7 +243,7 @@ def _expanded(emitter: Collector, body: Term, order: Linear) -> tuple[Term, str]
 def _product(
     emitter: Collector, head: str, left: Term, right: Term, order: Linear
 ) -> tuple[Term, str] | None:
-    """By Leibniz' rule; of a factor that does not change, by its being passed."""
+    """Returns the derivative of a product by Leibniz' rule; a constant factor is moved outside."""
     if right.type.kind == "scalar" and left.type.kind != "scalar":
         left, right = right, left
     kinds = left.type.kind, right.type.kind
@@ -265,7 +262,7 @@ def _product(
 
 
 def _still(emitter: Collector, term: Term) -> str | None:
-    """The supposition that it does not change."""
+    """Returns the premise that the symbol is constant; None if there is none."""
     if not isinstance(term, Symbol) or not term.declaration.constant or term.declaration.unit:
         return None
     text = emitter.term(term).at(ATOM)

@@ -1,4 +1,4 @@
-"""What declarations suppose of symbols: constants, unit vectors, rotations; how the proof learns of it."""
+"""Premises from declarations of symbols: constants, unit vectors, rotations; and their use in proofs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from workbench.core.types import Declaration
 
 
 def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:
-    """A free symbol as a variable of the theorem, with what its declaration says of it."""
+    """Returns a free symbol as a variable of the theorem, with the premises of its declaration."""
     declaration, dual = symbol.declaration, symbol.type.dual
     said = [word for word in ("rotation", "unit", "constant") if getattr(declaration, word)]
     node = emitter.variable(dual, kind, name, " ".join(said) or "free")
@@ -24,7 +24,7 @@ def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:
 
 
 def supposed(emitter: Collector, node: Node, what: str, says: list[tuple[str, str]]) -> str:
-    """A hypothesis beside the variable; its name. says: its equations, as deep copies."""
+    """Adds a premise on a variable, and returns its name. says: its equations, as deep copies."""
     name = emitter.fresh(f"{node.text}_{what.split()[0]}")
     emitter.binders.append((name, f"{what} {node.text}"))
     emitter.holes[name] = says
@@ -36,7 +36,7 @@ def index(node: Node) -> str:
 
 
 def rotation(emitter: Collector, node: Node, known: str | None = None) -> None:
-    """known: the proof that it is one, if that is supposed already."""
+    """Adds the facts of a rotation. known: the proof that it is one, if that is a premise already."""
     says = [
         (f"(Prod {node.deep} (Transpose {node.deep}))", emitted_nodes.identity(node.dual).deep),
         (f"(Det {node.deep})", emitted_nodes.number(1, node.dual).deep),
@@ -91,7 +91,7 @@ def _rate(node: Node, known: str) -> str:
 
 
 def conditions(own: Declaration, name: str) -> list[str]:
-    """What a member of its set is, in the words of the library, in a fixed order."""
+    """Returns the conditions for a member of the declared set, in the library's words, in a fixed order."""
     dual, kind = own.type.dual, KINDS[own.type.kind]
     said = []
     if own.rotation:

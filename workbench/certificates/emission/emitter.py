@@ -1,4 +1,4 @@
-"""From typed terms to values of Coq statements."""
+"""Emitter: typed terms to values of Coq statements."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ _BINARY = {
     "outer": ("⊗", "Outer", "Tensor"),
 }
 
-#: What a declaration can say that no supposition of the library states.
+#: Properties of declarations for which the library has no premise.
 _BEYOND = {
     "symmetric": "a symmetric tensor",
     "diagonal": "a diagonal tensor",
@@ -59,7 +59,7 @@ _BEYOND = {
 
 
 class Emitter(Collector):
-    """Makes nodes of terms."""
+    """Converts terms to nodes."""
 
     def term(self, term: Term) -> Node:
         if term not in self._made or self.coordinate is not None:
@@ -116,7 +116,7 @@ class Emitter(Collector):
         raise NotCertified(type(term).__name__)
 
     def whole(self, text: str) -> Node:
-        """A number that depends on n."""
+        """Returns a number that depends on n."""
         node = self.slot(False, "Scalar", text, emitted_nodes.APPLICATION)
         self.origins.append(Origin(node, "constant", len(self.statement)))
         place = f"{flag(False)} Scalar {emitted_suppositions.index(node)}"
@@ -172,7 +172,7 @@ class Emitter(Collector):
         return self._symbols[symbol]
 
     def _in_a_field(self, symbol: Symbol, coordinate: Node) -> Node:
-        """Where ∂/∂ρ is taken, what depends on ρ is written out."""
+        """Returns the symbol, expanded if it depends on the coordinate ρ of ∂/∂ρ."""
         if symbol.declaration.coordinate:
             return coordinate
         body = self.definitions.lookup(symbol)

@@ -1,1 +1,1 @@
-"""Goals with quantifiers as one theorem: what they say, and the rules of a proof, joined."""
+"""Goals with quantifiers as one theorem: their statement, and their proof joined from its steps."""

@@ -1,4 +1,4 @@
-"""What follows from equations that are known: the same expression of both of their sides."""
+"""Congruence: the same expression of both sides of known equations."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from workbench.prover.goals.substitution import Substitution, at_integer
 
 
 class Following(Equations):
-    """Writes the proofs of what follows from premises."""
+    """Writes the proofs of consequences of premises by congruence."""
 
     def _follows(self, at: Place, one: Relation, proof: Follows) -> None:
         lefts: dict[Variable, Term] = {}
@@ -52,7 +52,7 @@ class Following(Equations):
                 self._prove(at, new, ())
 
     def _real(self, one: Relation, dual: bool) -> None:
-        """An equation of real quantities among dual ones."""
+        """Converts a goal between real quantities to dual ones."""
         if dual and not (one.left.type.dual or one.right.type.dual):
             x, y = (self._node(side, False) for side in (one.left, one.right))
             self.tell(f"refine (embedded_at now (x := {x}) (y := {y}) _).")
@@ -60,7 +60,7 @@ class Following(Equations):
     def _alike(
         self, at: Place, image: Term, shown: Sequence[tuple[Variable, Relation, str]], lasts: bool
     ) -> None:
-        """The same expression of what is equal."""
+        """Proves that the same expression of equal values is equal."""
         if isinstance(image, Symbol) and len(shown) == 1:
             self.tell(f"exact {shown[0][2]}.")
             return
@@ -87,7 +87,7 @@ class Following(Equations):
         if all(v.declaration.type.dual == side.type.dual and not isinstance(side, Zero) for v, side in pairs):
             self._by_lemma(at, relation("=", first, last), given, plain=True)
             return
-        # a real quantity stands for a dual one, or a 0, of which the judge leaves nothing
+        # a real quantity for a dual one, or a 0 that the judge removed
         values = [{v: getattr(r, side) for v, r, _ in shown} for side in ("left", "right")]
         before, after = (
             [(relation("=", symbol(letters_[v].declaration), of[v]), same(v)) for v in of]
@@ -99,7 +99,7 @@ class Following(Equations):
             self._by_lemma(at, new, known, plain=True)
 
     def _instance(self, at: Place, use: Use) -> tuple[Place, Relation, str, bool]:
-        """The equation that a premise says for these values, its proof, and whether it lasts."""
+        """Returns the instance of a premise at these values, its proof, and whether it holds at all times."""
         known = at.known[use.premise]
         goal, proof, given, lasts = known.goal, known.proof, dict(use.at), known.lasts
         while not isinstance(goal, Atom):
@@ -154,10 +154,10 @@ class Following(Equations):
         return at, one, proof, lasts
 
     def _member(self, at: Place, variable: Variable, term: Term, by: Proof) -> tuple[Place, Term]:
-        """The term, or a letter with its value if a constant is asked for and the term is none."""
+        """Returns the term, or a letter with its value if a constant is required and the term is none."""
         own = variable.declaration
         meant = at.scope.definitions.lookup(term) if isinstance(term, Symbol) else None
-        if isinstance(meant, Symbol):  # what is known of that is known of the term
+        if isinstance(meant, Symbol):  # facts of the definition hold for the term
             each = (conditions(own, self._node(one, own.type.dual)) for one in (term, meant))
             self.speaker.known |= {a: k for a, b in zip(*each, strict=True) if (k := self.known_to_be(b))}
         if all(map(self.known_to_be, conditions(own, self._node(term, own.type.dual)))):
@@ -170,7 +170,7 @@ class Following(Equations):
         return replace(at, aliases=(*at.aliases, alias)), symbol(letter.declaration)
 
     def _of_its_set(self, at: Place, variable: Variable, term: Term, by: Proof) -> None:
-        """That a motion is a rotation, or a unit vector, at all times."""
+        """Proves that a motion is a rotation, or a unit vector, at all times."""
         parts = tuple(Atom(one) for one in belongs(variable, term))
         own = parts[0] if len(parts) == 1 else Both(parts)
         with self.shown(self.fresh("member"), said(self.speaker, own), True) as shown:
@@ -180,7 +180,7 @@ class Following(Equations):
 
 
 def _differentiates(image: Term, letters: Sequence[Symbol]) -> bool:
-    """Whether derivatives are taken of what is made of these letters."""
+    """True if the term differentiates an expression in these letters."""
     return any(
         (isinstance(part, Derivative | TimeOperator) and any(p in letters for p in part.walk()))
         or (isinstance(part, Apply) and part.arguments[0].type.kind == "operator")

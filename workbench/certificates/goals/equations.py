@@ -1,4 +1,4 @@
-"""Equations of a goal: shown by a lemma, for letters that have the values of terms."""
+"""Equations of a goal: proved by a lemma, for letters with the values of terms."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Equations(Script):
         raise NotImplementedError
 
     def _equations(self, at: Place, using: tuple[int, ...] | None) -> list[tuple[Relation, str]]:
-        """What may be supposed of equations, each with its proof."""
+        """Returns the equations that may be used as premises, each with its proof."""
         found = []
         for place, known in enumerate(at.known):
             if using is None or place in using:
@@ -41,7 +41,7 @@ class Equations(Script):
         return [(one, proof) for one, proof in found if one.operator == "="]
 
     def _prove(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> None:
-        """The goal is this equation."""
+        """Proves an equation."""
         if one.operator != "=":
             raise NotCertified("an inequation to be shown by computing")
         used = [a for a in at.aliases if any(has(a, side, at) for side in (one.left, one.right))]
@@ -67,7 +67,7 @@ class Equations(Script):
                 self._by_lemma(at, new, [as_given(a) for a in used], plain=True)
 
     def _moves(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> bool:
-        """Whether derivatives are taken of what is made of a free symbol that something is supposed of."""
+        """True if the equation differentiates an expression in a free symbol that has a premise."""
         free = {p for r, _ in given for p in (r.left, r.right) if isinstance(p, Symbol)}
         full = (expand(side, at.scope.definitions) for side in (one.left, one.right))
         parts = (p for side in full for p in side.walk())
@@ -78,7 +78,7 @@ class Equations(Script):
         )
 
     def _by_rates(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> None:
-        """By the derivatives of free symbols, of which each has a value of its own at the instant."""
+        """Proves an equation by derivatives of free symbols, which have independent values at the instant."""
         left, right = (spread(side, at.scope.definitions) for side in (one.left, one.right))
         for new, known in zip(self.by_way_of(one, left, right), ((), given, ()), strict=True):
             self._by_lemma(at, new, known)
@@ -91,7 +91,7 @@ class Equations(Script):
     def _by_lemma(
         self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]], plain: bool = False
     ) -> None:
-        """plain: whatever the symbols are."""
+        """Proves an equation by a lemma. plain: for arbitrary values of the symbols."""
         if one.left == one.right:
             self.tell("exact (same_at now _).")
             return
@@ -107,14 +107,14 @@ class Equations(Script):
     def _always(
         self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]], stand: dict[Term, Term]
     ) -> None:
-        """Of all times, from what is given at all times: that may be differentiated."""
+        """Proves an equation at all times from premises at all times, which may be differentiated."""
         lemma = self._step(at, one, [r for r, _ in given], lasting=True)
         proofs = [f"(throughout (fun now => {proof}))" for _, proof in given]
         use = " ".join([lemma.name, "K", *self._arguments(lemma, stand, proofs, False)])
         self.tell(f"exact (always now ({use})).")
 
     def _step(self, at: Place, one: Relation, premises: Sequence[Relation], lasting: bool = False) -> Theorem:
-        """The lemma that says so."""
+        """Returns the lemma for an equation."""
         lemma = theorem_for_all(f"step_{len(self.lemmas) + 1}", one, premises, at.scope, lasting)
         if not can_be_certified(lemma):
             raise NotCertified("a sum, or a derivative of order n, of which the library knows too little")
@@ -124,7 +124,7 @@ class Equations(Script):
         return same or lemma
 
     def _arguments(self, lemma: Theorem, stand: dict[Term, Term], proofs: list[str], now: bool) -> list[str]:
-        """What the lemma is about here, and the proofs of what it supposes."""
+        """Returns the arguments of the lemma, and the proofs of its premises."""
         own, speaker = lemma.emitter, self.speaker
         families = {name: speaker.families.get(declaration) for declaration, name in own.families.items()}
         given = [
@@ -169,7 +169,8 @@ class Equations(Script):
         return given
 
     def known_to_be(self, one: str) -> str | None:
-        """The proof that a quantity is a rotation, a constant, …: of its own, or as a member of a family."""
+        """Returns the proof that a quantity is a rotation, a constant, …, by itself or as a member of a
+        family."""
         word, _, text = one.partition(" ")
         family, _, places = re.sub(r"^\((.*?)(?: : \w+ K)?\)$", r"\1", text).partition(" ")
         if (member := f"{family}_{word.removeprefix('dual_')}") in self.of_families:
@@ -177,7 +178,7 @@ class Equations(Script):
         return self.speaker.known.get(one)
 
     def _turning(self, angle: Term, stand: dict[Term, Term], now: bool) -> str:
-        """That cosine and sine are such."""
+        """Returns the proof that cosine and sine are those of an angle."""
         angle = restored(angle, stand)
         cosine = self.text(Apply(angle.type, None, "cos", (angle,)))
         if cosine.startswith("(cosine_of"):
@@ -192,7 +193,7 @@ class Equations(Script):
     def _valued(
         self, at: Place, variables: Sequence[Variable], members: Mapping[str, str]
     ) -> tuple[Place, list[Alias]]:
-        """Letters that have the values of these members."""
+        """Returns the place with letters that have the values of these members, and the letters."""
         terms = read_members(at.scope, tuple(variables), members)
         made = []
         for variable, term in terms.items():
@@ -200,7 +201,8 @@ class Equations(Script):
         return replace(at, aliases=(*at.aliases, *made)), made
 
     def _alias(self, at: Place, variable: Variable, term: Term, by: Proof | None = None) -> Alias:
-        """by: the proof that the term belongs to the letter's set."""
+        """Returns a letter with the value of a term. by: the proof that the term belongs to the letter's
+        set."""
         own = variable.declaration
         if not own.constant or own.type.kind not in KINDS:
             raise NotCertified("a witness that is a function of time")

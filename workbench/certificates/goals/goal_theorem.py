@@ -1,4 +1,4 @@
-"""A goal and its proof as one theorem of Coq."""
+"""A goal and its proof as one Coq theorem."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ OF_MOMENTS = HEADER.replace(
 
 @dataclass
 class Whole:
-    """The theorem that says the goal, after the lemmas that are the steps of its proof."""
+    """The theorem of a goal, after the lemmas of its proof."""
 
     name: str
     goal: Goal
@@ -44,7 +44,7 @@ class Whole:
     top: Sequence[str]
     at_instant: frozenset[str]
     names: Mapping[str, Term]
-    prefix: str = ""  # of its lemmas, where several theorems stand in a file
+    prefix: str = ""  # prefix of the names of lemmas, if a file has several theorems
 
     @property
     def statement(self) -> str:
@@ -72,7 +72,7 @@ class Whole:
         return re.sub(r"\bstep_(?=\d)", f"{self.prefix}_step_", lemmas + section)
 
     def read_back_faults(self) -> list[str]:
-        """Where the text, read again, does not say what the goal says, or is not the text again."""
+        """Returns where the text, read back, differs from the goal, or does not reproduce the text."""
         speaker, of_term = self.speaker, OfTerm(self.speaker.definitions)
         of_text = OfText(self.names, of_term, speaker.families)
         found = [fault for line in self.top for fault in line_faults(speaker, line, of_text, ())]
@@ -85,7 +85,7 @@ class Whole:
 
 
 def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
-    """Raises NotCertified with the first obstacle."""
+    """Returns the certificate of a goal. Raises NotCertified with the first obstacle."""
     if claim.goal is None:
         raise NotCertified("a claim without a goal")
     if claim.supposed:
@@ -96,8 +96,10 @@ def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
 
 
 def of_one_instant(form: Form) -> Certificate:
-    """A form that supposes what some free symbols are at one instant, and holds there. They may have any
-    values, which is the theorem that the premises can be met."""
+    """Returns the certificate of a form whose premises give values of free symbols at one instant.
+
+    That these symbols may have any values is the theorem that the premises can be met.
+    """
     claim, notation = form.claim, form.claim.notation
     scope, theorems = Scope(notation.symbols, notation.definitions, {}), []
     chosen: dict[Relation, Whole] = {}
@@ -114,7 +116,7 @@ def of_one_instant(form: Form) -> Certificate:
 
 
 def _chosen(one: Relation, scope: Scope) -> Whole:
-    """That a free symbol can have this value at any instant."""
+    """Returns the theorem that a free symbol can have this value at any instant."""
     if not isinstance(one.left, Symbol) or one.operator != "=":
         raise NotCertified("premises at one instant that do not say what a free symbol is")
     own = one.left.declaration

@@ -1,5 +1,7 @@
-"""Terms at one instant: derivatives brought to the free symbols, of which each has a value of its own there;
-operators written as what they do."""
+"""Terms at one instant: derivatives are moved to the free symbols, and operators are applied.
+
+Each derivative of a free symbol has an independent value at the instant.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,7 @@ from workbench.language.definitions import Definitions
 
 
 def spread(term: Term, definitions: Definitions) -> Term:
-    """The same by derivatives of free symbols alone, and without operators."""
+    """Returns the term with derivatives of free symbols only, and without operators."""
     match term:
         case Derivative(body=body, order=order) if order.is_number:
             made = spread(body, definitions)

@@ -1,4 +1,4 @@
-"""Steps as lemmas about any differential ring, and about what agrees at an instant."""
+"""Steps as lemmas about any differential ring, and about equality at an instant."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from workbench.language.definitions import Definitions
 
 
 def at_an_instant(lemma: Theorem) -> str:
-    """The lemma for what agrees in some respect: its premises and its conclusion are that they agree."""
+    """Returns the lemma with equality at an instant in its premises and its conclusion."""
     own = lemma.emitter
     binders = " ".join(f"({name} : {type_})" for name, type_ in lemma.binders)
     lines = [_agreeing(line) for line in lemma.lines]
@@ -71,7 +71,7 @@ def _agreeing(line: str) -> str:
 
 
 def only_now(term: Term) -> bool:
-    """Whether it has words that are about the instant."""
+    """True if the term has parts that are defined at the instant only."""
     return any(
         isinstance(part, Apply)
         and (
@@ -91,8 +91,10 @@ def only_now(term: Term) -> bool:
 def without_derivatives(
     said_: Sequence[Relation], definitions: Definitions, plain: bool
 ) -> tuple[list[Relation], dict[Term, Term]]:
-    """The equations with a symbol for each derivative, or a plain one for each symbol, too; and what these
-    stand for."""
+    """Returns the equations with a symbol for each derivative, and what these stand for.
+
+    plain: also replaces each symbol by a plain one.
+    """
     stand: dict[Term, Term] = {}
 
     def other(term: Term, declaration: Declaration) -> Term:
@@ -119,7 +121,8 @@ def without_derivatives(
 
 
 def of_letters(image: Term, letters: Collection[Symbol]) -> tuple[Term, dict[Term, Term]]:
-    """The term with a symbol for each part that does not depend on these letters; what these stand for."""
+    """Returns the term with a symbol for each part without these letters, and what these symbols stand
+    for."""
     stand: dict[Term, Term] = {}
 
     def bare(term: Term) -> Term:
@@ -144,7 +147,7 @@ def restored(term: Term, stand: dict[Term, Term]) -> Term:
 
 
 def _special(term: Term) -> bool:
-    """What is more than any quantity of its kind, or comes with premises of its own."""
+    """True if the term is more special than any quantity of its kind, or has premises of its own."""
     if isinstance(term, Apply) and term.head in ("cos", "sin", "exp"):
         return True
     if free_integers(term) and term.type.kind in KINDS:

@@ -1,4 +1,4 @@
-"""Where a proof stands, and what is known there."""
+"""Positions in a proof, with the known facts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from workbench.prover.goals.sequents import kind_of
 
 @dataclass(frozen=True)
 class Known:
-    """A premise, and the proof of it in Coq, for any `now` if it lasts."""
+    """A premise with its proof in Coq, for any `now` if it holds at all times."""
 
     goal: Goal
     proof: str
@@ -26,7 +26,7 @@ class Known:
 
 @dataclass(frozen=True)
 class Alias:
-    """A letter whose value at the instant is the term's; `proof` says so."""
+    """A letter with the value of the term at the instant. proof: of that equality."""
 
     letter: Variable
     term: Term
@@ -35,7 +35,7 @@ class Alias:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a proof stands: what is to be shown, in what letters, from what."""
+    """A position in a proof: the goal, the scope, and the known facts."""
 
     goal: Goal
     scope: Scope
@@ -50,7 +50,7 @@ class Place:
 
     @property
     def lasts(self) -> bool:
-        """Whether what follows here holds at all times."""
+        """True if everything that follows here holds at all times."""
         return not self.aliases and all(known.lasts for known in self.known)
 
     def at_all_times(self) -> Place:
@@ -58,7 +58,7 @@ class Place:
 
 
 def flattened(goal: Goal, proof: str) -> list[tuple[Relation, str]]:
-    """The equations and inequations of a conjunction, each with its proof."""
+    """Returns the equations and disequations of a conjunction, each with its proof."""
     match goal:
         case Atom(statement):
             said = list(relations(statement))
@@ -94,7 +94,7 @@ def one_of(statement: Statement) -> Relation:
 
 
 def relation_of(goal: Goal) -> Relation:
-    """The relation that the goal is. Raises NotCertified for another goal."""
+    """Returns the relation of an atomic goal. Raises NotCertified for other goals."""
     if not isinstance(goal, Atom):
         raise NotCertified(f"{kind_of(goal)} where one relation is expected")
     return one_of(goal.statement)

@@ -1,7 +1,7 @@
 """Goals as propositions of Coq, about the motions of real bodies at an instant `now`.
 
-A letter of V₃ is a constant vector, one of V₃^ℝ a function of time; equations are those of the values at the
-instant (`equal_at now`), and 1/x, ‖x‖, cos x and sin x of letters are the numbers that they are there.
+A letter of V₃ is a constant vector, one of V₃^ℝ a function of time. Equations hold for the values at the
+instant (`equal_at now`). 1/x, ‖x‖, cos x and sin x of letters are numbers at that instant.
 """
 
 from __future__ import annotations
@@ -40,26 +40,26 @@ from workbench.language.goals.goals import (
 )
 from workbench.prover.goals.sequents import kind_of, names_of, relations_of
 
-#: What stands before that which holds at all times.
+#: The prefix of propositions that hold at all times.
 ALWAYS = "forall now : instant, "
 
-#: A proposition that is no part of another one, or one that needs no brackets where it is.
+#: Levels of a proposition: a whole one, and one that needs no brackets.
 _LOOSE, _TIGHT = 1, 0
 
 
 class Speaker(Emitter):
-    """Says terms of goals. `known`: the proofs of what is supposed of quantities, such as `rotation Q`."""
+    """Writes the terms of goals. known: proofs of premises such as `rotation Q`."""
 
     def __init__(self, definitions: Definitions) -> None:
         super().__init__(definitions)
         self.several = True
         self.known: dict[str, str] = {}
-        self.bound: frozenset[Name] = frozenset()  # the letters of the quantifiers around
-        self.less: dict[str, tuple[str, int]] = {}  # of an integer in a proof: what it is more than its least
+        self.bound: frozenset[Name] = frozenset()  # the letters of the enclosing quantifiers
+        self.less: dict[str, tuple[str, int]] = {}  # integer → (excess, least value)
 
     @contextmanager
     def within(self) -> Iterator[None]:
-        """The scope of a quantifier: its letters and what is defined of them."""
+        """Opens the scope of a quantifier: its letters and their definitions."""
         kept = dict(self._symbols), dict(self.read_back), set(self._names), dict(self.known)
         around = self.bound, self.integers, self.bounds, dict(self.orders), dict(self.less)
         try:
@@ -70,7 +70,7 @@ class Speaker(Emitter):
             self._made = {}
 
     def integer(self, letter: str, least: int) -> str:
-        """A name for an integer that is at least so much, from here to the end of its scope."""
+        """Returns a name for an integer with this least value, up to the end of its scope."""
         name = self.fresh(letter)
         self.integers = {**self.integers, letter: name}
         self.bounds = {**self.bounds, letter: (Linear(least), Linear.variable(letter))}
@@ -89,7 +89,7 @@ class Speaker(Emitter):
         return super()._new(symbol)
 
     def letter(self, variable: Variable, suffix: str = "") -> str:
-        """A name for a letter that a quantifier binds, from here to the end of its scope."""
+        """Returns a name for a quantified letter, up to the end of its scope."""
         name = self.fresh(identifier(symbol(variable.declaration)) + suffix)
         self.bound |= {variable.name}
         self.call(symbol(variable.declaration), name)
@@ -144,9 +144,6 @@ def _is_letter(term: Term) -> bool:
     return isinstance(term, Symbol) and term.declaration.constant
 
 
-# letters and what they are
-
-
 def binder(variable: Variable, name: str) -> str:
     if variable.argument is not None:
         raise NotCertified("a map")
@@ -156,11 +153,8 @@ def binder(variable: Variable, name: str) -> str:
     return f"({name} : {emitted_nodes.type_name(own.dual, KINDS[own.kind])})"
 
 
-# propositions
-
-
 def said(speaker: Speaker, goal: Goal) -> str:
-    """Raises NotCertified where the library has no words for it."""
+    """Returns the goal as text. Raises NotCertified if the library cannot express it."""
     return _said(speaker, goal)[0]
 
 
@@ -201,7 +195,7 @@ def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
 
 
 def _bound_names(goal: Goal) -> Iterator[Name]:
-    """The letters that the quantifiers of a goal bind."""
+    """Yields the letters that the quantifiers of a goal bind."""
     if isinstance(goal, All | Exists):
         yield from (variable.name for variable in goal.variables)
     for part in inside(goal):
@@ -209,8 +203,10 @@ def _bound_names(goal: Goal) -> Iterator[Name]:
 
 
 def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_families: bool = False) -> None:
-    """Symbols of the paper, and what is defined of them, before the goal. by_families: single members, too,
-    as members of their families."""
+    """Writes the free symbols of the paper and their definitions before the goal.
+
+    by_families: writes single members as members of their families.
+    """
     bound = set(_bound_names(goal))
     for member in families_in(goal):
         if by_families:
@@ -236,7 +232,7 @@ def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_familie
 
 
 def families_in(goal: Goal) -> list[Symbol]:
-    """The members of families that it speaks of."""
+    """Returns the members of families in the goal."""
     return [part for term in _terms(goal) for part in term.walk() if isinstance(part, Symbol) and part.index]
 
 
@@ -245,12 +241,12 @@ def _terms(goal: Goal) -> list[Term]:
 
 
 def every(name: str, least: int) -> str:
-    """For each natural number that is at least so much."""
+    """Returns the quantifier over natural numbers from a least value on."""
     return f"forall {name} : nat, " + (f"({least} <= {name})%nat -> " if least else "")
 
 
 def only(speaker: Speaker, variables: Sequence[Variable], names: Sequence[str], body: Goal) -> str:
-    """That nothing else does: other members of which the body holds are those of these names."""
+    """Returns the uniqueness part: any other members that satisfy the body are equal to these names."""
     with _bound(speaker, variables, "'") as (binders, supposed):
         others = [speaker.symbol(symbol(v.declaration)).text for v in variables]
         given = "".join(f"{one} -> " for one in [*supposed, _enclosed(_said(speaker, body))])
@@ -265,7 +261,7 @@ def only(speaker: Speaker, variables: Sequence[Variable], names: Sequence[str], 
 def _bound(
     speaker: Speaker, variables: Sequence[Variable], suffix: str = ""
 ) -> Iterator[tuple[str, list[str]]]:
-    """What stands behind the quantifier, and what is supposed of its letters."""
+    """Yields the binders of a quantifier, and the premises on its letters."""
     with _closed(speaker):
         names = [speaker.letter(v, suffix) for v in variables]
         binders = " ".join(binder(v, n) for v, n in zip(variables, names, strict=True))
@@ -275,7 +271,7 @@ def _bound(
 
 @contextmanager
 def _closed(speaker: Speaker) -> Iterator[None]:
-    """The scope of a quantifier, in which nothing can be defined."""
+    """Opens the scope of a quantifier, in which nothing can be defined."""
     lines = len(speaker.statement)
     with speaker.within():
         yield

@@ -1,4 +1,4 @@
-"""Propositions read back: what the text of a goal says, and where that is not what the goal says."""
+"""Reader of propositions: what the text of a goal states, and where that differs from the goal."""
 
 from __future__ import annotations
 
@@ -31,11 +31,16 @@ _SUPPOSED = ("rotation", "dual_rotation", "unit_vector", "constant")
 
 @dataclass(frozen=True)
 class Proposition:
-    """`forall`, `exists`, `->`, `<->`, `and`, `not`, `equal`, `at_least`, `is` for what a letter is, `every`
-    of an integer, or `always`.
+    """A proposition as read.
 
-    binders: as they are written; of an integer, its name and its least value. sides: of an equation, which
-    is `dual` or not; or the words of an `is`."""
+    Attributes:
+        head: `forall`, `exists`, `->`, `<->`, `and`, `not`, `equal`, `at_least`, `is` for the condition on a
+            letter, `every` for an integer, or `always`.
+        binders: As written; for an integer, its name and its least value.
+        sides: The sides of an equation.
+        dual: Whether the equation is between dual quantities.
+        words: The words of an `is`.
+    """
 
     head: str
     parts: tuple[Proposition, ...] = ()
@@ -90,7 +95,7 @@ class _Reader(Parser):
         return left
 
     def _counted(self) -> Proposition:
-        """For every integer from its least on, or for every instant."""
+        """Returns the proposition for every integer from its least value on, or for every instant."""
         name, _, type_, _ = self.take(), self.take(":"), self.take(), self.take(",")
         if (name, type_) == ("now", "instant"):
             return Proposition("always", (self.proposition(),))
@@ -148,7 +153,7 @@ class _Reader(Parser):
 
 
 def proposition(text: str) -> Proposition:
-    """Raises Unread outside of the emitted subset."""
+    """Returns the proposition of a text. Raises Unread outside of the emitted subset."""
     reader = _Reader(text)
     made = reader.proposition()
     if reader.peek():
@@ -158,7 +163,7 @@ def proposition(text: str) -> Proposition:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Where a proposition does not say what a goal says. names: what each name of the text stands for."""
+    """Comparison of a proposition with a goal. names: name in the text → term."""
 
     of_term: OfTerm
     names: Mapping[str, Term]
@@ -209,7 +214,8 @@ class Comparison:
     def _bound(
         self, said: Proposition, variables: Sequence[Variable]
     ) -> tuple[Comparison, list[str], list[str]]:
-        """Inside of the quantifier; the names; what the letters are to be."""
+        """Returns the comparison inside of the quantifier, the names, and the expected conditions on the
+        letters."""
         names = [text.split()[0].removeprefix("(") for text in said.binders]
         letters = {n: symbol(v.declaration) for n, v in zip(names, variables, strict=False)}
         wanted = [c for n, v in zip(names, variables, strict=False) for c in conditions(v.declaration, n)]
@@ -288,7 +294,7 @@ class Comparison:
 
 
 def _after(wanted: Sequence[str], said: Proposition) -> Proposition | None:
-    """What follows where these are supposed first; None if they are not."""
+    """Returns the rest after these premises; None if they are not the premises."""
     for one in wanted:
         if said.head != "->" or said.parts[0] != Proposition("is", words=one):
             return None
@@ -299,7 +305,7 @@ def _after(wanted: Sequence[str], said: Proposition) -> Proposition | None:
 def faults(
     text: str, goal: Goal, of_term: OfTerm, names: Mapping[str, Term], families: Mapping[Declaration, str]
 ) -> list[str]:
-    """Where the text, read again, does not say what the goal says, or is not the text again."""
+    """Returns where the text, read back, differs from the goal, or does not reproduce the text."""
     read = proposition(text)
     found = [] if str(read) == text else [f"{text} is written again as {read}"]
     return found + list(Comparison(of_term, names, families).faults(read, goal))

@@ -1,4 +1,4 @@
-"""The script of a proof: what Coq is told, with what names for letters and terms."""
+"""The script of a proof in Coq, with names for letters and terms."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def nat_sum(parts: Sequence[str]) -> str:
 
 
 class Script:
-    """`lines`: the proof; `lemmas`: the steps that it uses."""
+    """A proof script. lines: the proof.   lemmas: the steps that it uses."""
 
     def __init__(self, speaker: Speaker) -> None:
         self.speaker = speaker
@@ -36,11 +36,11 @@ class Script:
         self.top, speaker.statement = speaker.statement, []
         self._binders = list(speaker.binders)
         self.of_families = {name for name, what in speaker.binders if what.startswith("forall ")}
-        self.at_instant: set[str] = set()  # names of lemmas that are used of an instant
+        self.at_instant: set[str] = set()  # names of lemmas that are used at an instant
         self._fresh = 0
 
     def tell(self, line: str) -> None:
-        """What the texts before have defined is defined first."""
+        """Adds a line, after the definitions that the texts so far need."""
         for made in self.speaker.statement:
             if not made.startswith("let "):
                 raise NotCertified("an inverse or an angle that the goal does not mention")
@@ -54,7 +54,7 @@ class Script:
 
     @contextmanager
     def shown(self, name: str, text: str, lasts: bool) -> Iterator[str]:
-        """What is shown first, of all times if it lasts; yields its proof for `now`."""
+        """Shows a proposition first, at all times if it lasts; yields its proof for `now`."""
         self.tell(f"assert ({name} : {ALWAYS if lasts else ''}{text}).")
         with self.part():
             if lasts:
@@ -62,14 +62,14 @@ class Script:
             yield f"({name} now)" if lasts else name
 
     def counted(self, letter: str, least: int) -> str:
-        """Any integer from its least on is so much more than that; its name."""
+        """Introduces an integer as its least value plus an excess, and returns the name."""
         name = self.speaker.integer(letter, least)
         less = self.speaker.fresh(f"{name}_less_{least}") if least else name
         self.speaker.less[letter] = (less, least)
         return name
 
     def number(self, value: Linear) -> str:
-        """The integer, by how much its letters are more than their least."""
+        """Returns the integer in terms of the excesses of its letters."""
         constant, parts = value.constant, []
         for letter, coefficient in value.coefficients:
             less, least = self.speaker.less[letter]
@@ -98,7 +98,7 @@ class Script:
         return name
 
     def _supposed(self, variables: Sequence[Variable], names: Sequence[str]) -> list[str]:
-        """The names of what is supposed of letters."""
+        """Returns the names of the premises on letters."""
         return [
             f"{name}_{one.split()[0]}"
             for v, name in zip(variables, names, strict=True)
@@ -106,7 +106,8 @@ class Script:
         ]
 
     def _node(self, term: Term, dual: bool, plain: bool = True) -> str:
-        """The term as an argument, of its type over the smooth functions. plain: a name needs none."""
+        """Returns the term as an argument, with its type over the smooth functions. plain: a name needs
+        none."""
         node = self.speaker.term(term)
         node = emitted_nodes.embedded(node, node.dual or dual)
         return node.text if plain and node.level == ATOM else f"({node.text} : {node.type})"
@@ -117,7 +118,8 @@ class Script:
     def by_way_of(
         self, one: Relation, first: Term, last: Term, dual: bool | None = None
     ) -> Iterator[Relation]:
-        """Three equations for one, each to be shown: to the first of these terms, to the last, and on."""
+        """Yields three equations to show instead of one: to the first of these terms, to the last, and to the
+        other side."""
         dual = one.left.type.dual or one.right.type.dual if dual is None else dual
         nodes_ = (self._node(term, dual, plain=False) for term in (first, last))
         self.tell(f"refine {' '.join(f'(then_at now (y := {node}) _' for node in nodes_)} _)).")

@@ -1,8 +1,8 @@
-"""Goals as one theorem of Coq: the steps of their proof as lemmas, joined by its rules.
+"""Goals as one Coq theorem: the steps of their proof as lemmas, joined by its rules.
 
-A lemma is about any differential ring. Where it supposes nothing it is used for the smooth functions; else
-for their values at the instant, which are a ring in which nothing changes (`Moment.v`). A derivative is then
-a quantity of its own.
+A lemma is about any differential ring. If it has no premises, it is used for the smooth functions, else for
+their values at the instant, which are a ring with zero derivation (`Moment.v`). A derivative is then a
+quantity of its own.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ from workbench.prover.goals.substitution import at_integer
 
 
 class Joiner(Following):
-    """Writes the proof of a goal, by the rules of judge.theorems.rules."""
+    """Writes the proof of a goal, by the rules of proofs in the prover."""
 
     def show(self, at: Place, proof: Proof) -> None:
         match at.goal, proof:
@@ -155,7 +155,7 @@ class Joiner(Following):
             self.tell(f"pose ({name} := {after(least, less)}).")
 
     def _induction(self, at: Place, integer: str, least: int, body: Goal, proof: Induction) -> None:
-        """At all times, if it is from what holds at all times."""
+        """Proves by induction, at all times if all premises hold at all times."""
         times = " now" if at.lasts else ""
         if times:
             with self.speaker.within():
@@ -177,7 +177,7 @@ class Joiner(Following):
             self.show(inner.of(at_integer(body, integer, Linear.variable(integer) + 1)), proof.step)
 
     def _first(self, at: Place, body: Goal, proof: Proof) -> None:
-        """Where the induction begins, sums are their addends."""
+        """Proves the first step of an induction, where sums are replaced by their addends."""
         sums = [p for s in atoms(body) for r in relations_of(s) for p in (*r.left.walk(), *r.right.walk())]
         if isinstance(at.goal, Atom) and any(isinstance(part, BigSum) for part in sums):
             one = one_of(at.goal.statement)
@@ -196,7 +196,7 @@ class Joiner(Following):
         self._prove(at, one, given)
 
     def _holds_anyway(self, at: Place, one: Relation) -> bool:
-        """Whether the premises are not needed."""
+        """True if the equation holds without the premises."""
         left, right = (self._unaliased(at, side) for side in (one.left, one.right))
         if expand(left, at.scope.definitions) == expand(right, at.scope.definitions):
             return True

@@ -1,1 +1,1 @@
-"""The text of a theorem, read back and compared with its terms."""
+"""Reading back: the text of a theorem is parsed and compared with its terms."""

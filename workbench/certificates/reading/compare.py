@@ -1,4 +1,4 @@
-"""What a theorem's text, read back, says otherwise than its terms: definitions, suppositions, conclusions."""
+"""Differences between a theorem's text, as read back, and its terms: definitions, premises, conclusions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from workbench.core.types import Declaration
 def faults_of(
     emitter: Emitter, conclusions: Sequence[str], relations: Sequence[Relation], premises: Sequence[Relation]
 ) -> list[str]:
-    """Where the text, read again, does not say what the terms say, or is not the text again."""
+    """Returns where the text, read back, differs from the terms, or does not reproduce the text."""
     of_term = OfTerm(emitter.definitions, len(emitter.integers))
     of_text = OfText(emitter.read_back, of_term, emitter.families, emitter.integers)
     faults = binder_faults(emitter, emitter.read_back)
@@ -46,7 +46,7 @@ def faults_of(
 def line_faults(
     emitter: Emitter, line: str, of_text: OfText, supposed: Sequence[tuple[object, object]]
 ) -> list[str]:
-    """Of a definition, or of a premise."""
+    """Returns the differences in a definition or a premise."""
     if line.endswith("->"):
         return premise_faults(line.removesuffix(" ->"), of_text, supposed)
     found = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL)
@@ -65,7 +65,8 @@ def line_faults(
 
 
 def _family_faults(emitter: Emitter, name: str, text: str, of_text: OfText) -> list[str]:
-    """Of a family that is given by its first member and a step, or by a function of the index."""
+    """Returns the differences in a family given by its first member and a step, or by a function of the
+    index."""
     declaration = next(d for d, n in emitter.families.items() if n == name)
     of_term = OfTerm(emitter.definitions, len(emitter.integers) + 1)
     (step,) = (d for d in emitter.definitions if d.declaration == declaration and not d.index[0].is_number)
@@ -88,7 +89,7 @@ def _family_faults(emitter: Emitter, name: str, text: str, of_text: OfText) -> l
 
 
 def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
-    """Where a variable is said to be, or supposed to be, what its term is not."""
+    """Returns the variables whose type or premises differ from those of their term."""
     faults, members = [], {}
     families = {name: declaration for declaration, name in emitter.families.items()}
     for name, type_ in emitter.binders:
@@ -98,7 +99,7 @@ def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
             continue
         own = names.get(re.split(r"[ )]", type_)[-1] if name in emitter.holes else name)
         if own is None and name not in emitter.holes and " " not in type_.removesuffix(" K"):
-            continue  # what an operator acts on
+            continue  # the argument of an operator
         if name in emitter.holes:
             declared = own.declaration if isinstance(own, Symbol) else None
             wanted = conditions(declared, type_.split()[-1]) if declared else []
@@ -115,7 +116,7 @@ def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
 
 
 def _members(declaration: Declaration, name: str) -> dict[str, str]:
-    """What a family is, and what is supposed of its members."""
+    """Returns the type of a family, and the premises on its members."""
     kind = emitted_nodes.type_name(declaration.type.dual, KINDS[declaration.type.kind])
     places = " ".join(f"i{place}" for place in range(declaration.indices))
     said = conditions(declaration, f"({name} {places})")
@@ -126,7 +127,7 @@ def _members(declaration: Declaration, name: str) -> dict[str, str]:
 
 
 def premise_faults(text: str, of_text: OfText, supposed: Sequence[tuple[object, object]]) -> list[str]:
-    """Where a premise says of a name what its term is not, or supposes what nobody did."""
+    """Returns the differences in a premise: a wrong statement on a name, or an unknown premise."""
     if "≡" in text:
         said = tuple(of_text(read_back.expression(side)) for side in re.split(r" (?:≡ε|≡) ", text))
         length = said[0][1] if said[0][:1] == ("mul",) and said[0][1] == said[0][2] else None

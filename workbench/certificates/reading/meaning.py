@@ -1,9 +1,7 @@
-"""What a statement says, as nested tuples: once from the Coq text, once from the typed term.
+"""Meanings of statements as nested tuples: once from the Coq text, once from the typed term.
 
-That both are the same is the check of the emitter, with which this module shares nothing.
-
-Left aside are only: the embedding of real quantities among dual ones, a scalar's place in a product, and
-how x⁴ of a vector is (x·x)².
+Their equality checks the emitter, with which this module shares no code. Only these differences are ignored:
+the embedding of real quantities in dual ones, a scalar's position in a product, and x⁴ of a vector as (x·x)².
 """
 
 from __future__ import annotations
@@ -61,18 +59,18 @@ _BINARY = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "mul", "@": "mul",
 
 
 def added(parts: list[Any]) -> Any:
-    """A sum, its first addend's addends among its own."""
+    """Returns a sum that is flattened in its first addend."""
     first, *rest = parts
     return ("add", *(first[1:] if first[0] == "add" else (first,)), *rest)
 
 
 def is_written_out(symbol: Symbol, definitions: Definitions, letters: Collection[Name]) -> bool:
-    """Whether a goal says what is meant at its place, since it depends on letters that the goal binds."""
+    """True if a goal must expand the symbol, since its definition depends on letters that the goal binds."""
     return bool(letters) and not names_of(symbol, Scope(SymbolTable(), definitions, {})).isdisjoint(letters)
 
 
 class OfText:
-    """Meanings of expressions, where `names` says what term a name stands for."""
+    """Meanings of expressions. names: name → term."""
 
     def __init__(
         self,
@@ -166,12 +164,12 @@ class OfText:
             return ("symbol", symbol(self.families[name], places))
         if name in _UNARY:
             return (_UNARY[name], *made())
-        if len(arguments) == 1:  # an operator on a value
+        if len(arguments) == 1:  # an operator applied to a value
             return applied(self(function), self(arguments[0]))
         raise Unread(f"the function {name}")
 
     def index(self, e: Expression) -> Linear | int:
-        """A natural number of Coq; one without variables is an int."""
+        """Returns a natural number of Coq; one without variables is an int."""
         if e.head in self.integers:
             return self.integers[e.head]
         if e.head.removesuffix("%nat").isdigit():
@@ -215,7 +213,7 @@ class OfText:
 
 
 def bound(depth: int) -> str:
-    """What stands for the variable of a sum."""
+    """Returns the placeholder for the variable of a sum."""
     return f"·{depth}"
 
 
@@ -236,11 +234,12 @@ class OfTerm:
         self.definitions, self.depth, self.letters = definitions, integers, letters
 
     def with_letters(self, letters: Iterable[Name], integers: int) -> OfTerm:
-        """Where a quantifier binds these, too: what depends on them is what its definition says."""
+        """Returns the meanings inside a quantifier that binds these letters, on which definitions may
+        depend."""
         return OfTerm(self.definitions, integers, self.letters.union(letters))
 
     def written_out(self, t: Term) -> Term | None:
-        """What a symbol is that depends on such letters."""
+        """Returns the definition of a symbol that depends on such letters."""
         if not self.letters or not isinstance(t, Symbol):
             return None
         body = self.definitions.lookup(t)
@@ -337,7 +336,7 @@ class OfTerm:
         return self(argument)
 
     def _written_out(self, field: Term) -> Term:
-        """The field with what depends on the coordinate replaced by what it is."""
+        """Returns the field with symbols that depend on the coordinate replaced by their definitions."""
         if isinstance(field, Symbol):
             body = self.definitions.lookup(field)
             if body is None or not self._depends(body):

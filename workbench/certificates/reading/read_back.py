@@ -1,8 +1,8 @@
-"""The emitted subset of Coq, read back: from the text of a statement to expressions.
+"""Parser of the emitted subset of Coq: from the text of a statement to expressions.
 
-A statement is definitions (`let x := … in`), premises (`… ->`) and a conclusion; its expressions are those
-that `emitter.py` writes. `meaning.py` compares what is read with the typed term that was certified, so that
-the text is known to say what the term says.
+A statement consists of definitions (`let x := … in`), premises (`… ->`) and a conclusion. Its expressions are
+those that `emitter.py` writes. `meaning.py` compares them with the certified typed term, so that the text is
+known to state the term.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Unread(ValueError):
 
 @dataclass(frozen=True)
 class Expression:
-    """An operation or a name with its arguments, as the text has it."""
+    """An operation or a name with its arguments, as written in the text."""
 
     head: str
     arguments: tuple[Expression, ...] = ()
@@ -30,7 +30,7 @@ class Expression:
         return self.at(100)
 
     def at(self, level: int) -> str:
-        """The text as the emitter writes it where what binds up to `level` needs no brackets."""
+        """Returns the text as the emitter writes it in a context of this precedence level."""
         text, own = self._text()
         return text if own <= level else f"({text})"
 

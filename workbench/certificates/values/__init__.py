@@ -1,1 +1,1 @@
-"""Values of symbols that are polynomials, sines and cosines of time."""
+"""Values of symbols as polynomials in time, its sine and its cosine."""

@@ -1,7 +1,7 @@
-"""Motions for which the premises of a statement hold: each variable as a term in cos t, sin t and t.
+"""Motions on which the premises of a statement hold: each variable as a term in cos t, sin t and t.
 
-Such a motion shows that the premises can be met, so that a theorem is not empty; and where the conclusion
-fails on it, it is a counterexample.
+Such a motion shows that the premises can be met, so that a theorem is not vacuous. If the conclusion fails on
+it, it is a counterexample.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ from workbench.certificates.emission.emitted_nodes import ATOM, Node, NotCertifi
 from workbench.certificates.values import trigonometric
 from workbench.certificates.values.trigonometric import Values, flat, value
 
-#: The symbols that stand before those of a statement.
+#: The symbols before those of a statement.
 BASE = ((False, "Scalar", "cosine"), (False, "Scalar", "sine"), (False, "Scalar", "time"))
 _C, _S, _T = (f"(Var false Scalar {i})" for i in range(3))
 
-#: How many motions are tried; after them one on which every free vector is a spiral.
+#: The number of random motions tried; the last one makes every free vector a spiral.
 _ATTEMPTS = 60
 
-#: The places of quotients, beyond those of what statements speak of.
+#: The first index of quotients, above those of statements.
 _QUOTIENTS = 2000
 
-#: To what order the quotients of a motion are known at t = 0, where motions are compared.
+#: The order to which quotients are expanded at t = 0 when motions are compared.
 _KNOWN = 6
 
 
@@ -41,7 +41,7 @@ def _triad(*parts: str) -> str:
 
 
 def _turned(axis: int) -> str:
-    """Rodrigues' formula for the angle t about an axis."""
+    """Returns Rodrigues' formula for the angle t about an axis."""
     skew = f"(Skew (Axis false {axis}))"
     rest = f"(Scale (Minus {_number(1)} {_C}) (Prod {skew} {skew}))"
     return f"(Plus (Plus (Idt false) (Scale {_S} {skew})) {rest})"
@@ -79,7 +79,7 @@ _CHOICES = {
 
 @dataclass(frozen=True)
 class Quotient:
-    """1/x on a motion where x is p + q t + r t² and never 0: a symbol at a place of its own. `below`: x."""
+    """1/x on a motion where x is p + q t + r t² and never 0, as a symbol with its own index. below: x."""
 
     place: str
     below: Node
@@ -96,7 +96,7 @@ class Quotient:
 
     @property
     def value(self) -> trigonometric.Wave:
-        """As many terms of its series as are known."""
+        """The known terms of its series."""
         p, q, r = self.coefficients
         series = [1 / p, -q / p**2]
         for _ in range(_KNOWN - 1):
@@ -106,7 +106,7 @@ class Quotient:
 
 @dataclass(frozen=True)
 class Instance:
-    """What each variable of a statement is on the motion: its text and its deep copy; and all values."""
+    """The motion: text and deep copy of each variable, and all values."""
 
     variables: dict[Origin, tuple[str, str]]
     values: Values
@@ -125,13 +125,13 @@ def place(node: Node) -> tuple[str, str, str]:
 
 
 def latest(emitter: Collector) -> list[Origin]:
-    """What the symbols are, where a premise can say it later than a quantifier."""
+    """Returns the meanings of the symbols; a premise may replace an earlier one."""
     last = {place(origin.node): origin for origin in emitter.origins}
     return [origin for origin in emitter.origins if last[place(origin.node)] is origin]
 
 
 def instances(emitter: Collector) -> Iterator[Instance]:
-    """Motions on which all premises hold, as far as exact values tell."""
+    """Yields motions on which all premises hold, as far as exact values can tell."""
     divides = {name for name, text in emitter.premises if text.startswith(("inverse ", "reciprocal "))}
     for attempt in range(_ATTEMPTS + 1):
         made = _attempt(emitter, random.Random(attempt), attempt)
@@ -145,7 +145,7 @@ def instances(emitter: Collector) -> Iterator[Instance]:
 
 
 def on_polynomials(emitter: Collector, given: Mapping[str, list[list[Fraction]]]) -> Instance:
-    """The motion on which the components of each variable have the given derivatives at t = 0."""
+    """Returns the motion on which the components of each variable have the given derivatives at t = 0."""
     values, variables = _base(), {}
     for origin in latest(emitter):
         if origin.how == "is":
@@ -158,7 +158,7 @@ def on_polynomials(emitter: Collector, given: Mapping[str, list[list[Fraction]]]
 
 
 def _polynomial(derivatives: list[Fraction]) -> str:
-    """c₀ + t (c₁ + t/2 (c₂ + …))."""
+    """Returns c₀ + t (c₁ + t/2 (c₂ + …))."""
     made = _number(derivatives[-1]) if derivatives else _number(0)
     for k in range(len(derivatives) - 1, 0, -1):
         step = f"(Scale (Scale {_number(Fraction(1, k))} {_T}) {made})"
@@ -167,7 +167,7 @@ def _polynomial(derivatives: list[Fraction]) -> str:
 
 
 def _assembled(node: Node, entries: list[str]) -> str:
-    """A symbol from its components, real parts before dual parts."""
+    """Returns a symbol composed of its components, real parts before dual parts."""
     if node.dual:
         half = len(entries) // 2
         real, dual = (_assembled(replace(node, dual=False), e) for e in (entries[:half], entries[half:]))
@@ -203,7 +203,7 @@ def _attempt(emitter: Collector, chance: random.Random, attempt: int) -> Instanc
 
 
 def _over(origin: Origin, below: Node, made: Instance) -> Node | None:
-    """1/x on the motion, if x is a number there or a quadratic without roots."""
+    """Returns 1/x on the motion, if x is a number there or a quadratic without roots."""
     terms = dict(value(below.deep, made.values).terms)
     p, q, r = coefficients = tuple(terms.pop((0, 0, k), Fraction(0)) for k in range(3))
     if terms or (not p if not (q or r) else 4 * p * r <= q * q):

@@ -1,4 +1,4 @@
-"""Equations of a theorem, tried on random motions before Coq is asked."""
+"""Trial of a theorem's equations on random motions, before Coq is asked."""
 
 from __future__ import annotations
 
@@ -26,7 +26,12 @@ from workbench.certificates.values.trigonometric import (
 
 
 class Theorem(Protocol):
-    """emitter: what its statement speaks of.   goals: pairs of sides, as deep copies."""
+    """A theorem.
+
+    Attributes:
+        emitter: The terms of its statement.
+        goals: Pairs of sides, as deep copies.
+    """
 
     @property
     def emitter(self) -> Collector: ...
@@ -36,14 +41,14 @@ class Theorem(Protocol):
 
 
 def can_be_certified(made: Theorem) -> bool:
-    """Whether Coq is to be asked: sums and derivatives of order n are tried first."""
+    """True if Coq should be asked: sums and derivatives of order n are tried first."""
     return not made.emitter.composed or holds_whatever_they_are(made)
 
 
 def holds_whatever_they_are(made: Theorem) -> bool:
-    """Whether the theorem's equations hold on a random motion, whose symbols are what is supposed of them."""
+    """True if the theorem's equations hold on a random motion that satisfies the premises."""
     chance, values, emitter = Random(0), {}, made.emitter
-    if emitter.steps or emitter.circles or emitter.helpers:  # what a premise alone says of a symbol
+    if emitter.steps or emitter.circles or emitter.helpers:  # symbols that only a premise determines
         return False
     pairs = [pair for goals in made.goals for pair in goals]
     known = {place(origin.node): origin.meaning.deep for origin in emitter.origins if origin.how == "is"}
@@ -60,7 +65,7 @@ def holds_whatever_they_are(made: Theorem) -> bool:
 
 
 def _member(dual: bool, kind: str, said: str, degree: int, chance: Random) -> object:
-    """Any value of which this is said; rotations and unit vectors that do not change are enough to try."""
+    """Returns a random value with this property; constant rotations and unit vectors are sufficient."""
     degree = 0 if "constant" in said else degree
     if "rotation" not in said and "unit" not in said:
         return _any(dual, kind, degree, chance)

@@ -1,6 +1,6 @@
-"""Exact values of deep copies on motions that are made of time, its cosine and its sine.
+"""Exact values of deep copies on motions made of time, its cosine and its sine.
 
-They only find a motion; that it is one is for Coq to say.
+They only serve to find a motion; Coq checks it.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Wave:
-    """A polynomial in cos t, sin t and t: coefficients by their exponents, where sin² t is 1 − cos² t."""
+    """A polynomial in cos t, sin t and t: exponents → coefficient, where sin² t is 1 − cos² t."""
 
     terms: Mapping[tuple[int, int, int], Fraction]
 
@@ -56,7 +56,7 @@ class Wave:
 
     @property
     def constant(self) -> Fraction | None:
-        """The number that it always is."""
+        """The number that the polynomial is equal to; None if it varies."""
         return self.terms.get((0, 0, 0), Fraction(0)) if set(self.terms) <= {(0, 0, 0)} else None
 
 
@@ -86,17 +86,17 @@ def wave(value: Fraction | int) -> Wave:
 
 COSINE, SINE, TIME = (Wave({place: Fraction(1)}) for place in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
 
-#: What each symbol is, by its flag, kind and number; of vectors and tensors as lists.
+#: (flag, kind, number) of a symbol → its value; vectors and tensors are lists.
 Values = dict[tuple[str, str, str], Any]
 
 
 def value(deep: str, values: Values) -> Any:
-    """Raises KeyError for a symbol that has none."""
+    """Returns the value of a deep copy. Raises KeyError for a symbol without a value."""
     return _value(parsed(deep), values)
 
 
 def parsed(deep: str) -> Any:
-    """The deep copy as nested lists of words."""
+    """Returns the deep copy as nested lists of words."""
     stack: list[list[Any]] = [[]]
     for token in re.findall(r"[()]|[^\s()]+", deep):
         if token == "(":
@@ -111,7 +111,7 @@ def parsed(deep: str) -> Any:
 
 
 def order(tree: Any, orders: Mapping[tuple[str, str, str], int]) -> int:
-    """How many derivatives of what moves are taken, where `orders` says it of the symbols."""
+    """Returns the highest order of derivatives of moving symbols, whose own orders `orders` gives."""
     if isinstance(tree, str):
         return 0
     if tree[0] == "Var":
@@ -120,7 +120,7 @@ def order(tree: Any, orders: Mapping[tuple[str, str, str], int]) -> int:
 
 
 def flat(x: Any) -> list[Wave]:
-    """The components, real parts before dual parts."""
+    """Returns the components, real parts before dual parts."""
     parts = [y for row in x for y in flat_entries(row)] if isinstance(x, list) else [x]
     if parts and isinstance(parts[0], Pair):
         return [p.re for p in parts] + [p.du for p in parts]

@@ -1,4 +1,4 @@
-"""A package that can be called: `workbench.report(…)`, although `workbench.report` is a package, too."""
+"""Callable packages: `workbench.report(…)` is a call, although `workbench.report` is also a package."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 
 class CallablePackage(ModuleType):
-    """A package whose call is that of the function `_called`, written "module:function"."""
+    """A package that can be called; the call runs the function `_called`, given as "module:function"."""
 
     _called: str
 
@@ -19,7 +19,7 @@ class CallablePackage(ModuleType):
         return inspect.signature(self.called_function())
 
     def called_function(self) -> Any:
-        """Returns the function that a call of the package calls."""
+        """Returns the function that a call of the package runs."""
         module, _, name = self._called.partition(":")
         return getattr(import_module(module), name)
 
@@ -28,7 +28,8 @@ class CallablePackage(ModuleType):
 
 
 def make_callable(package: str, called: str) -> None:
-    """Makes the imported package callable. called: "module:function", imported at the first call."""
+    """Makes the imported package callable. `called` is "module:function"; it is imported at the first
+    call."""
     module = sys.modules[package]
     module.__class__ = CallablePackage
     module._called = called  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""Names that are close to a name that is unknown."""
+"""Suggestions for a misspelled name: the known names that are close to it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from difflib import get_close_matches
 
 
 def close_names(name: str, known: Iterable[str], most: int = 3) -> list[str]:
-    """Returns the known names that are close to `name` or contain it, in any case, the closest first."""
+    """Returns the known names that are close to `name` or contain it, ignoring case, the closest first."""
     wanted = name.casefold()
     by_folded = {each.casefold(): each for each in known}
     found = get_close_matches(wanted, by_folded, n=most, cutoff=0.6)

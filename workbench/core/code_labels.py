@@ -1,4 +1,4 @@
-"""The label of a code, with which a message ends: [WB-UNKNOWN-SYMBOL]."""
+"""The labels of codes, which end each message: [WB-UNKNOWN-SYMBOL]."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ def label(code: Code) -> str:
 
 
 def telling_code(reason: str | None) -> Code | None:
-    """Returns the code of a reason, or that of the only reason inside of it; None for a plain text."""
+    """Returns the code of a reason, or that of its only inner reason; None for plain text."""
     if not isinstance(reason, Reason):
         return None
     inner = [each for each in reason.arguments.values() if isinstance(each, Reason)]
@@ -19,11 +19,11 @@ def telling_code(reason: str | None) -> Code | None:
 
 
 def suffix(reason: str | None) -> str:
-    """Returns what a message with this reason ends with: " [WB-…]", or "" for a plain text."""
+    """Returns the suffix of a message with this reason: " [WB-…]", or "" for plain text."""
     code = telling_code(reason)
     return "" if code is None else f" [{label(code)}]"
 
 
 def coded(reason: str | None) -> str | None:
-    """Returns the message with its code at the end; None for no reason."""
+    """Returns the reason's message with its label at the end; None if there is no reason."""
     return None if reason is None else f"{reason}{suffix(reason)}"

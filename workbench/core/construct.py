@@ -1,4 +1,4 @@
-"""The functions that build terms; each checks types and weights and raises IllFormed where they misfit."""
+"""Constructors of terms. Each checks types and weights, and raises IllFormed on a mismatch."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ def big_sum(variables: Sequence[str], lower: Linear | int | None, upper: Linear 
 
 
 def block(entries: Sequence[Sequence[Term]]) -> Block:
-    """A block matrix; zeros and unit tensors take the shape that their row and column need."""
+    """Returns a block matrix; zeros and unit tensors take the shape of their row and column."""
     if len({len(row) for row in entries}) != 1:
         raise IllFormed(TypeCode.UNEQUAL_ROWS())
     rows, columns = layout(entries := with_units(entries))
@@ -154,23 +154,23 @@ def block(entries: Sequence[Sequence[Term]]) -> Block:
 
 
 def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
-    """A block matrix has a weight if all its entries share one; a homogeneous matrix [Φ a; 0 0] does."""
+    """Returns the weight that all entries share, else None. A homogeneous matrix [Φ a; 0 0] has a weight."""
     weights = {entry.weight for row in entries for entry in row if multiple(entry) != "zero"}
     return weights.pop() if len(weights) == 1 else None
 
 
-#: Their arguments are vectors, and so is a bare 0 among them.
+#: Operations on vectors; a bare 0 among their arguments is a zero vector.
 _OF_VECTORS = frozenset({"cross", "outer", "triple", "skew"})
 
 
 def relation(operator: Literal["=", "≠", "≈"], left: Term, right: Term) -> Relation:
-    """A relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
+    """Returns a relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
     left, right = agree(_as_quaternions((left, right)), Compared.SIDES)
     return Relation(operator, left, right)
 
 
 def apply(head: str, *arguments: Term) -> Term:
-    """The term head(arguments); OPERATORS says which heads there are and what each takes."""
+    """Returns the term head(arguments). OPERATORS lists the heads and what arguments each takes."""
     if head == "add":
         arguments = agree(_as_quaternions(arguments), Compared.ADDENDS)
     if head == "quaternion":
@@ -184,7 +184,7 @@ def apply(head: str, *arguments: Term) -> Term:
     if is_made and head in ("transpose", "trace"):
         return arguments[0]  # (x^T A y)^T, and tr(x^T y)
     if head == "adjugate" and arguments[0].type.kind == "quaternion":
-        head = "conjugate"  # both are written with a star
+        head = "conjugate"  # the adjoint and the conjugate are both written with a star
     if head == "mul" and arguments[1].type.kind == "quaternion" and arguments[0].type.columns == 4:
         is_narrow = arguments[0].type.rows != 4
         arguments = (arguments[0], _column_of_four(arguments[1])) if is_narrow else arguments
@@ -204,14 +204,14 @@ def _column_of_four(term: Term) -> Term:
 
 
 def _as_quaternions(terms: Sequence[Term]) -> tuple[Term, ...]:
-    """The terms; beside a quaternion those that have a scalar and a vector part, made quaternions."""
+    """Returns the terms, with scalars and vectors next to a quaternion converted to quaternions."""
     if not any(term.type.kind == "quaternion" for term in terms):
         return tuple(terms)
     return tuple(map(as_quaternion, terms))
 
 
 def as_quaternion(term: Term) -> Term:
-    """The quaternion of a column of four, of a scalar or a vector; anything else as it is."""
+    """Returns a scalar, a vector or a column of four as a quaternion; other terms unchanged."""
     if term.type.kind == "quaternion":
         return term
     if (parts := scalar_and_vector(term)) is not None:
@@ -230,7 +230,7 @@ def as_quaternion(term: Term) -> Term:
 
 
 def _with_shapes(terms: Sequence[Term], types: Sequence[Type]) -> tuple[Term, ...]:
-    """The terms, zeros as those of the types."""
+    """Returns the terms, with each zero given the corresponding type."""
     if len(terms) != len(types):
         raise IllFormed(TypeCode.ARGUMENT_COUNT(expected=len(types), count=len(terms)))
     pairs = zip(terms, types, strict=True)
@@ -238,7 +238,7 @@ def _with_shapes(terms: Sequence[Term], types: Sequence[Type]) -> tuple[Term, ..
 
 
 def _beside_matrix(left: Term, right: Term) -> tuple[Term, Term]:
-    """The factors of a product, where a unit tensor takes the size of the matrix beside it."""
+    """Returns the two factors of a product; a unit tensor takes the size of the matrix next to it."""
     if filling(left) == "identity" and right.type.kind == "matrix" and right.type.rows != 3:
         left = shaped(left, Type(right.type.rows, right.type.rows))
     if filling(right) == "identity" and left.type.kind == "matrix" and left.type.columns != 3:
@@ -247,7 +247,7 @@ def _beside_matrix(left: Term, right: Term) -> tuple[Term, Term]:
 
 
 def rebuild(term: Term, children: Sequence[Term]) -> Term:
-    """The same node over other children, checked again."""
+    """Returns the same node with other children; types and weights are checked again."""
     match term:
         case Apply():
             return apply(term.head, *children)

@@ -1,4 +1,4 @@
-"""What can be wrong with a formula: it cannot be read, or it is read and does not fit together."""
+"""Errors in a formula: a syntax error, or types and weights that do not match."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.terms import IllFormed
 
 
 class ReadError(ValueError):
-    """The text is not a formula of the claim language. `line` and `column` count from 1."""
+    """A text that is not a formula of the claim language. `line` and `column` count from 1."""
 
     def __init__(self, message: str, line: int, column: int) -> None:
         self.message = _reason(message, SyntaxCode.UNREADABLE)
@@ -23,12 +23,12 @@ class ReadError(ValueError):
         return self.message.code
 
     def __reduce__(self) -> tuple:
-        """So that it can come from another process, as the other errors here can."""
+        """Makes the error picklable, so that it can be sent between processes."""
         return ReadError, (self.message, self.line, self.column)
 
 
 class IllFormedAt(IllFormed):
-    """A formula whose types or weights do not fit; the place is the operation at fault."""
+    """A formula whose types or weights do not match, with the position of the faulty operation."""
 
     def __init__(self, fault: IllFormed, line: int, column: int) -> None:
         super().__init__(fault.reason.at(line, column), fault.intent)
@@ -41,7 +41,7 @@ class IllFormedAt(IllFormed):
 
 
 class SpecError(ValueError):
-    """An entry of [symbols] or [definitions] that cannot be used. `key` is the entry's LaTeX key."""
+    """An unusable entry of [symbols] or [definitions]. `key` is the entry's LaTeX key."""
 
     def __init__(self, message: str, key: str) -> None:
         self.message = _reason(message, DeclarationCode.REFUSED)
@@ -58,13 +58,13 @@ class SpecError(ValueError):
 
 
 def place(text: str, offset: int) -> tuple[int, int]:
-    """Line and column of an offset, both from 1."""
+    """Returns the line and column of an offset, both from 1."""
     before = text[:offset]
     return before.count("\n") + 1, offset - (before.rfind("\n") + 1) + 1
 
 
 class Fault(Exception):
-    """A ReadError whose place is still an offset in the text."""
+    """A ReadError whose position is still an offset in the text."""
 
     def __init__(self, message: str, at: int) -> None:
         self.reason = _reason(message, SyntaxCode.UNREADABLE)
@@ -73,7 +73,7 @@ class Fault(Exception):
 
 
 class Unranged(Fault):
-    """An index, or the last of a sum, that nothing states a range for; it may be any."""
+    """An index or a sum bound without a declared range; it may take any value."""
 
     def __init__(self, variable: str, message: str, at: int) -> None:
         super().__init__(message, at)
@@ -81,7 +81,7 @@ class Unranged(Fault):
 
 
 class Misfit(Exception):
-    """An IllFormedAt whose place is still an offset in the text."""
+    """An IllFormedAt whose position is still an offset in the text."""
 
     def __init__(self, fault: IllFormed, at: int) -> None:
         super().__init__(fault.reason)

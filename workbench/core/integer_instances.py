@@ -1,4 +1,4 @@
-"""Formulas for given integers: n := 3 in Φ_{n+1}, in Σ_{k=0}^{n}, in x^{(n)} and in binomials."""
+"""Substitution of integers in formulas: n := 3 in Φ_{n+1}, in Σ_{k=0}^{n}, in x^{(n)} and in binomials."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ from workbench.core.terms import (
     Term,
 )
 
-#: No sum is expanded to more addends than this, no factorial or binomial taken of a larger number.
+#: Largest number of addends of an expanded sum, and largest argument of a factorial or binomial.
 LARGEST = 2000
 
 _FRESH = "klmnijpqrsabcdefgh"
@@ -54,18 +54,19 @@ def instantiate(formula: Term, values: Mapping[str, Linear | int]) -> Term: ...
 @overload
 def instantiate(formula: Statement, values: Mapping[str, Linear | int]) -> Statement: ...
 def instantiate(formula, values):
-    """The formula with integer variables replaced by numbers (or by linear expressions in other variables).
+    """Returns the formula with integer variables replaced by numbers or by linear expressions in other
+    variables.
 
-    What becomes a number is evaluated: sums with numeric bounds are written out (an empty one is 0 of its
-    type), factorials and binomials become numbers, x^{(0)} becomes x. What is shared stays shared.
-    Raises IllFormed for a negative index or order, and for sums and factorials beyond LARGEST.
+    Numbers are evaluated: sums with numeric bounds are expanded (an empty sum is the 0 of its type),
+    factorials and binomials become numbers, x^{(0)} becomes x. Shared subterms stay shared. Raises IllFormed
+    for a negative index or order, and for sums and factorials beyond LARGEST.
     """
     return Instantiation({name: as_linear(value) for name, value in values.items()}).formula(formula)
 
 
 class Instantiation:
-    """One substitution; terms are visited once each, whatever the sharing. `done` remembers them by identity,
-    in the order in which they were met."""
+    """One substitution. Each shared subterm is visited once: `done` maps the id of a term to its result, in
+    the order of the visits."""
 
     def __init__(self, values: Mapping[str, Linear]) -> None:
         self.values = values
@@ -94,7 +95,7 @@ class Instantiation:
     def term(self, term: Term) -> Term:
         known = self.done.get(id(term))
         if known is None:
-            known = self.done[id(term)] = (term, self._term(term))  # the term is kept so that its id is
+            known = self.done[id(term)] = (term, self._term(term))  # keeping the term keeps its id valid
         return known[1]
 
     def _term(self, term: Term) -> Term:
@@ -177,7 +178,7 @@ def _same(new: tuple[Term, ...], old: tuple[Term, ...]) -> bool:
 
 
 def raised(base: Term, exponent: Linear) -> Term:
-    """base^exponent, with x^0 and x^1 evaluated and x^-n as the inverse of x^n."""
+    """Returns base^exponent; x^0 and x^1 are evaluated, x^-n is the inverse of x^n."""
     if exponent == Linear(1) and not base.type.is_column:
         return base
     if exponent == Linear(0):
@@ -189,7 +190,7 @@ def raised(base: Term, exponent: Linear) -> Term:
 
 
 def count(name: CountingName, arguments: tuple[Linear, ...]) -> Term:
-    """factorial, binomial or multinomial; a number where all arguments are numbers."""
+    """Returns a factorial, binomial or multinomial; a number if all arguments are numbers."""
     if not all(argument.is_number for argument in arguments):
         return counting(name, *arguments)
     top, *parts = (int(argument) for argument in arguments)
@@ -213,7 +214,7 @@ def count(name: CountingName, arguments: tuple[Linear, ...]) -> Term:
 def _sum_values(
     variables: tuple[str, ...], lower: Linear | None, upper: Linear
 ) -> Iterator[dict[str, Linear]]:
-    """The values that the summation variables take, in increasing order."""
+    """Yields the values of the summation variables, in increasing order."""
     total = int(upper)
     if lower is not None:
         addends = total - int(lower) + 1
@@ -233,7 +234,7 @@ def _sum_values(
 
 
 def free_integers(term: Term) -> frozenset[str]:
-    """The integer variables of the term, but for those that its sums bind."""
+    """Returns the free integer variables of the term, without those that its sums bind."""
     names = frozenset().union(*(free_integers(child) for child in term.children))
     match term:
         case Symbol(index=index):

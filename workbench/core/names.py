@@ -1,4 +1,4 @@
-"""The name of a symbol: a letter in its styles, and scripts in which some places are indices."""
+"""Names of symbols: a letter with its styles, and scripts that contain index slots."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from typing import Any
 
 from workbench.core.integer_expressions import Linear
 
-#: A script: the texts around its index places, ("", ",", "") for two indices and ("rel",) for none; () is no
-#: script.
+#: A script is the tuple of texts around its index slots: ("", ",", "") for two indices, ("rel",) for none, ()
+#: for no script.
 Script = tuple[str, ...]
 
 #: The fields that are scripts, in the order in which their indices count.
 SCRIPTS = ("left_sub", "left_sup", "sub", "sup")
 
-#: Letters that make another symbol of the one behind them, if that is declared: \Delta t.
+#: Prefixes that form a new symbol with the letter after them, if that is declared: \Delta t.
 PREFIXES = ("\\Delta", "\\delta")
 
-#: What begins a prefix that is written with a subscript: \\nabla_{x,y} f, a symbol where it is declared.
+#: Prefix with a subscript: \\nabla_{x,y} f is one symbol if it is declared.
 NABLA = "\\nabla"
 
 _OUTERMOST_FIRST = (
@@ -35,22 +35,24 @@ _OUTERMOST_FIRST = (
     "\\tilde",
 )
 
-#: Marks over a letter, which may stand over two that are one name: \\vec{AB}.
+#: Marks over a letter, or over two letters that are one name: \\vec{AB}.
 ACCENTS = frozenset(_OUTERMOST_FIRST).difference(PREFIXES)
 
 
 def is_prefix(style: str) -> bool:
-    """Whether it makes another symbol of the one behind it: \\Delta, or \\nabla with a subscript."""
+    """True if the style is a prefix that forms a new symbol: \\Delta, or \\nabla with a subscript."""
     return style in PREFIXES or style.startswith(f"{NABLA}_")
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Name:
-    """What tells a symbol from all others.
+    """The identity of a symbol.
 
-    letter: LaTeX, without its fonts and accents.   styles: these, outermost first (`Name.styled` sorts them).
-    parameters: how many arguments it takes: f(x) is another symbol than f.
-    of: of a symbol that stands for what is made of terms, these terms, so that the same are the same symbol.
+    letter: LaTeX, without fonts and accents.   styles: fonts and accents, outermost first (`Name.styled`
+    sorts).
+    parameters: the number of arguments; f(x) and f are different symbols.
+    of: the terms that the symbol is built from, if it stands for such a construction; equal terms give equal
+    names.
     """
 
     letter: str
@@ -65,7 +67,7 @@ class Name:
 
     @staticmethod
     def styled(styles: Iterable[str], letter: str) -> Name:
-        """\\underline outermost, the font next to the letter, whatever the order in the source."""
+        """Returns a name with sorted styles: \\underline outermost, the font next to the letter."""
         order = {style: place for place, style in enumerate(_OUTERMOST_FIRST)}
         innermost_first = sorted(
             dict.fromkeys(styles),
@@ -76,7 +78,7 @@ class Name:
 
     @property
     def base(self) -> str:
-        """The letter in its styles, as LaTeX."""
+        """Returns the letter in its styles, as LaTeX."""
         return f"{''.join(f'{style}{{' for style in self.styles)}{self.letter}{'}' * len(self.styles)}"
 
     @property
@@ -88,7 +90,8 @@ class Name:
         return sum(len(script) - 1 for script in self.scripts if script)
 
     def latex(self, index: Sequence[object], accents: Sequence[str] = ()) -> str:
-        """The name with its indices put in, and accents, the outermost first, over its letter alone."""
+        """Returns the LaTeX of the name with these indices; the accents (outermost first) go over the letter
+        only."""
         places = iter(index)
         left_sub, left_sup, sub, sup = (
             "" if not script else sign + "{" + "".join(_filled(script, places)) + "}"
@@ -101,14 +104,14 @@ class Name:
         return f"{left}{left_sub}{left_sup}{letter}{sub}{sup}"
 
     def at(self, index: Sequence[Linear]) -> Name:
-        """The name whose scripts have these integers in the places of the indices."""
+        """Returns the name with these integers in its index slots."""
         places = iter(index)
         given = zip(SCRIPTS, self.scripts, strict=True)
         filled: dict[str, Any] = {field: ("".join(_filled(s, places)),) for field, s in given if s}
         return replace(self, **filled)
 
     def index_of(self, other: Name) -> tuple[Linear, ...] | None:
-        """The numbers at which the other is a member of this family: 1 for Φ_1 in Φ_n; None if it is none."""
+        """Returns the indices of `other` in this family: 1 for Φ_1 in Φ_n; None if it is not a member."""
         if not self.indices or self.without_scripts() != other.without_scripts():
             return None
         found: list[str] = []
@@ -131,7 +134,7 @@ class Name:
         return replace(self, parameters=0)
 
     def shown(self, index: Sequence[object]) -> str:
-        """The same, of a function with a mark for each of its arguments."""
+        """Returns the LaTeX with these indices; a function shows a \\cdot for each of its arguments."""
         arguments = ",".join(["\\cdot"] * self.parameters)
         return self.latex(index) + (f"({arguments})" if arguments else "")
 

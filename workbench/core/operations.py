@@ -1,6 +1,6 @@
-"""The operations of the claim language: what each takes and gives, how it is written, what it is linear in.
+"""Operations of the claim language: the type of the value, the spelling, and where each is linear.
 
-The engines and the certificates do not read this table: each says by itself what an operation does.
+The engines and the certificates do not read this table; each implements the operations independently.
 """
 
 from __future__ import annotations
@@ -16,14 +16,16 @@ from workbench.core.types import QUATERNION, SCALAR, TENSOR, VECTOR
 
 @dataclass(frozen=True, slots=True)
 class Operator:
-    """signature: the type and weight of its value.
-    words: what it is called as a function, the printed one first.   sign: between its two arguments.
-    superscript: of its argument.
-    linear: in each argument ("each"); so that d/dt and Σ go through, which scalars, vectors and tensors have
-    it component by component ("components"); in all arguments together ("jointly"); or not.
-    partner: the operation for which it may be mistaken.
-    takes: "tensor": an argument without brackets is all tensors that follow; "angle": it may be followed by
-    another factor.   by_place: it differentiates by the coordinate.
+    """One operation.
+
+    signature: computes the type and weight of the value.
+    words: the names of the function, the printed one first.   sign: the infix sign between two arguments.
+    superscript: the superscript of the argument.
+    linear: in each argument ("each"); in each argument of scalars, vectors and tensors, which d/dt and Σ
+    treat component by component ("components"); in all arguments together ("jointly"); or "".
+    partner: the operation that readers confuse it with.
+    takes: "tensor": an argument without brackets extends over all tensors that follow; "angle": another
+    factor may follow it.   by_place: it differentiates by the coordinate.
     """
 
     signature: Signature
@@ -39,7 +41,7 @@ class Operator:
 _SCALARS = function(("scalar",), SCALAR, weightless)
 _VECTORS = ("vector", "vector")
 
-#: By the head of the term.
+#: Operations by the head of the term.
 OPERATORS: dict[str, Operator] = {
     "add": Operator(signatures.add, linear="jointly"),
     "neg": Operator(signatures.as_argument, linear="components"),
@@ -57,7 +59,7 @@ OPERATORS: dict[str, Operator] = {
     "symmetric": Operator(
         of_square(None, 1), ("sym",), linear="components", partner="antisymmetric", takes="tensor"
     ),
-    # the skew of a tensor; the word alone is read as that of a vector
+    # The skew part of a tensor. The word alone is read as the skew tensor of a vector.
     "antisymmetric": Operator(
         of_square(None, 1), ("skew",), linear="components", partner="symmetric", takes="tensor"
     ),
@@ -96,18 +98,18 @@ OPERATORS: dict[str, Operator] = {
     "vector part": Operator(function(("quaternion",), VECTOR, times(1)), ("Vec",), linear="each"),
 }  # fmt: skip
 
-#: Functions that are read as quotients of sines and cosines; None: 1.
+#: Functions that are read as quotients of sines and cosines; None stands for 1.
 QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": (None, "cos"), "csc": (None, "sin")}
-#: Functions that are read as sums of e^x and e^{-x}, and their quotient.
+#: Functions that are read as sums of e^x and e^{-x}, or as a quotient of such sums.
 HYPERBOLIC = ("sinh", "cosh", "tanh")
 
-#: What a function is called in a paper → the head of the term, or of what it is read as.
+#: Name of a function in a paper → head of the term, or of the term that it is read as.
 FUNCTIONS = {word: head for head, operator in OPERATORS.items() for word in operator.words} | {
     name: name for name in (*QUOTIENTS, *HYPERBOLIC)
 }
 SIGNS = {operator.sign: head for head, operator in OPERATORS.items() if operator.sign}
 
-#: The functions for which TeX has a command of the same name.
+#: Functions that have a TeX command of the same name.
 TEX_FUNCTIONS = frozenset(("det", "exp", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS, *HYPERBOLIC))
 
 
@@ -117,23 +119,23 @@ def _heads(has: Callable[[Operator], bool]) -> frozenset[str]:
 
 LINEAR = _heads(lambda operator: operator.linear in ("each", "components"))
 COMPONENTWISE = _heads(lambda operator: operator.linear == "components")
-#: The products of two factors.
+#: Products of two factors.
 PRODUCTS = ("dot", "cross", "outer", "mul")
 OF_TENSORS = _heads(lambda operator: operator.takes == "tensor")
 #: Sine, cosine and their quotients.
 CIRCULAR = frozenset({"sin", "cos", *QUOTIENTS})
 OF_ANGLES = _heads(lambda operator: operator.takes == "angle") | {*QUOTIENTS, *HYPERBOLIC}
 GRADIENTS = _heads(lambda operator: operator.by_place)
-#: What differentiates by something else than the time or the place.
+#: Operations that differentiate by a variable other than time or place.
 PARTIALS = frozenset(("partial", "total"))
 
 
 def word_of(head: str) -> str:
-    """What the operation is called: det, sym."""
+    """Returns the printed word of the operation: det, sym."""
     return OPERATORS[head].words[0] if head in OPERATORS and OPERATORS[head].words else head
 
 
 def command_of(head: str) -> str:
-    """The operation as a function in LaTeX: \\det, \\operatorname{sym}."""
+    """Returns the operation as a LaTeX function: \\det, \\operatorname{sym}."""
     word = word_of(head)
     return f"\\{word}" if word in TEX_FUNCTIONS else f"\\operatorname{{{word}}}"

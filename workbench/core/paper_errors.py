@@ -1,4 +1,4 @@
-"""Errors in files of a user: what was expected, what was got, and where."""
+"""Errors in files of a user: what was expected, what was found, and where."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import Protocol
 
 
 class Entries(Protocol):
-    """A file that can be read without one of its entries."""
+    """A file that can be read again without one of its entries."""
 
     def set_aside(self, path: KeyPath) -> Callable[[], None] | None: ...
 
 
 class PaperError(ValueError):
-    """A paper that cannot be used: the file and, where the fault has one, the line and column, from 1. Of a
-    TOML file also the entry; `latex`: the formula there that cannot be read."""
+    """A paper that cannot be used. It has the file and, if known, the line and column from 1. For a TOML file
+    it also has the entry; `latex` is the formula that cannot be parsed."""
 
     def __init__(
         self,
@@ -37,12 +37,12 @@ class PaperError(ValueError):
         return (self,)
 
     def __reduce__(self) -> tuple:
-        """So that it can come from another process."""
+        """Makes the error picklable, so that it can be sent between processes."""
         return PaperError, (self.file, self.line, self.column, self.message)
 
 
 class PaperErrors(PaperError):
-    """Several faults at once; it speaks of the first."""
+    """Several faults of a file; the message is that of the first."""
 
     def __init__(self, faults: Sequence[PaperError]) -> None:
         first = faults[0]

@@ -1,4 +1,4 @@
-"""The properties of symbols: which kinds can have them, the flag of a declaration, and what they mean."""
+"""Properties of symbols: the kinds that can have them, the flag of a declaration, and the meaning."""
 
 from __future__ import annotations
 
@@ -16,9 +16,11 @@ _ANY = frozenset({"scalar", "vector", "tensor", "matrix", "quaternion"})
 class Property:
     """One property.
 
-    kinds: of the symbols that can have it.   flag: that of a declaration; the engines and the certificates
-    parametrise symbols by it.   term: what a symbol with the property is.   equations: what holds of the
-    symbols; None for a condition that no equation says.   count: of how many symbols it speaks together."""
+    kinds: the kinds of symbols that can have it.   flag: the flag in a declaration, from which the engines
+    and the certificates choose a parametrization.   term: the general form of a symbol with the property.
+    equations: the equations that hold for the symbols; None for a condition that no equation expresses.
+    count: the number of symbols that the property relates.
+    """
 
     name: str
     kinds: frozenset[str]
@@ -28,12 +30,13 @@ class Property:
     count: int = 1
 
     def fits(self, symbol: Symbol) -> bool:
-        """Returns whether the symbol can have the property."""
+        """True if the symbol can have the property."""
         is_square = self.kinds != _SQUARE or symbol.type.is_square
         return symbol.type.kind in self.kinds and is_square and not symbol.type.dual
 
     def statement_of(self, term: Term) -> Statement:
-        """Returns the statement that the term has the property. Raises ValueError if no equation says it."""
+        """Returns the statement that the term has the property. Raises ValueError if no equation expresses
+        it."""
         if self.equations is None:
             raise ValueError(f"no equation says what {self.name} means")
         said = tuple(self.equations(term))
@@ -99,5 +102,5 @@ PROPERTIES: Mapping[str, Property] = {
     )
 }
 
-#: The flags of a declaration that an equation says, and that a definition of the symbol must keep.
+#: Flags of a declaration that an equation expresses, and that a definition of the symbol must satisfy.
 FLAGS = tuple(each.flag for each in PROPERTIES.values() if each.flag and each.equations)

@@ -1,4 +1,4 @@
-"""Reasons: a code, its arguments and a position. Messages are made from the templates of the codes here."""
+"""Reasons: a code, its arguments and a position. Messages are rendered from the templates of the codes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, Self
 
 @dataclass(frozen=True, order=True)
 class Position:
-    """A place in a formula: line and column, from 1."""
+    """A position in a formula: line and column, from 1."""
 
     line: int
     column: int
@@ -20,27 +20,30 @@ class Position:
 
 
 class Code(Enum):
-    """The base of the tables of codes. A member is `NAME = template`.
+    """The base class of the tables of codes. A member is `NAME = template`.
 
-    template: the message, with the arguments in braces."""
+    template: the message, with the arguments in braces.
+    """
 
     def __init__(self, template: str) -> None:
         self.template = template
 
     @property
     def slug(self) -> str:
-        """The code as JSON and the guide have it."""
+        """The code as it appears in JSON and in the guide."""
         return self.name.lower().replace("_", "-")
 
     def __call__(self, **arguments: object) -> Reason:
-        """The reason with this code. An argument is kept as a reason if it is one, else as its text."""
+        """Returns the reason with this code. Arguments are stored as text, except for inner reasons."""
         return Reason(self, {name: _kept(argument) for name, argument in arguments.items()})
 
 
 class Reason(str):
-    """Why a formula or a verdict is what it is. As a string it is the message, which no code may compare.
+    """The reason for a fault or a verdict. As a string it is the message; code must compare `code`, not the
+    string.
 
-    code: what is compared.   arguments: what stands in the message, by name.   position: of the fault."""
+    code: the code to compare.   arguments: the arguments of the message, by name.   position: of the fault.
+    """
 
     code: Code
     arguments: Mapping[str, str]
@@ -58,11 +61,11 @@ class Reason(str):
         return Reason, (self.code, self.arguments, self.position)
 
     def at(self, line: int, column: int) -> Reason:
-        """The reason with its position, from which its message then begins."""
+        """Returns the reason with a position; its message begins with the position."""
         return Reason(self.code, self.arguments, Position(line, column))
 
     def parts(self) -> Iterator[Reason]:
-        """The reason, and those among its arguments."""
+        """Yields the reason and all reasons among its arguments."""
         yield self
         for value in self.arguments.values():
             if isinstance(value, Reason):
@@ -70,11 +73,11 @@ class Reason(str):
 
     @property
     def codes(self) -> frozenset[Code]:
-        """The codes of its parts."""
+        """The codes of the reason and of its inner reasons."""
         return frozenset(part.code for part in self.parts())
 
     def to_dict(self) -> dict[str, Any]:
-        """JSON values: the code, the arguments and the position."""
+        """Returns JSON values: the code, the arguments and the position."""
         arguments = {
             name: value.to_dict() if isinstance(value, Reason) else value
             for name, value in self.arguments.items()
@@ -84,7 +87,7 @@ class Reason(str):
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Reason:
-        """Inverts `to_dict`. Raises KeyError, ValueError or TypeError for anything else."""
+        """Inverts `to_dict`. Raises KeyError, ValueError or TypeError for other data."""
         arguments = {
             name: value if isinstance(value, str) else Reason.from_dict(value)
             for name, value in data["arguments"].items()
@@ -94,18 +97,18 @@ class Reason(str):
 
 
 def code_of(reason: str | None) -> Code | None:
-    """The code of a reason; None for no reason."""
+    """Returns the code of a reason; None if there is no reason."""
     return reason.code if isinstance(reason, Reason) else None
 
 
 def reason_of(error: Exception) -> Reason:
-    """The reason that an error carries, or else its message as one."""
+    """Returns the reason that an error carries, or a reason made of its message."""
     carried = error.args[0] if error.args else None
     return carried if isinstance(carried, Reason) else ErrorCode.ERROR(what=error)
 
 
 def code_named(slug: str) -> Code:
-    """The code with this slug, from any table that is loaded. Raises ValueError for an unknown one."""
+    """Returns the code with this slug, from any loaded table. Raises ValueError for an unknown slug."""
     for table in Code.__subclasses__():
         for code in table:
             if code.slug == slug:
@@ -118,6 +121,6 @@ def _kept(argument: object) -> str:
 
 
 class ErrorCode(Code):
-    """The code of an error that carries no reason of its own."""
+    """The code of an error that carries no reason."""
 
     ERROR = "{what}"

@@ -1,4 +1,4 @@
-"""The keys of paper files and models: type, meaning, example. For the loader, the guide and completion."""
+"""Keys of paper files and models: type, meaning, example. Used by the loader, the guide and completion."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from dataclasses import dataclass
 class Key:
     """A key that a table may have.
 
-    type: in words, as "text" or "list of texts".   choices: the only values, if there are so few."""
+    type: in words, as "text" or "list of texts".   choices: the allowed values, if there are few.
+    """
 
     name: str
     type: str
@@ -18,7 +19,7 @@ class Key:
     choices: tuple[str, ...] = ()
 
 
-#: What stands at the top of every file: of papers, models and notation files.
+#: Keys at the top of every file: of papers, models and notation files.
 _NOTATION = (
     Key("title", "text", "The title of the paper; a paper file needs one.", 'title = "My paper"'),
     Key("doi", "text", "Its DOI."),
@@ -256,10 +257,10 @@ def key_names(table: str) -> tuple[str, ...]:
 
 
 def flag_names() -> tuple[str, ...]:
-    """Returns the keys of a symbol that are true or false."""
+    """Returns the boolean keys of a symbol."""
     return tuple(key.name for key in SCHEMA["symbol"] if key.type == "boolean")
 
 
 def choices(table: str) -> dict[str, tuple[str, ...]]:
-    """Returns the keys of the table that have few values, with these."""
+    """Returns the keys of the table that have a fixed set of values, with these values."""
     return {key.name: key.choices for key in SCHEMA[table] if key.choices}

@@ -1,5 +1,5 @@
-"""Shapes: zeros and unit tensors take that of what stands beside them, blocks make up one matrix, and a
-scalar or a vector beside a quaternion is one."""
+"""Shapes: zeros and unit tensors take the shape of their neighbours, blocks form one matrix, and scalars and
+vectors next to a quaternion become quaternions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from workbench.core.types import SCALAR, TENSOR, VECTOR, Type
 
 
 def multiple(term: Term) -> Literal["zero", "identity"] | None:
-    """Whether the term is written as a multiple of zero or of the unit tensor."""
+    """Returns the kind of multiple that the term is: of zero, of the unit tensor, or None."""
     match term:
         case Zero():
             return "zero"
@@ -37,8 +37,8 @@ def multiple(term: Term) -> Literal["zero", "identity"] | None:
 
 
 def filling(term: Term) -> Literal["zero", "identity"] | None:
-    """What a term without a shape of its own is a multiple of; None for a term that has a shape, such as
-    the zero 𝟎_{3×3}."""
+    """Returns "zero" or "identity" for a term that takes its shape from its neighbours; None for a term with
+    a fixed shape, such as the zero 𝟎_{3×3}."""
     found = multiple(term)
     if found is None or is_sized(term):
         return None
@@ -49,8 +49,8 @@ def filling(term: Term) -> Literal["zero", "identity"] | None:
 
 
 def is_sized(term: Term) -> bool:
-    """Whether the term is a multiple of a zero or of a unit matrix that is printed with its size. The n of
-    𝟎_n leaves open whether it is a column."""
+    """True if the term is a multiple of a zero or of a unit matrix that is printed with its size. The n of
+    𝟎_n does not fix whether it is a column."""
     return multiple(term) is not None and any(
         isinstance(part, Zero | Identity) and part.printed and not _is_of_one_number(part)
         for part in term.walk()
@@ -62,12 +62,12 @@ def _is_of_one_number(term: Term) -> bool:
 
 
 def sizes(types: Iterable[Type]) -> str:
-    """The sizes of several types, each once: 3×3 and 4×4."""
+    """Returns the distinct sizes of several types as text: 3×3 and 4×4."""
     return " and ".join(dict.fromkeys(f"{each.rows}×{each.columns}" for each in types))
 
 
 def shaped(term: Any, type_: Type) -> Any:
-    """A multiple of zero or of the unit tensor, as one of this type; it stays dual if it is. Raises
+    """Returns a multiple of zero or of the unit tensor with this type; a dual term stays dual. Raises
     IllFormed."""
     if term.type.with_dual(False) == type_.with_dual(False):
         return term
@@ -93,7 +93,7 @@ def shaped(term: Any, type_: Type) -> Any:
 
 
 def _of_one_number(term: Zero, size: int, type_: Type) -> Zero:
-    """𝟎_n as a column of n or as a square matrix of n rows. Raises IllFormed and Unread."""
+    """Returns 𝟎_n as a column of n or as a square matrix of n rows. Raises IllFormed and Unread."""
     if type_.rows != size or type_.columns not in (1, size) or type_.kind == "quaternion":
         message = TypeCode.ZERO_OF_ANOTHER_SIZE(size=size, place=sizes([type_]))
         if (type_.rows, type_.columns) == (1, size):
@@ -103,7 +103,7 @@ def _of_one_number(term: Zero, size: int, type_: Type) -> Zero:
 
 
 def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
-    """A 1 or −1 beside, above or below a square block is one of the unit tensor: [1 0; T -1]."""
+    """Returns the entries with a 1 or −1 next to a square block converted to a unit tensor: [1 0; T -1]."""
     blocks = [[each.type.rows > 1 and each.type.is_square for each in row] for row in entries]
     high = [any(row) for row in blocks]
     wide = [any(column) for column in zip(*blocks, strict=True)]
@@ -114,7 +114,8 @@ def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
 
 
 def with_scaled_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
-    """A scalar m in a row of higher and a column of wider blocks is m times the unit tensor."""
+    """Returns the entries with a scalar m in a row and column of larger blocks converted to m times the unit
+    tensor."""
     sizes = [[each.type if filling(each) is None else SCALAR for each in row] for row in entries]
     high = [max(size.rows for size in row) > 1 for row in sizes]
     wide = [max(size.columns for size in column) > 1 for column in zip(*sizes, strict=True)]
@@ -141,10 +142,10 @@ def _unit(entry: Term) -> Term:
 
 
 def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The heights of the rows and the widths of the columns of a block matrix.
+    """Returns the heights of the rows and the widths of the columns of a block matrix.
 
-    A unit tensor is as wide as it is high, 3 by 3 where nothing else says so; a row or column of zeros has
-    the size 1, and that of zero vectors in a column the size 3. Raises IllFormed where entries do not fit.
+    A unit tensor is square, 3 by 3 if nothing else fixes its size. A row or column of zeros has the size 1;
+    zero vectors in a column have the size 3. Raises IllFormed if entries do not match.
     """
     height: dict[int, int] = {}
     width: dict[int, int] = {}
@@ -181,15 +182,15 @@ def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[in
 
 
 def has_open_zeros(term: Term) -> bool:
-    """Whether a matrix in it that is not square has a row or a column of zeros, which may be higher or wider
-    than 1."""
+    """True if a non-square matrix in the term has a row or column of zeros, whose height or width may exceed
+    1."""
     blocks = [part for part in term.walk() if isinstance(part, Block) and not part.type.is_square]
     lines = ((line, heights) for part in blocks for line, heights in _lines_of(part))
     return any(all(isinstance(each, Zero) for each in line) and sizes == {1} for line, sizes in lines)
 
 
 def _lines_of(matrix: Block) -> Iterator[tuple[Sequence[Term], set[int]]]:
-    """Its rows with their heights and its columns with their widths, where it has blocks."""
+    """Yields the rows with their heights and the columns with their widths, for a matrix with blocks."""
     if any(each.type.kind != "scalar" and multiple(each) != "zero" for row in matrix.entries for each in row):
         yield from ((row, {each.type.rows for each in row}) for row in matrix.entries)
         columns = zip(*matrix.entries, strict=True)
@@ -197,7 +198,8 @@ def _lines_of(matrix: Block) -> Iterator[tuple[Sequence[Term], set[int]]]:
 
 
 def stretched(terms: Sequence[Term]) -> tuple[Term, ...]:
-    """The terms; [0; x] beside a column of 6 has a 0 of the three rows that are left."""
+    """Returns the terms with zeros stretched: the 0 of [0; x] next to a column of 6 gets the three remaining
+    rows."""
     heights = {each.type.rows for each in terms if filling(each) is None}
     return tuple(_stretched(each, max(heights, default=0)) for each in terms)
 
@@ -217,7 +219,7 @@ def _stretched(term: Term, height: int) -> Term:
 
 
 def fitted(entry: Term, rows: int, columns: int) -> Term:
-    """An entry of a block matrix in a place of this size."""
+    """Returns an entry of a block matrix with the size of its slot."""
     fills = filling(entry)
     if fills is None:
         return entry
@@ -227,8 +229,8 @@ def fitted(entry: Term, rows: int, columns: int) -> Term:
 
 
 def scalar_and_vector(term: Term) -> tuple[Term, Term] | None:
-    """The parts of a term that beside a quaternion is one: a scalar, a vector, or a column written as (s; x)
-    or by its four components; None for anything else."""
+    """Returns the scalar and vector part of a term that is a quaternion next to a quaternion: a scalar, a
+    vector, or a column written as (s; x) or by its four components. Returns None for other terms."""
     if filling(term) == "zero":
         return None
     if term.type.kind == "scalar":

@@ -1,4 +1,4 @@
-"""Which arguments each operation takes, and the type and weight of its value."""
+"""Signatures of the operations: the arguments each takes, and the type and weight of its value."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
 
 
 def _abbreviated(terms: Sequence[Term]) -> str | None:
-    """What authors leave out on purpose where sizes differ: the last of four, a second ^T."""
+    """Returns what authors commonly abbreviate when sizes differ: the last of four rows, a second ^T; else
+    None."""
     if any(map(has_open_zeros, terms)):
         return "a row or column of more zeros"
     is_written_out = any(isinstance(t, Block) and len(t.children) == 1 for t in terms)
@@ -29,7 +30,7 @@ def _abbreviated(terms: Sequence[Term]) -> str | None:
 
 
 def _turned_row(term: Term) -> tuple[Term, ...]:
-    """The columns beside each other in a bracket with ^T."""
+    """Returns the columns side by side in a bracket with ^T; () if the term is not of this form."""
     match term:
         case Apply(head="transpose", arguments=(Block(entries=(columns,)),)):
             return columns if all(each.type.is_column for each in columns) else ()
@@ -37,8 +38,8 @@ def _turned_row(term: Term) -> tuple[Term, ...]:
 
 
 def agree(terms: Sequence[Term], what: Compared) -> tuple[Term, ...]:
-    """The terms brought to one kind: multiples of 0 or I take the kind of the others, a tensor beside an
-    operator counts as an operator of degree 0. Raises IllFormed where kinds or weights differ."""
+    """Returns the terms converted to one kind: multiples of 0 or I take the kind of the others, and a tensor
+    next to an operator is an operator of degree 0. Raises IllFormed if kinds or weights differ."""
     terms = stretched(terms)
     units = [t for t in terms if filling(t) == "identity"]
     firm = [t for t in terms if filling(t) is None]
@@ -66,7 +67,7 @@ def agree(terms: Sequence[Term], what: Compared) -> tuple[Term, ...]:
 
 
 def _is_example(term: Term) -> bool:
-    """Whether it is a matrix of nothing but numbers: values in units of some kind."""
+    """True if the term is a matrix of numbers only, whose entries are values in some unit."""
     return isinstance(term, Block) and not any(isinstance(each, Symbol) for each in term.walk())
 
 
@@ -121,8 +122,9 @@ _INTENTS = {
 
 
 def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """Juxtaposition: a scalar scales, matrices that fit are multiplied, an operator acts on what follows it,
-    quaternions are multiplied by Hamilton's rules, a 4×4 matrix acts on a quaternion's column."""
+    """Returns the type and weight of a juxtaposition. A scalar scales, matrices multiply, an operator acts on
+    the next factor, quaternions multiply by Hamilton's rules, a 4×4 matrix acts on the column of a
+    quaternion."""
     left, right = (a.type for a in arguments)
     dual = _dual(arguments)
     weight = total_weight(arguments)
@@ -158,8 +160,8 @@ def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def entries_acted_on(left: Type, right: Term) -> Type | None:
-    """The type of the entries of a literal column, such as a triad, that the matrix before it combines; None
-    where it is no such column of as many entries as the matrix has columns."""
+    """Returns the type of the entries of a literal column, such as a triad, that a matrix multiplies from the
+    left; None if the term is not such a column with as many entries as the matrix has columns."""
     if not isinstance(right, Block) or len(right.entries[0]) > 1 or len(right.entries) != left.columns:
         return None
     types = {entry.type.with_dual(False) for (entry,) in right.entries}
@@ -167,7 +169,7 @@ def entries_acted_on(left: Type, right: Term) -> Type | None:
 
 
 def compose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """∘: the product of operators, where a tensor counts as an operator of degree 0."""
+    """Returns the type and weight of ∘, the product of operators; a tensor is an operator of degree 0."""
     _expect(arguments, {"operator", "tensor"}, {"operator", "tensor"})
     return OPERATOR.with_dual(_dual(arguments)), total_weight(arguments)
 
@@ -210,7 +212,8 @@ def times(factor: int) -> Callable[[tuple[Term, ...]], Weight]:
 
 
 def weightless(arguments: tuple[Term, ...]) -> Weight:
-    """None where the time stands in it: in \\sin 2t a rate is left out, of which the derivative tells."""
+    """Returns weight 0 for an angle, or None if it contains the time: \\sin 2t omits the unit of a rate, so
+    that its derivative has no weight."""
     weight = arguments[0].weight
     if weight is not None and weight != Linear(0):
         raise IllFormed(TypeCode.ARGUMENT_WITH_WEIGHT(weight=weight))
@@ -261,7 +264,7 @@ def exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def dot(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """x · y of two vectors, of any length."""
+    """Returns the type and weight of x · y for two vectors of any length."""
     left, right = (a.type.with_dual(False) for a in arguments)
     if left != right or not left.is_column:
         _expect(arguments, {"vector"}, {"vector"})
@@ -269,8 +272,8 @@ def dot(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def of_square(gives: Type | None, degree: int | None) -> Signature:
-    """A function of a square matrix; without a type its value has that of the matrix, without a degree the
-    number of its rows."""
+    """Returns the signature of a function of a square matrix. Without `gives` the value has the type of the
+    matrix; without `degree` the degree is the number of rows."""
 
     def signature(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         type_ = arguments[0].type
@@ -283,7 +286,7 @@ def of_square(gives: Type | None, degree: int | None) -> Signature:
 
 
 def quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """A scalar and a vector of one weight."""
+    """Returns the type and weight of a quaternion with a scalar and a vector part of one weight."""
     _expect(arguments, {"scalar"}, {"vector"})
     weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
     if len(weights) > 1:
@@ -292,7 +295,7 @@ def quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """atan2(y, x) of two scalars of one weight."""
+    """Returns the type and weight of atan2(y, x) for two scalars of one weight."""
     _expect(arguments, {"scalar"}, {"scalar"})
     weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
     if len(weights) > 1 or _dual(arguments):
@@ -301,8 +304,8 @@ def arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """∂f/∂x: by a scalar of the type of f; by a column of n the row of n, or the matrix whose row i is that
-    of the component i."""
+    """Returns the type and weight of ∂f/∂x. For a scalar x it has the type of f. For a column x of n it is a
+    row of n, or a matrix whose row i belongs to the component i of f."""
     body, by = arguments
     if body.type.kind == "operator":
         raise IllFormed(TypeCode.PARTIAL_DERIVATIVE_OF_OPERATOR())

@@ -1,4 +1,4 @@
-"""Positions in a file of an author."""
+"""Spans: positions in a file of an author."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Span:
-    """The author's own characters: lines and columns from 1, the end is behind the last character."""
+    """A range of characters in a file; lines and columns count from 1, the end is exclusive."""
 
     file: Path
     line: int

@@ -1,6 +1,6 @@
-"""Typed terms: small immutable objects that every other part of the workbench sees a formula as.
+"""Typed terms: the small immutable objects that represent formulas everywhere in the workbench.
 
-They are made by `construct.py`, which refuses what types or weights forbid. Nothing here knows LaTeX.
+`construct.py` builds them and rejects mismatched types or weights. This module knows no LaTeX.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ CountingName = Literal["factorial", "binomial", "multinomial"]
 
 
 class IllFormed(ValueError):
-    """Types or weights do not fit. `intent` names the one likely meaning, where there is one."""
+    """Types or weights do not match. `intent` names the likely meaning, if there is one."""
 
     def __init__(self, reason: Reason, intent: str | None = None) -> None:
         super().__init__(reason)
@@ -33,7 +33,8 @@ class IllFormed(ValueError):
 
 
 class Unread(IllFormed):
-    """It has no term here, but a meaning elsewhere: a claim with it is not ill-formed."""
+    """A construct that terms cannot represent, although it has a meaning. A claim with it is not
+    ill-formed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +50,7 @@ class Term:
         return ()
 
     def walk(self) -> Iterator[Term]:
-        """This term and all below it, parents first."""
+        """Yields this term and all its subterms, parents first."""
         waiting = [self]
         while waiting:
             term = waiting.pop()
@@ -59,7 +60,8 @@ class Term:
 
 @dataclass_transform(frozen_default=True)
 def _node(cls: Any) -> Any:
-    """A frozen dataclass that computes its hash once: terms are keys everywhere, and deep ones are costly."""
+    """Returns a frozen dataclass that caches its hash: terms are frequent dictionary keys, and may be
+    deep."""
     cls = dataclass(frozen=True, slots=True)(cls)
     structural = cls.__hash__
 
@@ -73,7 +75,7 @@ def _node(cls: Any) -> Any:
 
     names = [field.name for field in fields(cls)]
     cls.__hash__ = remembered
-    cls.__getstate__ = state  # another process hashes texts otherwise
+    cls.__getstate__ = state  # string hashes differ between processes
     return cls
 
 
@@ -101,14 +103,14 @@ class Counting(Term):
 
 @_node
 class Zero(Term):
-    """0 of any type. printed: the size printed below it, "3 \\times 1" or a single "3"; it binds the type."""
+    """The 0 of any type. printed: the size printed below it, "3 \\times 1" or "3"; it fixes the type."""
 
     printed: str = field(default="", compare=False, repr=False)
 
 
 @_node
 class Identity(Term):
-    """The unit tensor I, the unit block matrix, or the unit operator, by its type. printed: as of a Zero."""
+    """The unit tensor I, the unit block matrix, or the unit operator, by its type. printed: as for Zero."""
 
     printed: str = field(default="", compare=False, repr=False)
 
@@ -125,7 +127,7 @@ class TimeOperator(Term):
 
 @_node
 class Symbol(Term):
-    """A declared symbol, one member of a family (index), a function symbol applied (arguments)."""
+    """A declared symbol: a member of a family (index) or an applied function symbol (arguments)."""
 
     declaration: Declaration
     index: tuple[Linear, ...] = ()
@@ -138,7 +140,7 @@ class Symbol(Term):
 
 @_node
 class Apply(Term):
-    """The operation `head` on its arguments; OPERATORS in `operators.py` lists the heads."""
+    """The operation `head` applied to its arguments; OPERATORS in `operations.py` lists the heads."""
 
     head: str
     arguments: tuple[Term, ...]
@@ -200,7 +202,7 @@ class Block(Term):
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """left = right, left ≠ right, or left ≈ right: equal to first order in all that is small."""
+    """left = right, left ≠ right, or left ≈ right (equal to first order in all small symbols)."""
 
     operator: Literal["=", "≠", "≈"]
     left: Term
@@ -232,8 +234,8 @@ class Conjunction:
 
 @dataclass(frozen=True, slots=True)
 class Extremum:
-    """The least value (or the greatest) that the body takes over all values of the letters, which it binds,
-    is `value`; it takes it somewhere."""
+    """The statement that `value` is the least (or greatest) value of the body over all values of the bound
+    letters, and that the body attains it."""
 
     least: bool
     letters: tuple[Symbol, ...]
@@ -242,7 +244,7 @@ class Extremum:
 
     @staticmethod
     def of(least: bool, letters: tuple[Symbol, ...], body: Term, value: Term) -> Extremum:
-        """Raises IllFormed where the body is no real scalar, or weighs more or less than the value."""
+        """Returns the statement. Raises IllFormed if the body is not a real scalar of the value's weight."""
         if body.type.kind != "scalar" or body.type.dual:
             raise IllFormed(TypeCode.EXTREMUM_OF_NO_SCALAR(type=body.type))
         if value.type != body.type:
@@ -256,9 +258,9 @@ class Extremum:
 
 @dataclass(frozen=True, slots=True)
 class Naming:
-    """A set or a map with a name. said: what of it, as LaTeX.   terms: what it is made of.   parts: what must
-    be true for it to be one.   given: what its members are supposed to satisfy.   undecided: what is not
-    looked at, if anything."""
+    """A named set or map. said: its property, as LaTeX.   terms: its constituents.   parts: the conditions
+    under which it is a set or map.   given: the hypotheses on its members.   undecided: the part that is not
+    checked, if any."""
 
     said: str
     terms: tuple[Term, ...]
@@ -272,8 +274,8 @@ Statement = Relation | Equivalence | Implication | Conjunction | Extremum | Nami
 
 @dataclass(frozen=True, slots=True)
 class Definition:
-    """symbol := body. Each index is a number (Φ₁) or one variable plus a number (Φ_{n+1}); `parameters` are
-    the formal arguments of a function symbol."""
+    """The definition symbol := body. Each index is a number (Φ₁) or one variable plus a number (Φ_{n+1});
+    `parameters` are the formal arguments of a function symbol."""
 
     declaration: Declaration
     index: tuple[Linear, ...]
@@ -282,7 +284,7 @@ class Definition:
 
 
 def sides_of(statement: Statement) -> Iterator[Term]:
-    """The terms of which something is said."""
+    """Yields the terms that the statement relates."""
     match statement:
         case Relation():
             yield from (statement.left, statement.right)
@@ -299,8 +301,8 @@ def sides_of(statement: Statement) -> Iterator[Term]:
 
 
 def column_of_symbols(term: Term | None) -> tuple[Symbol, ...]:
-    """The entries of a literal column of scalars, or of a quaternion written by its four numbers, that are
-    symbols, no two alike; none for any other term."""
+    """Returns the entries of a literal column of distinct scalar symbols, or of a quaternion written by four
+    such numbers; () for other terms."""
     match term:
         case Apply(head="quaternion", arguments=(scalar, Block(entries=entries))):
             parts = (scalar, *(entry for row in entries for entry in row))
@@ -314,20 +316,20 @@ def column_of_symbols(term: Term | None) -> tuple[Symbol, ...]:
 
 @lru_cache(maxsize=1 << 14)
 def heads_in(term: Term) -> frozenset[str]:
-    """The operations that stand in a term, as it is written."""
+    """Returns the heads of the operations in a term."""
     own = (term.head,) if isinstance(term, Apply) else ()
     return frozenset(own).union(*map(heads_in, term.children))
 
 
 def is_rate(term: Term) -> bool:
-    """Whether the term is a symbol, or a time derivative of one."""
+    """True if the term is a symbol or a time derivative of one."""
     while isinstance(term, Derivative):
         term = term.body
     return isinstance(term, Symbol)
 
 
 def is_accented_symbol(term: Term) -> bool:
-    """Whether the term is a symbol under dots, orders of derivatives and tildes."""
+    """True if the term is a symbol under dots, derivatives and tildes only."""
     while isinstance(term, Derivative) or (isinstance(term, Apply) and term.head == "skew"):
         (term,) = term.children
     return isinstance(term, Symbol)

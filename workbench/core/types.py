@@ -1,4 +1,4 @@
-"""What a symbol or a term is: its type, its weight, and the declaration that a paper file gives for it."""
+"""Types, weights and declarations of symbols."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ Weight = Linear | None
 
 @dataclass(frozen=True, slots=True)
 class Type:
-    """Rows and columns of scalars, real or dual. An operator has 3×3 coefficients; a quaternion is a column
-    of four with a product of its own."""
+    """A matrix type: rows and columns of scalars, real or dual. An operator has 3×3 coefficients; a
+    quaternion is a column of four with its own product."""
 
     rows: int
     columns: int
@@ -39,12 +39,12 @@ class Type:
 
     @property
     def is_column(self) -> bool:
-        """Whether it is a vector of any length; a scalar is none."""
+        """True for a vector of any length; a scalar is not a column."""
         return not self.algebra and self.columns == 1 and self.rows > 1
 
     @property
     def is_square(self) -> bool:
-        """Whether it is a scalar, a tensor or a larger square matrix."""
+        """True for a scalar, a tensor or a larger square matrix."""
         return not self.algebra and self.rows == self.columns
 
     def __str__(self) -> str:
@@ -61,8 +61,8 @@ TENSOR = Type(3, 3)
 OPERATOR = Type(3, 3, algebra="operator")
 QUATERNION = Type(4, 1, algebra="quaternion")
 
-#: What a paper file may call a symbol's kind, beside a matrix n×m. Hamilton's quaternions have i j = k and
-#: the scalar part first.
+#: Kinds of symbols in a paper file, besides n×m matrices. Hamilton's quaternions have i j = k and the scalar
+#: part first.
 KINDS = {
     "scalar": SCALAR,
     "vector": VECTOR,
@@ -75,7 +75,7 @@ KINDS = {
 
 
 def type_of_kind(kind: str) -> Type | None:
-    """The type of what a paper file calls so, perhaps with 'dual '; None where there is no such kind."""
+    """Returns the type of a kind, which may begin with 'dual '; None for an unknown kind."""
     plain = kind.removeprefix("dual ")
     size = _SIZE.fullmatch(plain)
     found = Type(int(size[1]), int(size[2])) if size else KINDS.get(plain)
@@ -84,27 +84,28 @@ def type_of_kind(kind: str) -> Type | None:
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """What a paper file says of a symbol.
+    """The declaration of a symbol in a paper file.
 
     name: unique in a paper.
     type, weight: of one member; the weight of a family is linear in its indices, called `@0`, `@1`, … there.
     constant: its time derivative is 0.   unit: a vector or quaternion with x·x = 1 (dual: |x| = 1).
     rotation: a tensor with R Rᵀ = I and det R = 1.
     transform: a 4×4 matrix [R p; 0 1] with a rotation R.
-    symmetric, diagonal: a square matrix that is so.
-    coordinate: the place of a field; div and curl differentiate by it.
-    uniform: the same at every place, so that div and curl take it for a constant.
-    of: the symbols that it is a function of; nothing but them (and t, where it is among them) moves it.
-    independent: others are functions `of` it and it is none itself, so that ∂/∂q keeps it fixed.
-    positive: a number more than 0 at all times, so that it has a root (`definitions.squared_root`).
-    small: so small that what is said with ≈ holds to first order in it and its rates.
-    free: it may be anything, whatever a text seems to say of it.
-    tilded: the same letter with a tilde is a symbol of its own, so its skew tensor is not written so.
+    symmetric, diagonal: properties of a square matrix.
+    coordinate: the position in a field; div and curl differentiate by it.
+    uniform: the same at every position, so that div and curl treat it as a constant.
+    of: the symbols that it is a function of. It changes only with them (and with t, if t is among them).
+    independent: other symbols are functions `of` it and it is a function of none, so that ∂/∂q keeps it
+    fixed.
+    positive: greater than 0 at all times, so that it has a root (`definitions.squared_root`).
+    small: statements with ≈ hold to first order in it and its rates.
+    free: it may have any value, even if the text seems to constrain it.
+    tilded: the same letter with a tilde is another symbol, so its skew tensor is not written with a tilde.
     clock: the time t, whose derivative is 1.
-    parameters: how many arguments a function symbol such as Φ_k(ω) takes.
-    apart: the indices at which a family has no member, since another symbol is declared that is printed so.
-    introduced: only definitions introduce it, so that a member which none of them reaches is nothing.
-    hidden: no formula has it, but what frames and points are is made of it: it moves in any way.
+    parameters: the number of arguments of a function symbol such as Φ_k(ω).
+    apart: the indices at which a family has no member, because another declared symbol is printed like it.
+    introduced: only definitions introduce its members; a member without a definition is meaningless.
+    hidden: occurs in no formula, but frames and points are built from it; it may move arbitrarily.
     """
 
     name: Name
@@ -132,7 +133,7 @@ class Declaration:
     hidden: bool = False
 
 
-#: The number π, of which a quarter turn is known.
+#: The number π; a quarter turn has exact sines and cosines.
 PI = Declaration(Name("\\pi"), SCALAR, None, constant=True)
 
 #: The time t.

@@ -1,4 +1,4 @@
-"""What the judge returns: an outcome that is never merged with another, and the evidence behind it."""
+"""Verdicts: an outcome and the evidence for it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,7 @@ from workbench.core.reasons import Code, Reason, code_of
 
 
 class Outcome(StrEnum):
-    """The verdicts of the report. ARGUED: steps are checked, and prose joins them; it never counts as
-    proved."""
+    """Outcomes of the report. ARGUED: steps are checked and joined by prose; it never counts as proved."""
 
     PROVED = "proved"
     CONDITIONAL = "conditional"
@@ -25,19 +24,19 @@ class Outcome(StrEnum):
 
 
 class Strength(IntEnum):
-    """How far a fact can be relied on; the basis of a verdict is the weakest fact that it rests on."""
+    """The reliability of a fact. The basis of a verdict is the weakest fact that it depends on."""
 
     GUESSED = 0  # one of several conventions about letters or typefaces, or a proposal
     HINTED = 1  # words near the symbol, or a convention that authors follow
-    STATED = 2  # a formula or a sentence that is read
-    DECLARED = 3  # the model
+    STATED = 2  # a formula or a sentence of the text
+    DECLARED = 3  # the model declares it
 
     def __str__(self) -> str:
         return self.name.lower()
 
 
 class Grade(StrEnum):
-    """How a verdict is shown."""
+    """The way in which a verdict is shown."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -47,8 +46,8 @@ class Grade(StrEnum):
 
 
 def grade_of(outcome: Outcome, basis: Strength, unless: Sequence[str]) -> Grade:
-    """Returns how a verdict is shown. unless: the doubts under which it would be another one; one doubt makes
-    a falsehood a warning, two make it a note."""
+    """Returns the grade of a verdict. unless: the doubts under which the verdict would be different; one
+    doubt turns an error into a warning, two turn it into a note."""
     match outcome:
         case Outcome.REFUTED | Outcome.ILL_FORMED:
             doubts = max(len(unless), int(basis < Strength.STATED))
@@ -64,12 +63,12 @@ def grade_of(outcome: Outcome, basis: Strength, unless: Sequence[str]) -> Grade:
 
 
 class EngineDisagreement(RuntimeError):
-    """Two engines that must agree do not: a defect of the workbench, never a verdict."""
+    """Two engines contradict each other: a defect of the workbench, never a verdict."""
 
 
 @dataclass(frozen=True)
 class Evidence:
-    """One method, what came out of it, and its figures (JSON values: numbers, strings, lists)."""
+    """One method, its outcome, and its figures (JSON values: numbers, strings, lists)."""
 
     method: str
     outcome: str
@@ -86,12 +85,14 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Values of the symbols (LaTeX → rationals as strings, components in reading order; a derivative is a
-    symbol of its own, `\\dot{\\omega}`), and what the two sides then are.
+    """Values of the symbols, and the resulting values of the two sides.
 
-    defined: the values that definitions give to what else stands in the formula.
-    behind: those of `values` of which the formula does not speak.
-    kinds: of each value the type, as `str(Type)` has it; kind: that of the two sides."""
+    values: LaTeX → rationals as strings, components in reading order. A derivative is a separate symbol,
+    `\\dot{\\omega}`.
+    defined: the values of the defined symbols in the formula.
+    behind: the entries of `values` that do not occur in the formula.
+    kinds: the type of each value, as `str(Type)`; kind: that of the two sides.
+    """
 
     values: Mapping[str, tuple[str, ...]]
     left: tuple[str, ...]
@@ -124,13 +125,13 @@ class Counterexample:
 class Verdict:
     """The verdict on one statement.
 
-    scope: for which n it is proved ("all n", "all n ≥ 1", "n = 1..8"); None where there is no n.
-    read_back: canonical LaTeX of the term that was judged.
+    scope: the n for which it is proved ("all n", "all n ≥ 1", "n = 1..8"); None if there is no n.
+    read_back: canonical LaTeX of the judged term.
     reason: why, for ill-formed (with line and column), unchecked and conditional.
     hypothesis: canonical LaTeX of the condition that the text does not state, for conditional.
-    no_motion: why no motion is among the evidence; None where one is.
-    basis: the strength of the weakest fact that it rests on.
-    unless: the facts that nobody has confirmed under which it would be another one.
+    no_motion: why the evidence contains no motion; None if it contains one.
+    basis: the strength of the weakest fact that the verdict depends on.
+    unless: the unconfirmed facts under which the verdict would be different.
     """
 
     outcome: Outcome
@@ -150,12 +151,12 @@ class Verdict:
 
     @property
     def code(self) -> Code | None:
-        """The code of the reason; None where there is no reason."""
+        """The code of the reason; None if there is no reason."""
         return code_of(self.reason)
 
     @property
     def is_for_all(self) -> bool:
-        """Whether it is for all values of the integers, of which there may be none."""
+        """True if the verdict holds for all values of the integers, or if there are no integers."""
         return self.scope is None or self.scope.startswith("all")
 
     def to_dict(self) -> dict[str, Any]:
@@ -167,7 +168,7 @@ class Verdict:
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Verdict:
-        """What `to_dict` gives, back. Raises KeyError, ValueError or TypeError for anything else."""
+        """Inverts `to_dict`. Raises KeyError, ValueError or TypeError for other data."""
         against = data["counterexample"]
         reasons = {name: data[name] and Reason.from_dict(data[name]) for name in ("reason", "no_motion")}
         return Verdict(

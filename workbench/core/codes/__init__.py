@@ -1,1 +1,1 @@
-"""The codes of messages, by what they are about: each with its template and its number of arguments."""
+"""Codes of messages, one module per subject. A code has a template with named arguments."""

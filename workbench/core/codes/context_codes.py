@@ -1,4 +1,4 @@
-"""The codes of verdicts that rest on what a text says around a formula."""
+"""Codes of verdicts that depend on the text around a formula."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class ContextCode(Code):
-    """One row for each reason."""
+    """Reasons that come from the context of a formula."""
 
     ASSIGNS = "assigns a value: left of := stands the value after the one on its right"
     DEFINES = "defines {symbol}"

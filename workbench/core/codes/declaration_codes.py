@@ -1,4 +1,4 @@
-"""The codes of entries of [symbols], [definitions] and [notation] that cannot be used."""
+"""Codes of unusable entries in [symbols], [definitions] and [notation]."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class DeclarationCode(Code):
-    """One row for each fault of an entry."""
+    """Faults of an entry."""
 
     ALIASES_EXPECTED_LIST_LATEX = "aliases is {found}; expected a list of LaTeX names"
     ARGUMENT_OF = "of: {text} is {value}"

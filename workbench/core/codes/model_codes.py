@@ -1,4 +1,4 @@
-"""The codes of paper files and models that lack a key."""
+"""Codes of paper files and models that lack a key."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class ModelCode(Code):
-    """One row for each table without its keys. Every argument is the name of a key."""
+    """Missing keys of a table. Every argument is the name of a key."""
 
     MISSING_KEY = "missing key '{key}'"
     MISSING_PLACE = "missing key '{key}': a label, an equation number, an id or \"line N\", or a list of such"

@@ -1,4 +1,4 @@
-"""The codes of claims that no motion tests."""
+"""Codes of claims that no motion tests."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class MotionCode(Code):
-    """One row for each reason why no motion is among the evidence."""
+    """Reasons why the evidence contains no motion."""
 
     ALGEBRA = "no motion: algebra"
     AS_STATED = "{why}"

@@ -1,4 +1,4 @@
-"""The codes of formulas that cannot be read."""
+"""Codes of formulas that the reader cannot parse."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class SyntaxCode(Code):
-    """One row for each fault of a formula that the reader finds, and each question that it asks."""
+    """Syntax faults, and the questions that the reader asks about an ambiguous formula."""
 
     ALIGNMENT_MARK = "& outside of a matrix or an aligned environment"
     ALONE = "expected a relation (= or \\neq), got an expression alone"
@@ -248,7 +248,7 @@ class SyntaxCode(Code):
     WORDS_IN_FORMULA = "{text}: words in a formula"
 
 
-#: A symbol that nothing declares.
+#: Codes of symbols that have no declaration.
 UNKNOWN_SYMBOLS = frozenset(
     {SyntaxCode.UNKNOWN_SYMBOL, SyntaxCode.UNKNOWN_SYMBOL_CLOSE, SyntaxCode.UNKNOWN_UNIT_TENSOR}
 )

@@ -1,4 +1,4 @@
-"""The codes of ill-formed formulas: types, sizes or weights that do not fit."""
+"""Codes of ill-formed formulas: types, sizes or weights do not match."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class TypeCode(Code):
-    """One row for each way in which the parts of a formula do not fit."""
+    """Mismatches between the parts of a formula."""
 
     ABBREVIATED_SUMMAND = "{message}; is meant {usual}? a `reading` says it"
     ADDENDS_OF_DIFFERENT_WEIGHTS = "addends of the sum over {variables} differ in weight: {weight}"
@@ -82,13 +82,13 @@ class TypeCode(Code):
 
 
 class Compared(StrEnum):
-    """The terms that must be of one type and weight: the argument `what` of a fault."""
+    """The terms that must have one type and weight: the argument `what` of a fault."""
 
     SIDES = "the two sides"
     ADDENDS = "the addends"
 
 
-#: A product, an operation or an equation of kinds that do not fit.
+#: Codes of products, operations and equations whose kinds do not match.
 UNFIT_KINDS = frozenset(
     {TypeCode.DIFFERENT_TYPES, TypeCode.UNIT_TENSOR_BESIDE_OTHERS, TypeCode.JUXTAPOSITION, TypeCode.TRANSPOSE}
 )

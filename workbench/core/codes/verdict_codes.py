@@ -1,4 +1,4 @@
-"""The codes of verdicts: why a claim is not judged, fails, or holds under a condition only."""
+"""Codes of verdicts: why a claim is not judged, fails, or holds only under a condition."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class VerdictCode(Code):
-    """One row for each reason of a verdict."""
+    """Reasons of a verdict."""
 
     ANOTHER_VALUE = "the {word} value is another one"
     ARGUED = "{how}"
@@ -94,10 +94,10 @@ class VerdictCode(Code):
     UP_TO_BRANCH = "holds up to the branch: where {branch}"
 
 
-#: A claim is false under its premise now, and not seen to be false if the premise lasts.
+#: Codes of claims that are false if the premise holds at one instant or place, and undecided if it lasts.
 UNLESS_IT_LASTS = frozenset({VerdictCode.AT_ONE_INSTANT, VerdictCode.AT_ONE_PLACE})
 
-#: No fault: the author can say what is missing.
+#: Codes that report no fault: the author can supply the missing information.
 WAITS_FOR_ITS_AUTHOR = frozenset(
     {
         VerdictCode.STATES_A_LAW,
@@ -107,7 +107,7 @@ WAITS_FOR_ITS_AUTHOR = frozenset(
 
 @unique
 class ResultCode(Code):
-    """One row for each way in which a verdict is not the expected one."""
+    """Ways in which a verdict differs from the expected one."""
 
     SEVERAL = "{first}; {second}"
     UNEXPECTED = "{form}: expected {expected}, got {got}"

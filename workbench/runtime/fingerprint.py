@@ -1,4 +1,5 @@
-"""What all that is kept depends on: the code that found it, and the versions of what that code rests on."""
+"""Fingerprint of everything that cached results depend on: the workbench's code and its libraries'
+versions."""
 
 from __future__ import annotations
 
@@ -15,14 +16,14 @@ def digest(text: str) -> str:
 
 
 def ground(packages: Iterable[str], rests_on: Iterable[str]) -> str:
-    """A digest of the code of our packages, and of the versions of Python and of others' packages."""
+    """Returns a digest of the code of the packages, and of the versions of Python and of the libraries."""
     code = [(name, _code_of(name)) for name in packages]
     return digest(repr((code, [(name, version(name)) for name in rests_on], sys.version_info[:2])))
 
 
 @cache
 def _code_of(package: str) -> str:
-    """A digest of the package's sources, the grammar among them, in the order of their names."""
+    """Returns a digest of the package's sources, including its grammars, in the order of their names."""
     file = sys.modules[package].__file__
     assert file is not None, f"{package} has no __init__.py"
     root = Path(file).parent

@@ -1,4 +1,4 @@
-"""A budget of processor time and memory."""
+"""Limits on processor time and memory."""
 
 from __future__ import annotations
 
@@ -7,15 +7,18 @@ from math import isfinite
 
 
 class OutOfBudget(Exception):
-    """What was asked for was ended, because it cost more than it may."""
+    """A call was ended because it exceeded its budget."""
 
 
 @dataclass(frozen=True)
 class Budget:
-    """seconds: of processor time for one judgement, so that a busy machine changes no verdict.
-    megabytes: of memory that it may take beyond what the process has when it starts.
+    """Limits of one judgement.
 
-    Raises ValueError for anything but positive, finite numbers."""
+    seconds: processor time, so that the load of the machine changes no verdict.
+    megabytes: memory beyond that of the process at its start.
+
+    Raises ValueError for numbers that are not positive and finite.
+    """
 
     seconds: float = 20.0
     megabytes: float = 4000.0
@@ -30,10 +33,11 @@ class Budget:
 
     @staticmethod
     def of(**limits: float | None) -> Budget | None:
-        """The budget with the limits that are given and the standard ones else; None if none is given."""
+        """Returns a budget with the given limits and the standard ones otherwise; None if no limit is
+        given."""
         given = {name: value for name, value in limits.items() if value is not None}
         return Budget(**given) if given else None
 
 
-#: What a judgement gets where nothing else is said.
+#: The default budget of a judgement.
 STANDARD = Budget()

@@ -1,6 +1,6 @@
-"""What earlier runs found, under keys that say all that it depends on.
+"""Cache of earlier results on disk. A key contains everything that its result depends on.
 
-A file that is damaged, or that belongs to somebody else, is as good as none.
+A corrupt file, or one of another user, is ignored.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _MOST = 50_000
 
 
 class Store:
-    """What is kept in a file, made on first use."""
+    """A cache file, created on first use."""
 
     def __init__(self, file: Path) -> None:
         self._database: sqlite3.Connection | None = None
@@ -25,7 +25,7 @@ class Store:
             self._database = _opened(file)
 
     def get(self, key: str) -> bytes | None:
-        """What is kept under the key, if it is there and undamaged."""
+        """Returns the value of the key; None if it is missing or damaged."""
         if self._database is None:
             return None
         with suppress(sqlite3.Error, TypeError):
@@ -54,7 +54,7 @@ AnyStore = TypeVar("AnyStore", bound=Store)
 
 @contextmanager
 def standard(kind: type[AnyStore]) -> Iterator[AnyStore]:
-    """The file under WORKBENCH_CACHE, or where the system keeps such files."""
+    """Yields the cache file in the folder WORKBENCH_CACHE, or in the user's cache folder."""
     from platformdirs import user_cache_path
 
     place = os.environ.get("WORKBENCH_CACHE")
@@ -66,7 +66,7 @@ def standard(kind: type[AnyStore]) -> Iterator[AnyStore]:
 
 
 def _opened(file: Path) -> sqlite3.Connection | None:
-    """The database; a damaged one is made anew, one of another user is left alone."""
+    """Returns the database; replaces a damaged one, and returns None for one of another user."""
     file.parent.mkdir(parents=True, exist_ok=True)
     if file.exists() and hasattr(os, "getuid") and file.stat().st_uid != os.getuid():
         return None
@@ -74,10 +74,10 @@ def _opened(file: Path) -> sqlite3.Connection | None:
     for attempt in range(2):
         database = sqlite3.connect(file, timeout=5.0)
         try:
-            database.execute("PRAGMA synchronous = OFF")  # what an outage damages is found anew
+            database.execute("PRAGMA synchronous = OFF")  # entries damaged by a crash are recomputed
             database.execute(table)
             return database
-        except sqlite3.OperationalError:  # locked, or no room
+        except sqlite3.OperationalError:  # locked, or the disk is full
             database.close()
             return None
         except sqlite3.DatabaseError:

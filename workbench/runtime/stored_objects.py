@@ -1,4 +1,4 @@
-"""Terms, notations and claims as bytes. Nothing else comes back from bytes, whatever they say."""
+"""Serialization of terms, notations and claims. Unpickling admits these types only."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def packed(value: Any) -> bytes:
 
 
 def unpacked(data: bytes) -> Any:
-    """Raises UnpicklingError for what is none of them."""
+    """Returns the stored object. Raises UnpicklingError for other types."""
     return _Unpickler(io.BytesIO(data)).load()
 
 

@@ -1,8 +1,8 @@
-"""Calls in processes of their own, so that they can be ended: a proof may take hours in one call of C code.
+"""Calls in separate processes that can be ended: a proof may take hours in one call of C code.
 
-The processes are forked, so that the function and all that it holds is there without being sent, terms keep
-their hashes and nothing is loaded anew. They write to their pipes alone and never come back to the caller's
-code, so they need no lock that another thread may have held.
+The processes are forked, so that the function and its data need not be sent, terms keep their hashes, and
+nothing is loaded again. They write to their pipes only and never return to the caller's code, so they need no
+lock that another thread may hold.
 """
 
 from __future__ import annotations
@@ -23,20 +23,19 @@ from weakref import finalize
 
 from workbench.runtime.limits import Budget, OutOfBudget
 
-#: Wall time for a call as a multiple of its processor time, on a machine that others use too; and at least so
-#: many seconds.
+#: Limit on wall time, as a multiple of the processor time because the machine may be busy; and its least
+#: value in seconds.
 PATIENCE, LEAST = 10.0, 60.0
 
 
 class Workers:
-    """Calls of one function, on up to `count` processes, each call within the budget (None: without limits).
+    """Calls of one function in up to `count` processes, each within the budget (None: no limits).
 
-    prepare: called here before the first process is forked, to load what all of them need.
-    alike: neighbours for which it gives the same are for one process, which keeps what it has computed for
-    one of them, until another has nothing else to do.
+    prepare: called in this process before the first fork, to load what all processes need.
+    alike: a key of an item. Adjacent items with the same key go to one process, which reuses its results for
+    them, until another process is idle.
 
-    Where the system cannot fork, or in a process that may have no processes, calls are made here, and nothing
-    ends them.
+    If the system cannot fork, or the process may not have children, calls run in this process without limits.
     """
 
     def __init__(
@@ -51,7 +50,7 @@ class Workers:
         forks = "fork" in get_all_start_methods() and not current_process().daemon
         self._workers: list[_Worker] = []
         self._workers += [_Worker(function, budget, self._workers) for _ in range(count if forks else 0)]
-        finalize(self, _end_all, self._workers)  # at the latest when Python ends
+        finalize(self, _end_all, self._workers)  # at the latest when Python exits
 
     def __enter__(self) -> Workers:
         return self
@@ -60,8 +59,8 @@ class Workers:
         self.close()
 
     def call(self, item: Any, seconds: float | None = None) -> Any:
-        """function(item), sent by pickle both ways. Raises OutOfBudget past the budget, or past so many
-        seconds of wall time, and what the function raises."""
+        """Returns function(item), sent by pickle both ways. Raises OutOfBudget past the budget or past
+        `seconds` of wall time, and the exceptions of the function."""
         (answer,) = self.map([item], seconds)
         if isinstance(answer, OutOfBudget):
             raise answer
@@ -73,8 +72,10 @@ class Workers:
         seconds: float | None = None,
         meanwhile: Callable[[], None] = lambda: None,
     ) -> Iterator[Any]:
-        """function(item) for each item, in their order; an OutOfBudget in the place of what was ended.
-        Raises what the function raises. meanwhile: called here, once all processes are at work."""
+        """Yields function(item) for each item, in order; an OutOfBudget stands for a call that was ended.
+
+        Raises the exceptions of the function. meanwhile: called once, when all processes are busy.
+        """
         if not self._workers:
             yield from map(self._function, items)
             return
@@ -111,14 +112,15 @@ class Workers:
         places: dict[_Worker, int],
         seconds: float | None,
     ) -> None:
-        """Has those that are free work on what waits; `places` says on what."""
+        """Sends waiting items to the free processes; `places` maps a process to the index of its item."""
         while free and (waiting or any(worker.queue for worker in self._workers)):
             worker = free.pop()
             places[worker], item = self._next(worker, waiting)
             worker.ask(item, seconds)
 
     def _next(self, worker: _Worker, waiting: deque[deque[tuple[int, Any]]]) -> tuple[int, Any]:
-        """The next of the worker's run, of a new one, or at the end the last of the longest run."""
+        """Returns the next item of the worker's run or of a new run; at the end, the last item of the longest
+        run."""
         if not worker.queue and not waiting:
             return max(self._workers, key=lambda other: len(other.queue)).queue.pop()
         if not worker.queue:
@@ -131,20 +133,20 @@ class Workers:
 
 
 class _Raised:
-    """What a call raised, for the caller."""
+    """An exception of a call, to be raised in the caller."""
 
     def __init__(self, error: Exception) -> None:
         self.error = error
 
 
 class _Worker:
-    """One process, which is forked for the first call and again after one that was ended."""
+    """One process, forked for the first call and again after a call that was ended."""
 
     def __init__(
         self, function: Callable[[Any], Any], budget: Budget | None, siblings: Sequence[_Worker]
     ) -> None:
         self._function, self._budget, self._siblings = function, budget, siblings
-        self.queue: deque[tuple[int, Any]] = deque()  # what it is to be asked, with the places
+        self.queue: deque[tuple[int, Any]] = deque()  # items to be asked, with their indices
         self._owner = os.getpid()
         self._process: Any = None
         self._pipe: Connection | None = None
@@ -156,7 +158,7 @@ class _Worker:
 
     @property
     def pipe(self) -> Connection:
-        """To and from the process, while it runs."""
+        """The connection to the running process."""
         assert self._pipe is not None, "the process does not run"
         return self._pipe
 
@@ -171,7 +173,7 @@ class _Worker:
         self.pipe.send(item)
 
     def answer(self) -> Any:
-        """What came of the call; an OutOfBudget if it was ended or has to be ended now."""
+        """Returns the result of the call; an OutOfBudget if it was ended or has to be ended now."""
         if not self.pipe.poll():
             self.end()
             return OutOfBudget("not decided in time")
@@ -208,7 +210,7 @@ class _Worker:
         context = get_context("fork")
         self._pipe, theirs = context.Pipe()
         self._process = context.Process(target=self._serve, args=(theirs,))
-        stdin, sys.stdin = sys.stdin, None  # type: ignore[assignment]  # it would close what a thread reads
+        stdin, sys.stdin = sys.stdin, None  # closing it would interrupt a thread that reads it
         try:
             self._process.start()
         finally:
@@ -216,9 +218,9 @@ class _Worker:
         theirs.close()
 
     def _serve(self, pipe: Connection) -> None:
-        gc.set_threshold(1_000_000, 10, 10)  # few cycles are made, and a call ends soon
-        gc.freeze()  # what was loaded before the fork stays; to look it through again and again takes a tenth
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all; the caller ends this one
+        gc.set_threshold(1_000_000, 10, 10)  # few cycles arise, and calls are short
+        gc.freeze()  # do not scan what was loaded before the fork; scanning takes a tenth of the time
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the caller ends this one
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
         for worker in self._siblings:
             if worker.runs:
@@ -238,12 +240,12 @@ class _Worker:
     def _called(self, item: Any) -> Any:
         try:
             return self._function(item)
-        except Exception as error:  # for the caller to raise
+        except Exception as error:  # the caller raises it
             return _Raised(error)
 
     @staticmethod
     def _spend(seconds: float) -> None:
-        """The system ends this process after so much more processor time, whatever it does; 0: never."""
+        """Sets the limit of further processor time after which the system ends this process; 0: no limit."""
         signal.setitimer(signal.ITIMER_PROF, seconds)
 
 
@@ -253,7 +255,7 @@ def _end_all(workers: Iterable[_Worker]) -> None:
 
 
 def _answering(workers: Iterable[_Worker]) -> list[_Worker]:
-    """Those that have answered, or whose time is over; waits for one."""
+    """Returns the workers that have answered or whose time is over; waits for at least one."""
     by_pipe = {worker.pipe: worker for worker in workers}
     ends = [worker.end_at for worker in by_pipe.values() if worker.end_at is not None]
     ready = connection.wait(list(by_pipe), max(0.0, min(ends) - monotonic()) if ends else None)
@@ -263,7 +265,8 @@ def _answering(workers: Iterable[_Worker]) -> list[_Worker]:
 
 
 def _limit_memory(megabytes: float) -> None:
-    """Beyond what this process has now; where the system does not tell, without a limit."""
+    """Limits memory to the present size plus `megabytes`; sets no limit if the system does not report the
+    size."""
     try:
         with open("/proc/self/status", encoding="ascii") as status:
             had = next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmData"))

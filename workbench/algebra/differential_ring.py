@@ -1,14 +1,14 @@
-"""Polynomials over ℚ with a derivation d/dt, in FLINT: the ring in which the first engine proves.
+"""Polynomials over ℚ with a derivation d/dt, in FLINT: the ring of the polynomial engine.
 
-Every derivative of a free function is an indeterminate of its own and d/dt shifts one to the next. Sines and
-cosines, unit vectors, rotations (as unit quaternions) and norms are indeterminates with one relation each,
+Every derivative of a free function is an indeterminate, and d/dt maps each to the next. Sines and cosines,
+unit vectors, rotations (as unit quaternions) and norms are indeterminates with one relation each,
 
     s² = 1 − c²,   u₀² = 1 − u₁² − u₂²,   q₀² = 1 − q₁² − q₂² − q₃²,   N² = x·x,
 
 whose leading squares are powers of different indeterminates. By Buchberger's first criterion such relations
 are a Gröbner basis in a lexicographic order that ranks each squared indeterminate above those of its right
-side, so the remainder by them is a normal form: 0 exactly for the polynomials that vanish modulo them.
-A reciprocal 1/d is an indeterminate z with z·d = 1, cleared at the end.
+side. The remainder modulo them is therefore a normal form: 0 exactly for the polynomials that vanish modulo
+them. A reciprocal 1/d is an indeterminate z with z·d = 1, cleared at the end.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ Derivation = Callable[[Polynomial], Polynomial]
 
 
 class DifferentialRing:
-    """Built from a list of generator names, highest rank first, and then furnished: each generator gets its
-    time derivative by `derive_as`, and squares are rewritten by `square_as`."""
+    """The ring over a list of generator names, highest rank first. `derive_as` sets the time derivative of a
+    generator, `square_as` its square."""
 
     def __init__(self, names: Sequence[str]) -> None:
         self._context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
@@ -48,26 +48,27 @@ class DifferentialRing:
         return self._context.constant(fmpq(value.numerator, value.denominator))
 
     def number(self, p: Polynomial) -> Fraction:
-        """A constant polynomial as a fraction."""
+        """Returns a constant polynomial as a fraction."""
         if not p.is_constant():
             raise ValueError("expected a constant polynomial")
         value = fmpq(0) if p.is_zero() else p.leading_coefficient()
         return Fraction(int(value.p), int(value.q))
 
     def derive_as(self, name: str, rate: Polynomial) -> None:
-        """The time derivative of a generator; a generator without one must not be differentiated."""
+        """Sets the time derivative of a generator; a generator without one must not be differentiated."""
         self._rates[self._places[name]] = rate
 
     def derive_by(self, name: str, chain: Callable[[Derivation], Polynomial]) -> None:
-        """The derivative of a generator that stands for a function of others, by any derivation of these."""
+        """Sets the derivative of a generator that stands for a function of others, for any derivation of
+        these."""
         self._followers[self._places[name]] = cache(chain)
 
     def square_as(self, name: str, value: Polynomial) -> None:
-        """name² = value. `value` must not hold `name` and its generators must rank below it."""
+        """Sets name² = value. `value` must not contain `name`, and its generators must rank below it."""
         self._squares[name] = value
 
     def derive(self, p: Polynomial) -> Polynomial:
-        """dp/dt by the chain rule over the generators that occur in p."""
+        """Returns dp/dt by the chain rule over the generators that occur in p."""
         rate = self.zero
         for place, degree in enumerate(p.degrees()):
             if degree > 0:
@@ -81,7 +82,8 @@ class DifferentialRing:
         return self.reduce(rate)
 
     def partial(self, p: Polynomial, name: str) -> Polynomial:
-        """∂p/∂name, where norms and reciprocals follow; `name` must be free of square relations."""
+        """Returns ∂p/∂name, including norms and reciprocals that depend on it; `name` must have no square
+        relation."""
         rate = p.derivative(self._places[name])
         for place, chain in tuple(self._followers.items()):
             if p.degrees()[place] > 0:
@@ -89,7 +91,7 @@ class DifferentialRing:
         return self.reduce(rate)
 
     def reduce(self, p: Polynomial) -> Polynomial:
-        """The normal form modulo the square relations."""
+        """Returns the normal form modulo the square relations."""
         while high := self._squared_in(p):
             for name in high:
                 p = divmod(p, self.generators[name] ** 2 - self._squares[name])[1]
@@ -100,8 +102,8 @@ class DifferentialRing:
         return [name for name in self._squares if degrees[self._places[name]] > 1]
 
     def reciprocal(self, d: Polynomial, spare: Sequence[str]) -> tuple[Polynomial, Fraction]:
-        """(z, factor) with 1/d = factor·z; denominators equal up to a number share one z. `spare` names the
-        generators set aside for reciprocals."""
+        """Returns (z, factor) with 1/d = factor·z. Denominators that differ by a number share one z. `spare`
+        names the generators reserved for reciprocals."""
         if d.is_zero():
             raise ZeroDivisionError("division by an expression that is identically zero")
         leading = d.leading_coefficient()
@@ -124,15 +126,16 @@ class DifferentialRing:
 
     @contextmanager
     def removable(self) -> Iterator[None]:
-        """What is divided by in here may vanish: the quotients are analytic there, as sin x / x is at 0, so
-        that an identity that holds beside that place holds on it. Equations may leave nothing beside it."""
+        """Marks divisors in this context as removable singularities: the quotients are analytic where the
+        divisor vanishes, as sin x / x is at 0. An identity that holds near such a point therefore holds
+        there. Equations may leave no point near it."""
         outer, self._removable = self._removable, True
         yield
         self._removable = outer
 
     @property
     def squared(self) -> frozenset[str]:
-        """The generators whose squares are rewritten, and those in what they are rewritten to."""
+        """The generators with a square relation, and those in its right side."""
         bound = set(self._squares)
         for value in self._squares.values():
             bound |= {self.names[i] for i, degree in enumerate(value.degrees()) if degree > 0}
@@ -140,11 +143,12 @@ class DifferentialRing:
 
     @property
     def square_names(self) -> frozenset[str]:
-        """The generators whose squares are rewritten."""
+        """The generators with a square relation."""
         return frozenset(self._squares)
 
     def square_of(self, p: Polynomial) -> Polynomial:
-        """p² in normal form if p is a single generator with a square relation, such as a norm; else p."""
+        """Returns p² in normal form if p is a single generator with a square relation, such as a norm; else
+        p."""
         for name, value in self._squares.items():
             if p == self.generators[name]:
                 return value
@@ -152,22 +156,25 @@ class DifferentialRing:
 
     @property
     def denominators(self) -> tuple[Polynomial, ...]:
-        """What was divided by, up to numbers, in normal form, where quotients are not analytic."""
+        """The divisors of non-analytic quotients, up to numbers, in normal form."""
         return tuple(d for name, d in self._reciprocals if name in self._divided)
 
     @property
     def limits(self) -> tuple[Polynomial, ...]:
-        """What else was divided by: where it vanishes, the quotients are limits."""
+        """The divisors of analytic quotients, which are limits where the divisor vanishes."""
         return tuple(d for name, d in self._reciprocals if name not in self._divided)
 
     @property
     def relations(self) -> tuple[Polynomial, ...]:
-        """The square relations, each a polynomial that is 0."""
+        """The square relations as polynomials that are 0."""
         return tuple(self.generators[name] ** 2 - value for name, value in self._squares.items())
 
     def clear(self, p: Polynomial) -> Polynomial:
-        """p times powers of the denominators so that no reciprocal is left: 0 exactly if p is, where no
-        denominator vanishes. A later reciprocal can hold earlier ones below: the last one goes first."""
+        """Returns p times powers of the denominators such that no reciprocal is left.
+
+        It is 0 exactly if p is, where no denominator vanishes. A later reciprocal can contain earlier ones,
+        so the last one is cleared first.
+        """
         for name, d in reversed(self._reciprocals):
             if p.degrees()[self._places[name]] <= 0:
                 continue
@@ -182,11 +189,11 @@ class DifferentialRing:
 
     @property
     def reciprocals(self) -> Sequence[tuple[str, Polynomial]]:
-        """The generators that stand for 1/d, and d, in the order in which they were made."""
+        """The generators that stand for 1/d with their d, in order of creation."""
         return self._reciprocals
 
     def at(self, p: Polynomial, values: dict[str, Fraction]) -> Fraction:
-        """The value of p at a rational point; every generator of p must have a value."""
+        """Returns the value of p at a rational point; every generator of p must have a value."""
         used = {self.names[i] for i, degree in enumerate(p.degrees()) if degree > 0}
         if missing := used - values.keys():
             raise ValueError(f"no value for {', '.join(sorted(missing))}")

@@ -79,7 +79,7 @@ class Dual:
     __rmul__ = __mul__
 
     def __matmul__(self, other: Any) -> "Dual":
-        """The product of dual matrices and vectors (parts: NumPy arrays with matching axes)."""
+        """Returns the product of dual matrices and vectors (parts: NumPy arrays with matching axes)."""
         if not isinstance(other, Dual):
             return Dual(self.re @ other, self.du @ other)
         return Dual(self.re @ other.re, self.re @ other.du + self.du @ other.re)
@@ -88,9 +88,9 @@ class Dual:
         return Dual(other @ self.re, other @ self.du)
 
     def __truediv__(self, other: Any) -> "Dual":
-        """The quotient; raises `ZeroDivisor` if the divisor's real part is (anywhere) zero.
+        """Returns the quotient; raises `ZeroDivisor` if the divisor's real part is (anywhere) zero.
 
-        Over a polynomial ring the quotient must exist in the ring; if not, the ring's error passes.
+        Over a polynomial ring the quotient must exist in the ring; otherwise the ring's error propagates.
         """
         re, du = _parts(other)
         if _vanishes(re):
@@ -102,7 +102,7 @@ class Dual:
         return Dual(other, 0 * self.du) / self
 
     def __pow__(self, n: int) -> "Dual":
-        """The n-th power, n an integer; entry by entry if the parts are arrays."""
+        """Returns the n-th power for an integer n; entry by entry if the parts are arrays."""
         try:
             n = operator.index(n)
         except TypeError:
@@ -124,17 +124,17 @@ class Dual:
         return hash(self.re) if is_zero(self.du) else hash((self.re, self.du))
 
     def __getitem__(self, index: Any) -> "Dual":
-        """The entries ``index`` of a dual array."""
+        """Returns the entries ``index`` of a dual array."""
         return Dual(self.re[index], self.du[index])
 
 
 def Re(a: Any) -> Any:
-    """The real part of a dual number; a real number is its own."""
+    """Returns the real part of a dual number; a real number unchanged."""
     return a.re if isinstance(a, Dual) else a
 
 
 def Du(a: Any) -> Any:
-    """The dual part of a dual number; zero for a real one."""
+    """Returns the dual part of a dual number; zero for a real number."""
     return a.du if isinstance(a, Dual) else 0 * a
 
 
@@ -147,9 +147,9 @@ def _is_flint(a: Any) -> bool:
 
 
 def as_array(a: Any) -> np.ndarray:
-    """a, a scalar or nested lists of scalars of any ring, as an array.
+    """Returns a scalar or nested lists of scalars of any ring as an array.
 
-    NumPy takes a flint polynomial for a sequence of its coefficients; here it is one entry.
+    NumPy would treat a flint polynomial as a sequence of its coefficients; here it is one entry.
     """
     if isinstance(a, np.ndarray):
         return a
@@ -177,9 +177,9 @@ def _nesting(a: Any) -> tuple[int, ...]:
 
 
 def _entries(re: Any, du: Any) -> tuple[Any, Any]:
-    """re and du as arrays of one shape (scalars if it is ()) over one ring.
+    """Returns re and du as arrays of one shape (scalars if it is ()) over one ring.
 
-    Integers become Python's, which cannot overflow.
+    Integers become Python integers, which cannot overflow.
     """
     re, du = np.broadcast_arrays(as_array(re), as_array(du))
     if np.issubdtype(np.result_type(re, du), np.integer):
@@ -192,7 +192,7 @@ def _entries(re: Any, du: Any) -> tuple[Any, Any]:
 
 
 def _in_one_ring(a: Any, b: Any) -> tuple[Any, Any]:
-    """a and b as operands of one ring: flint refuses Fractions, so they become fmpq."""
+    """Returns a and b as operands of one ring: flint rejects Fractions, so they become fmpq."""
     if type(a) is Fraction and _is_flint(b):
         return _fmpq(a), b
     if type(b) is Fraction and _is_flint(a):
@@ -220,7 +220,7 @@ def _exact_quotient(a: Any, b: Any) -> Any:
 
 
 def _ring_operation(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
-    """The operation on two scalars of a ring, or entry by entry on arrays of them."""
+    """Returns the operation for two scalars of a ring, or entry by entry for arrays."""
 
     def on_scalars(a: Any, b: Any) -> Any:
         return operation(*_in_one_ring(a, b))
@@ -244,7 +244,7 @@ divide = _ring_operation(_exact_quotient)
 
 
 def is_zero(a: Any) -> bool:
-    """Whether a (for an array: every entry of it) is zero."""
+    """True if a (for an array: every entry of it) is zero."""
     if isinstance(a, np.ndarray):
         return all(is_zero(x) for x in a.flat) if a.dtype == object else not np.any(a)
     if type(a).__module__.startswith("pydrake.symbolic"):
@@ -253,7 +253,7 @@ def is_zero(a: Any) -> bool:
 
 
 def _vanishes(a: Any) -> bool:
-    """Whether a (for an array: some entry of it) is zero."""
+    """True if a (for an array: some entry of it) is zero."""
     if isinstance(a, np.ndarray):
         return any(is_zero(x) for x in a.flat) if a.dtype == object else not np.all(a)
     return is_zero(a)

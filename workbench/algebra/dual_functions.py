@@ -1,9 +1,9 @@
 """Differentiable functions of dual numbers: f(a + ε a₀) = f(a) + ε a₀ f′(a), Eq. (72).
 
-Each function takes a dual or a real number over any scalar that has that function: floats, float
-arrays (entry by entry), Drake ``Expression`` and ``AutoDiffXd``. Over exact scalars (int, Fraction,
-``fmpq``, ``fmpq_mpoly``) only what is exact is computed: sin 0, cos 0, exp 0, log 1, the root of a
-square (of a polynomial: one of the two); anything else is a `TypeError`, never a rounded number.
+Each function takes a dual or a real number over any scalar that has that function: floats, float arrays
+(entry by entry), Drake ``Expression`` and ``AutoDiffXd``. Over exact scalars (int, Fraction, ``fmpq``,
+``fmpq_mpoly``) only exact values are computed: sin 0, cos 0, exp 0, log 1, the root of a square (of a
+polynomial: one of the two). All other values raise a `TypeError`; nothing is rounded.
 """
 
 import math
@@ -17,10 +17,10 @@ from workbench.algebra.dual import Dual, Re, ZeroDivisor, _is_flint, _vanishes, 
 
 
 def extend(f: Callable[[Any], Any], fprime: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """The extension of a real function to dual numbers, Eq. (72).
+    """Returns the extension of a real function to dual numbers, Eq. (72).
 
-    ``f`` and its derivative ``fprime`` take and return real scalars (or arrays, entry by entry).
-    A real argument gives ``f`` itself.
+    ``f`` and its derivative ``fprime`` take and return real scalars (or arrays, entry by entry). A real
+    argument gives ``f`` itself.
     """
 
     def extended(a: Any) -> Any:
@@ -36,11 +36,14 @@ def _is_exact(a: Any) -> bool:
 
 
 class NoExactValue(TypeError):
-    """A function of exact scalars whose value is none, such as a square root."""
+    """A function of exact scalars whose value is not exact, such as a square root."""
 
 
 def _real_function(name: str, ufunc: np.ufunc, exact: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """``ufunc`` on every scalar, with ``exact`` in its place on exact ones (its value None: not exact)."""
+    """Returns a function that applies ``exact`` to exact scalars and ``ufunc`` to others.
+
+    ``exact`` returns None if the value is not exact.
+    """
 
     def on_scalar(a: Any) -> Any:
         if not _is_exact(a):
@@ -66,7 +69,7 @@ def _only_at(point: int, value: int) -> Callable[[Any], Any]:
 
 
 def _exact_root(a: Any) -> Any:
-    """The root of a square in the ring of a, the non-negative one of a rational; else None."""
+    """Returns the root of a square in the ring of a (for a rational the non-negative one); else None."""
     if isinstance(a, int | Fraction):
         if a < 0:
             return None
@@ -97,10 +100,10 @@ exp = extend(_exp, _exp)
 
 
 def sqrt(a: Any) -> Any:
-    """The root of a dual number, √a + ε a₀ / (2 √a), entry by entry.
+    """Returns the root of a dual number, √a + ε a₀ / (2 √a), entry by entry.
 
-    Raises `ZeroDivisor` if Re(a) is zero (the function is not differentiable there), `ValueError`
-    if it is a negative float, `TypeError` if it is exact and not a square.
+    Raises `ZeroDivisor` if Re(a) is zero (the function is not differentiable there), `ValueError` if it is a
+    negative float, `TypeError` if it is exact and not a square.
     """
     _require_not_negative("sqrt", Re(a))
     root = _sqrt(Re(a))
@@ -112,7 +115,7 @@ def sqrt(a: Any) -> Any:
 
 
 def log(a: Any) -> Any:
-    """The natural logarithm of a dual number, entry by entry; errors as for `sqrt`."""
+    """Returns the natural logarithm of a dual number, entry by entry; errors as for `sqrt`."""
     if _vanishes(Re(a)):
         raise ZeroDivisor(f"log({a!r}): expected a real part that is not zero")
     _require_not_negative("log", Re(a))
@@ -120,10 +123,10 @@ def log(a: Any) -> Any:
 
 
 def atan2(y: Any, x: Any) -> Any:
-    """The dual angle of the dual point (x, y), entry by entry: atan2(y, x) + ε (x y₀ − y x₀)/(x²+y²).
+    """Returns the dual angle of the dual point (x, y): atan2(y, x) + ε (x y₀ − y x₀)/(x²+y²), entry by entry.
 
-    Raises `ZeroDivisor` if both real parts are zero and an argument is dual. Over exact scalars
-    only the angle 0 is exact.
+    Raises `ZeroDivisor` if both real parts are zero and an argument is dual. Over exact scalars only the
+    angle 0 is exact.
     """
     if not (isinstance(y, Dual) or isinstance(x, Dual)):
         return _real_atan2(y, x)
@@ -137,7 +140,7 @@ def atan2(y: Any, x: Any) -> Any:
 def _real_atan2(y: Any, x: Any) -> Any:
     if not (_is_exact(y) and _is_exact(x)):
         return np.arctan2(y, x)
-    if y == 0 and not hasattr(x, "context") and x > 0:  # a polynomial has a context and no sign
+    if y == 0 and not hasattr(x, "context") and x > 0:  # polynomials have a context and no sign
         return y
     raise NoExactValue(f"atan2({y}, {x}): no exact value; expected floats")
 

@@ -1,9 +1,9 @@
 """Dual vectors and dual tensors of Euclidean 3-space, Eqs. (73)–(78), over any scalar ring.
 
-A dual vector is a `Dual` whose parts have shape (..., 3), a dual tensor one whose parts have shape
-(..., 3, 3); leading axes are a batch. Every function takes real arrays too (and then returns real
-ones). ``T @ S`` and ``apply(T, a)`` are the products; ``*`` acts entry by entry, so multiply a batch
-by its scalars with `scale`. Arrays of dtype object carry exact or symbolic scalars.
+A dual vector is a `Dual` whose parts have shape (..., 3), a dual tensor one whose parts have shape (..., 3,
+3); leading axes are a batch. Every function also takes real arrays, and then returns real ones. ``T @ S`` and
+``apply(T, a)`` are the products; ``*`` acts entry by entry, so multiply a batch by its scalars with `scale`.
+Arrays of dtype object carry exact or symbolic scalars.
 """
 
 from collections.abc import Callable
@@ -18,7 +18,7 @@ Array = np.ndarray | Dual
 
 
 class Bilinear(Protocol):
-    """A bilinear product, dual as soon as one of its factors is."""
+    """A bilinear product; its value is dual if one of its factors is."""
 
     @overload
     def __call__(self, a: np.ndarray, b: np.ndarray, /) -> np.ndarray: ...
@@ -31,7 +31,7 @@ class Bilinear(Protocol):
 
 
 class LinearMap(Protocol):
-    """A linear map, whose value is dual where its argument is."""
+    """A linear map; its value is dual if its argument is."""
 
     @overload
     def __call__(self, a: np.ndarray, /) -> np.ndarray: ...
@@ -42,20 +42,20 @@ class LinearMap(Protocol):
 
 
 def vector(re: Any, du: Any = None) -> Dual:
-    """The dual vector re + ε du from arrays or lists of shape (..., 3), Eq. (73).
+    """Returns the dual vector re + ε du from arrays or lists of shape (..., 3), Eq. (73).
 
-    Raises `ValueError` for another shape. No dual part means zero.
+    Raises `ValueError` for another shape. A missing dual part is zero.
     """
     return _dual_array(re, du, (3,))
 
 
 def tensor(re: Any, du: Any = None) -> Dual:
-    """The dual tensor re + ε du from arrays or lists of shape (..., 3, 3); errors as `vector`."""
+    """Returns the dual tensor re + ε du from arrays or lists of shape (..., 3, 3); errors as for `vector`."""
     return _dual_array(re, du, (3, 3))
 
 
 def as_vector(a: Any) -> np.ndarray:
-    """A real vector of shape (..., 3), exact if its entries are; errors as `vector`."""
+    """Returns a real vector of shape (..., 3), exact if its entries are; errors as for `vector`."""
     entries: np.ndarray = vector(a).re
     return entries
 
@@ -71,7 +71,7 @@ def _dual_array(re: Any, du: Any, shape: tuple[int, ...]) -> Dual:
 
 
 def bilinear(product: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Bilinear:
-    """The extension of a bilinear product of real arrays to dual ones (ε commutes with it)."""
+    """Returns the extension of a bilinear product of real arrays to dual ones (ε commutes with it)."""
 
     def extended(a: Any, b: Any) -> Any:
         if isinstance(a, Dual):
@@ -88,7 +88,7 @@ def bilinear(product: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Bilinea
 
 
 def linear(map_: Callable[[np.ndarray], np.ndarray]) -> LinearMap:
-    """The extension of a linear map of real arrays to dual ones."""
+    """Returns the extension of a linear map of real arrays to dual ones."""
 
     def extended(a: Any) -> Any:
         return Dual(map_(a.re), map_(a.du)) if isinstance(a, Dual) else map_(a)
@@ -99,34 +99,34 @@ def linear(map_: Callable[[np.ndarray], np.ndarray]) -> LinearMap:
 
 
 def _components(a: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The three components, each of shape (..., 1): arrays, where a scalar might be a sequence."""
+    """Returns the three components as arrays of shape (..., 1); a single scalar might be a sequence."""
     return a[..., 0:1], a[..., 1:2], a[..., 2:3]
 
 
 @bilinear
 def dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The scalar product a · b: (..., 3), (..., 3) → (...)."""
+    """Returns the scalar product a · b: (..., 3), (..., 3) → (...)."""
     total: np.ndarray = (a * b).sum(axis=-1)
     return total
 
 
 @bilinear
 def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The cross product a × b: (..., 3), (..., 3) → (..., 3)."""
+    """Returns the cross product a × b: (..., 3), (..., 3) → (..., 3)."""
     (a1, a2, a3), (b1, b2, b3) = _components(a), _components(b)
     return np.concatenate([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1], axis=-1)
 
 
 @bilinear
 def outer(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The tensor a ⊗ b: (..., 3), (..., 3) → (..., 3, 3)."""
+    """Returns the tensor a ⊗ b: (..., 3), (..., 3) → (..., 3, 3)."""
     products: np.ndarray = a[..., :, None] * b[..., None, :]
     return products
 
 
 @bilinear
 def apply(T: np.ndarray, a: np.ndarray) -> np.ndarray:
-    """The vector T a: (..., 3, 3), (..., 3) → (..., 3)."""
+    """Returns the vector T a: (..., 3, 3), (..., 3) → (..., 3)."""
     image: np.ndarray = (T @ a[..., None])[..., 0]
     return image
 
@@ -140,12 +140,12 @@ def scale(c: Any, a: np.ndarray, rank: int = 1) -> np.ndarray: ...
 @overload
 def scale(c: Any, a: Array, rank: int = 1) -> Array: ...
 def scale(c: Any, a: Array, rank: int = 1) -> Array:
-    """c a for scalars c of shape (...) and vectors a (rank 1) or tensors a (rank 2)."""
+    """Returns c a for scalars c of shape (...) and vectors a (rank 1) or tensors a (rank 2)."""
     return _with_axes(c, rank) * a
 
 
 def _with_axes(c: Any, rank: int) -> Array:
-    """Scalars of shape (...) as an array of shape (..., 1, …, 1), to act on arrays of that rank."""
+    """Returns scalars of shape (...) as an array of shape (..., 1, …, 1), to act on arrays of that rank."""
     if isinstance(c, Dual):
         return Dual(_with_axes(c.re, rank), _with_axes(c.du, rank))
     return as_array(c)[(..., *(None,) * rank)]
@@ -153,7 +153,7 @@ def _with_axes(c: Any, rank: int) -> Array:
 
 @linear
 def skew(a: np.ndarray) -> np.ndarray:
-    """The tensor ã with ã b = a × b: (..., 3) → (..., 3, 3)."""
+    """Returns the tensor ã with ã b = a × b: (..., 3) → (..., 3, 3)."""
     a1, a2, a3 = _components(a)
     zero = 0 * a1
     entries = [zero, -a3, a2, a3, zero, -a1, -a2, a1, zero]
@@ -162,7 +162,7 @@ def skew(a: np.ndarray) -> np.ndarray:
 
 @linear
 def vect(T: np.ndarray) -> np.ndarray:
-    """The axial vector of the skew part of T, so that vect(ã) = a: (..., 3, 3) → (..., 3)."""
+    """Returns the axial vector of the skew part of T, so that vect(ã) = a: (..., 3, 3) → (..., 3)."""
     twice = [T[..., k, j : j + 1] - T[..., j, k : k + 1] for j, k in ((1, 2), (2, 0), (0, 1))]
     axis: np.ndarray = divide(np.concatenate(twice, axis=-1), 2)
     return axis
@@ -170,19 +170,19 @@ def vect(T: np.ndarray) -> np.ndarray:
 
 @linear
 def transpose(T: np.ndarray) -> np.ndarray:
-    """The transposed tensor, u · (T v) = v · (Tᵀ u); in Eq. (76) the first v̲₁ is meant as v̲₂."""
+    """Returns the transposed tensor, u · (T v) = v · (Tᵀ u); in Eq. (76) the first v̲₁ should be v̲₂."""
     return np.swapaxes(T, -1, -2)
 
 
 @linear
 def trace(T: np.ndarray) -> np.ndarray:
-    """The trace: (..., 3, 3) → (...)."""
+    """Returns the trace: (..., 3, 3) → (...)."""
     total: np.ndarray = T[..., range(3), range(3)].sum(axis=-1)
     return total
 
 
 def triple(a: Array, b: Array, c: Array) -> Any:
-    """The triple product ⟨a, b, c⟩ = a · (b × c)."""
+    """Returns the triple product ⟨a, b, c⟩ = a · (b × c)."""
     return dot(a, cross(b, c))
 
 
@@ -191,7 +191,7 @@ def _columns(T: Array) -> tuple[Array, Array, Array]:
 
 
 def determinant(T: Array) -> Any:
-    """The determinant, ⟨T a, T b, T c⟩ = det T ⟨a, b, c⟩, Eq. (77)."""
+    """Returns the determinant, ⟨T a, T b, T c⟩ = det T ⟨a, b, c⟩, Eq. (77)."""
     return triple(*_columns(T))
 
 
@@ -200,7 +200,7 @@ def adjugate(T: Dual) -> Dual: ...
 @overload
 def adjugate(T: np.ndarray) -> np.ndarray: ...
 def adjugate(T: Array) -> Array:
-    """The adjugate, T adj T = adj T T = (det T) I: (..., 3, 3) → (..., 3, 3)."""
+    """Returns the adjugate, T adj T = adj T T = (det T) I: (..., 3, 3) → (..., 3, 3)."""
     c1, c2, c3 = _columns(T)
     rows = [cross(c2, c3), cross(c3, c1), cross(c1, c2)]
     re = np.stack([Re(row) for row in rows], axis=-2)
@@ -216,18 +216,18 @@ def inverse(T: Dual) -> Dual: ...
 @overload
 def inverse(T: Array) -> Array: ...
 def inverse(T: Array) -> Array:
-    """T⁻¹ = adj T / det T; raises `ZeroDivisor` if Re(det T) is (anywhere) zero."""
+    """Returns T⁻¹ = adj T / det T; raises `ZeroDivisor` if Re(det T) is (anywhere) zero."""
     dual = T if isinstance(T, Dual) else Dual(T)
     inverted = adjugate(dual) / _with_axes(determinant(dual), 2)
     return inverted if isinstance(T, Dual) else inverted.re
 
 
 def norm(a: Array) -> Any:
-    """The magnitude of a dual vector, Eq. (74), in both its cases: (..., 3) → (...).
+    """Returns the magnitude of a dual vector, Eq. (74), in both its cases: (..., 3) → (...).
 
-    |a| = ‖a‖ + ε a₀·a/‖a‖ where Re a ≠ 0, and ε ‖a₀‖ where Re a = 0. The case is decided exactly,
-    each vector of a batch for itself. Over exact scalars a length that is no square root in the
-    ring is a `TypeError`.
+    |a| = ‖a‖ + ε a₀·a/‖a‖ if Re a ≠ 0, and ε ‖a₀‖ if Re a = 0. The case is decided exactly,
+    separately for each vector of a batch. Over exact scalars a length that is not a square root in the ring
+    raises a `TypeError`.
     """
     if not isinstance(a, Dual):
         return _length(a)
@@ -255,7 +255,7 @@ def _norm_of_floats(a: np.ndarray, a0: np.ndarray) -> Dual:
 
 
 def _length(a: np.ndarray) -> Any:
-    """‖a‖ of real vectors; for floats without overflow or underflow of the squares."""
+    """Returns ‖a‖ for real vectors; the squares of floats neither overflow nor underflow."""
     if a.dtype == object:
         return sqrt(dot(a, a))
     return np.hypot(np.hypot(a[..., 0], a[..., 1]), a[..., 2])
@@ -268,7 +268,7 @@ def unit(a: Dual) -> Dual: ...
 @overload
 def unit(a: Array) -> Array: ...
 def unit(a: Array) -> Array:
-    """The unit dual vector a / |a|; raises `ZeroDivisor` where Re a = 0: no such vector is one."""
+    """Returns the unit dual vector a / |a|; raises `ZeroDivisor` if Re a = 0, where no such vector exists."""
     length = norm(a)
     if _vanishes(Re(length)):
         raise ZeroDivisor("no unit vector: expected a dual vector with a real part that is not 0")
@@ -276,15 +276,15 @@ def unit(a: Array) -> Array:
 
 
 def identity() -> np.ndarray:
-    """The unit tensor, shape (3, 3), of dtype object so that it belongs to every scalar ring."""
+    """Returns the unit tensor, shape (3, 3), of dtype object so that it belongs to every scalar ring."""
     return np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=object)
 
 
 def is_orthogonal(T: Array, tolerance: float = 0.0) -> bool:
-    """Whether every T of the batch is in the group of Eq. (78): T Tᵀ = I and det T = 1.
+    """True if every T of the batch is in the group of Eq. (78): T Tᵀ = I and det T = 1.
 
-    With ``tolerance`` 0 the test is exact, as wanted for exact scalars. Else the entries of
-    T Tᵀ − I may be off by it, those of the dual part by it times max(1, the largest in Du T).
+    With ``tolerance`` 0 the test is exact, as required for exact scalars. Otherwise the entries of T Tᵀ − I
+    may deviate by it, those of the dual part by it times max(1, the largest in Du T).
     """
     dual = T if isinstance(T, Dual) else Dual(T)
     product = dual @ transpose(dual)

@@ -56,7 +56,8 @@ def skew(x: Iterable[Entry]) -> Matrix:
 
 
 def adjugate(a: Matrix) -> Matrix:
-    """The columns are the cross products of the rows: a · (a₂×a₃, a₃×a₁, a₁×a₂) = det(a) I."""
+    """Returns the adjugate; its columns are cross products of the rows: a · (a₂×a₃, a₃×a₁, a₁×a₂) = det(a)
+    I."""
     r1, r2, r3 = a
     return transpose((cross(r2, r3), cross(r3, r1), cross(r1, r2)))
 
@@ -67,7 +68,8 @@ def det(a: Matrix) -> Entry:
 
 
 def on_entries(a: Matrix, rows: int) -> Matrix:
-    """The matrix that combines blocks of so many rows as `a` combines numbers: the product of a and I."""
+    """Returns the Kronecker product of `a` and I, which combines blocks of `rows` rows as `a` combines
+    numbers."""
     return tuple(
         tuple(entry if i == j else 0 * entry for entry in row for j in range(rows))
         for row in a

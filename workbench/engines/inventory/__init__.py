@@ -1,4 +1,4 @@
-"""What a statement is about, before any arithmetic: the one thing that the two engines share."""
+"""Inventory of a statement before any arithmetic: the only code that the two engines share."""
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ __all__ = ["Lookup", "NotExact", "With", "Without", "reached"]
 
 @dataclass(frozen=True)
 class With:
-    """The definitions, and more of them."""
+    """A lookup with additional definitions."""
 
     definitions: Lookup
     more: Mapping[Symbol, Term]
@@ -22,7 +22,7 @@ class With:
 
 @dataclass(frozen=True)
 class Without:
-    """The definitions but those of some symbols, which are free."""
+    """A lookup without the definitions of some symbols, which become free."""
 
     definitions: Lookup
     free: Collection[Symbol]
@@ -32,7 +32,7 @@ class Without:
 
 
 def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
-    """The parts of the term, and of all definitions in it, each of which is looked into once."""
+    """Yields the subterms of a term and of all definitions in it; each definition is visited once."""
     waiting, seen = [term], {term}
     while waiting:
         for part in waiting.pop().walk():
@@ -44,4 +44,4 @@ def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
 
 
 class NotExact(ValueError):
-    """The term is well-formed but outside the exact world; the message says which part and why."""
+    """A well-formed term that exact arithmetic does not cover; the message says which part and why."""

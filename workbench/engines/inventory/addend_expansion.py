@@ -1,4 +1,4 @@
-"""Equations addend by addend: what is linear is brought into sums to n, and derivatives too."""
+"""Expansion of equations into addends: linear operations and derivatives move into sums to n."""
 
 from __future__ import annotations
 
@@ -16,8 +16,11 @@ def has_sums(term: Term) -> bool:
 
 
 def addend_by_addend(equation: Relation) -> list[Relation] | None:
-    """Equations of single addends from which the equation follows for every n: sums over one range are put
-    together, and so is what stands outside of sums. None where a sum stands in no such way."""
+    """Returns equations of single addends that imply the equation for every n, or None if a sum is not an
+    addend.
+
+    Sums over one range are combined, and so are the addends outside sums.
+    """
     parts: dict[tuple[Linear, Linear] | None, Term] = {}
     variables: dict[tuple[Linear, Linear], str] = {}
     for negative, addend in addends(spread(apply("add", equation.left, apply("neg", equation.right)))):
@@ -52,7 +55,7 @@ def addends(term: Term, negative: bool = False) -> Iterator[tuple[bool, Term]]:
 
 
 def spread(term: Term) -> Term:
-    """The term with its sums outermost: what is linear is brought to their addends."""
+    """Returns the term with its sums outermost: linear operations move to the addends of the sums."""
     if not has_sums(term):
         return term
     children = tuple(spread(child) for child in term.children)
@@ -74,7 +77,8 @@ def spread(term: Term) -> Term:
 
 
 def _over(term: Term, linear: Callable[[Term], Term], speaks_of: Set[str] = frozenset()) -> Term:
-    """linear(term), brought to the addends, and in sums to theirs, unless these bind what it speaks of."""
+    """Returns linear(term) applied to each addend and within sums, unless a sum binds a variable of
+    `speaks_of`."""
     total: Term | None = None
     for negative, addend in addends(term):
         if isinstance(addend, BigSum) and speaks_of.isdisjoint(addend.variables):

@@ -1,7 +1,7 @@
-"""What sines and cosines are taken of: rational combinations of angles.
+"""Arguments of sines and cosines: rational combinations of angles.
 
-An angle is a free scalar, or a product of such, a norm, a quotient … such as ω t or ‖x‖, known by its value.
-Where θ/2 stands under a sine, θ is 2 h with a free angle h; of ω t the half has the circle.
+An angle is a free scalar, or a product, a norm, a quotient … such as ω t or ‖x‖, identified by its value. If
+θ/2 occurs under a sine, θ is 2 h with a free angle h. For ω t the half angle is the parameter.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from workbench.engines.inventory.rodrigues import angle_and_axis, turned_vector,
 from workbench.language.definitions import number_behind
 from workbench.language.printing.printer import to_latex
 
-#: A sum of products of scalars: the sorted factors of each → its coefficient.
+#: A sum of products of scalars: the sorted factors of each product → its coefficient.
 Sum = dict[tuple[Term, ...], Fraction]
 
 _ROUND = frozenset({"sin", "cos", "exp"})
@@ -29,7 +29,7 @@ NESTED = "a sine or cosine of what holds another one"
 
 
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
-    """The definitions under which every free angle in the terms is a whole multiple of a free one."""
+    """Returns definitions under which each free angle in the terms is an integer multiple of a free angle."""
     denominators: dict[Symbol, int] = {}
     for argument in round_terms(terms, definitions, set()):
         for angle, part in _parts(argument, definitions):
@@ -40,14 +40,16 @@ def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
 
 
 def is_free_angle(angle: Term) -> TypeGuard[Symbol]:
-    """Whether it is a symbol other than the time: the rate of t/2 is known, as that of ω t is, and no other
-    symbol has it."""
+    """True for a symbol other than the time. (The rate of t/2 is known, as that of ω t is, so no free symbol
+    can replace it.)"""
     return isinstance(angle, Symbol) and not angle.declaration.clock
 
 
 def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
-    """The angle as a rational combination of free scalars and of other terms, each a product, a norm, ….
-    Raises NotExact where a number stands in it, or a sine: the engines have no circle of what has one."""
+    """Returns the angle as a rational combination of free scalars and of other terms: products, norms, ….
+
+    Raises NotExact if it contains a number or a sine: the engines have no sine and cosine for these.
+    """
     parts: dict[Term, Fraction] = {}
     for factors, coefficient in sum_of_products(angle, definitions).items():
         if not factors:
@@ -65,12 +67,13 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
 
 
 def _is_positive(factors: tuple[Term, ...]) -> bool:
-    """Whether they are the r r of a positive angle."""
+    """True if the factors are the r r of a positive angle."""
     return len(factors) == 2 and isinstance(factors[0], Symbol) and number_behind(factors[0]) != factors[0]
 
 
 def angles_of(term: Apply, definitions: Lookup) -> dict[Term, Fraction]:
-    """The angles of a sine, a cosine or an exponential; none where it is that of a dual number alone."""
+    """Returns the angles of a sine, a cosine or an exponential; none for the exponential of a purely dual
+    number."""
     (argument,) = term.arguments
     if term.head != "exp":
         return angle_parts(argument, definitions)
@@ -87,11 +90,11 @@ def _parts(argument: Apply, definitions: Lookup) -> Iterable[tuple[Term, Fractio
     try:
         return angles_of(argument, definitions).items()
     except NotExact:
-        return ()  # the inventory says so
+        return ()  # the inventory reports it
 
 
 def round_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> Iterator[Apply]:
-    """The sines, cosines and exponentials, in definitions too."""
+    """Yields the sines, cosines and exponentials in the terms and in their definitions."""
     for term in terms:
         if term in seen:
             continue
@@ -103,7 +106,7 @@ def round_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> 
 
 
 def sum_of_products(term: Term, definitions: Lookup) -> Sum:
-    """The scalar multiplied out."""
+    """Returns the expanded scalar."""
     match term:
         case Zero():
             return {}
@@ -153,7 +156,7 @@ def _reciprocal(term: Term, definitions: Lookup) -> Sum:
 
 
 def _scaled(term: Term, definitions: Lookup) -> tuple[Fraction, Term]:
-    """A number and the rest of a vector or scalar of which a norm is taken."""
+    """Returns the numeric factor and the rest of a vector or scalar under a norm."""
     match term:
         case Symbol() if (body := definitions.lookup(term)) is not None:
             size, rest = _scaled(body, definitions)

@@ -1,7 +1,7 @@
-"""What a claim supposes, at the instant at which it is judged: inequations and equations.
+"""Hypotheses of a claim at the instant at which it is judged: disequations and equations.
 
-An equation is supposed at the instant only, not for all times: what is proved under the weaker hypothesis
-also holds under the stronger one. Of a quantity that vanishes for all times each derivative that occurs is
+An equation is assumed at the instant only, not at all times: a proof under the weaker hypothesis is also one
+under the stronger hypothesis. If a quantity vanishes at all times, each of its derivatives that occurs is
 assumed to vanish, too.
 """
 
@@ -35,7 +35,7 @@ class Unsatisfiable(ValueError):
 
 
 class Assumptions:
-    """The assumptions of one claim, sorted."""
+    """The hypotheses of one claim, sorted by kind."""
 
     def __init__(self, statements: Sequence[Statement]) -> None:
         self.relations = [relation for s in statements for relation in _relations(s)]
@@ -46,10 +46,11 @@ class Assumptions:
 def derivatives_of(
     premise: Statement, claim: Statement, definitions: Lookup, along_motion: bool = False
 ) -> tuple[Relation, ...]:
-    """The derivatives of the premise's equations, as far as the claim differentiates what they speak of.
+    """Returns the derivatives of the premise's equations, up to the orders that the claim needs.
 
-    f = 1 says nothing of ḟ at one instant, and ḟ = 0 if it lasts; so with ∂f/∂q at one place and everywhere.
-    along_motion: it holds at the places of one motion, as f = 0 does there, but for what says what f is.
+    f = 1 at one instant does not constrain ḟ; if it lasts, ḟ = 0. The same holds for ∂f/∂q at one position
+    and everywhere. along_motion: the premise holds at the positions of one motion, as f = 0 does there;
+    definitions of functions are exempt.
     """
     sides = list(sides_of(claim))
     orders = take_inventory(sides, definitions).orders
@@ -69,7 +70,7 @@ def derivatives_of(
 
 
 def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup) -> list[Statement]:
-    """The premises, and the derivatives that the claim, and these, take of what they speak of."""
+    """Returns the premises and those of their derivatives that the claim and the premises need."""
     found: list[Statement] = []
     with suppress(NotExact, IllFormed):
         for _ in premises:
@@ -81,8 +82,10 @@ def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup
 
 
 def _says_what_a_function_is(relation: Relation) -> bool:
-    """Whether it is f = t for a function f of coordinates that stand in t, and of nothing else that moves: at
-    some values of these alone, it would say that they do not."""
+    """True for f = t, where f is a function of exactly the coordinates that move in t.
+
+    At isolated values of the coordinates, such an equation would state that they do not move.
+    """
     for own, value in ((relation.left, relation.right), (relation.right, relation.left)):
         if isinstance(own, Symbol) and own.declaration.of:
             parts = list(value.walk())
@@ -97,7 +100,8 @@ def _takes_rate(part: Term) -> bool:
 
 
 def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> list[Relation]:
-    """Its partial derivatives by all that these sides are differentiated by, of the orders that occur."""
+    """Returns the partial derivatives of the equation that occur in the sides, with their variables and
+    orders."""
     parts = [part for side in sides for part in reached(side, definitions)]
     by = {part.arguments[1] for part in parts if isinstance(part, Apply) and part.head in PARTIALS}
     if any(isinstance(part, Apply) and part.head in GRADIENTS for part in parts):
@@ -114,7 +118,7 @@ def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> l
 
 
 def _depth(term: Term, definitions: Lookup) -> int:
-    """How many slopes are taken of each other in it."""
+    """Returns the nesting depth of partial derivatives in the term."""
     body = definitions.lookup(term) if isinstance(term, Symbol) else None
     inside = term.children if body is None else (body,)
     is_slope = isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS

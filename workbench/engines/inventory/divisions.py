@@ -1,4 +1,4 @@
-"""Which operations have a value and all derivatives wherever their arguments have."""
+"""Operations that are defined and smooth wherever their arguments are."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _EVERYWHERE = LINEAR | {*PRODUCTS, "add", "det", "sin", "cos", "exp"}
 
 
 def never_divides(part: Term) -> bool:
-    """Of the operation at the top of the term. False says that it is not seen."""
+    """True if the operation at the top of the term is defined and smooth everywhere. False means unknown."""
     if isinstance(part, Power):
         lowest = part.exponent.substitute(dict.fromkeys(part.exponent.variables, 0))
         grows = all(coefficient > 0 for _, coefficient in part.exponent.coefficients)

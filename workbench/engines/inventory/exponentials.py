@@ -1,8 +1,8 @@
-"""e^x of scalars: of each nothing is supposed but what its derivatives are, and that it is not 0.
+"""Exponentials e^x of scalars, replaced by symbols with known derivatives that are not 0.
 
-In e^{2x + xy/3} the exponent is a sum of products of scalars; each product p has a symbol E = e^{p/n} with
-Ė = ṗ E/n. What holds for all such E holds for exponentials, and e^x e^y = e^{x+y} is then a law of powers.
-What does not hold for all E may still hold for exponentials, so nothing is refuted.
+In e^{2x + xy/3} the exponent is a sum of products of scalars. Each product p has a symbol E = e^{p/n} with Ė
+= ṗ E/n. What holds for all such E holds for exponentials, and e^x e^y = e^{x+y} becomes a law of powers. A
+statement that fails for some E may still hold for exponentials, so nothing is refuted.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from workbench.engines.inventory.angle_combinations import Sum, round_terms, sum
 from workbench.language.definitions import Lookup, expand
 from workbench.language.printing.printer import to_latex
 
-#: No derivatives of higher order than this are supposed of an exponential, no larger powers taken.
+#: Highest order of the derivatives, and largest power, of an exponential.
 _HIGHEST, _LARGEST = 4, 20
 
 
 class Exponentials(NamedTuple):
-    """relation: with symbols for exponentials.   supposed: what is known of these."""
+    """relation: with symbols for exponentials.   supposed: the known statements about these symbols."""
 
     relation: Relation
     supposed: tuple[Statement, ...]
@@ -41,7 +41,8 @@ def holds_exponentials(said: Relation, definitions: Lookup) -> bool:
 
 
 def without_exponentials(said: Relation, definitions: Lookup) -> Exponentials:
-    """Raises NotExact for powers and derivatives beyond what is supposed."""
+    """Returns the relation without exponentials. Raises NotExact for powers and derivatives beyond the
+    limits."""
     sides = [expand(side, definitions) for side in (said.left, said.right)]
     sizes: dict[tuple[Term, ...], int] = {}
     varied = _differentiated_by(sides)
@@ -73,8 +74,11 @@ def _is_exponential(term: Term) -> bool:
 
 
 class _Pass:
-    """sizes: the common denominator of the coefficients that each product has in exponents.   varied: whether
-    something is partially differentiated, so that an exponential is a function of what its exponent is of."""
+    """One pass over the sides.
+
+    sizes: the common denominator of the coefficients of each product in exponents.
+    varied: True if there is a partial derivative, so that an exponential is a function of the coordinates of
+    its exponent."""
 
     def __init__(self, sizes: dict[tuple[Term, ...], int], varied: bool) -> None:
         self.sizes, self.varied = sizes, varied
@@ -122,14 +126,14 @@ def _exponent(factors: tuple[Term, ...], size: int) -> Term:
 
 
 def _differentiated_by(sides: Sequence[Term]) -> list[Term]:
-    """The scalars by which something is partially differentiated."""
+    """Returns the scalars that partial derivatives differentiate by."""
     parts = [part for side in sides for part in side.walk()]
     found = (p.arguments[1] for p in parts if isinstance(p, Apply) and p.head in PARTIALS)
     return list(dict.fromkeys(by for by in found if by.type == SCALAR))
 
 
 def _coordinates(factors: Sequence[Term]) -> tuple[Symbol, ...]:
-    """What the factors are functions of, if all are functions of coordinates alone."""
+    """Returns the coordinates of the factors if all are functions of coordinates only, else ()."""
     found: list[Symbol] = []
     for part in (part for factor in factors for part in factor.walk()):
         if isinstance(part, Derivative):
@@ -143,7 +147,7 @@ def _coordinates(factors: Sequence[Term]) -> tuple[Symbol, ...]:
 
 
 def _order(term: Term) -> int:
-    """How often something below is differentiated."""
+    """Returns the nesting depth of time derivatives in the term, counted with their orders."""
     if isinstance(term, Derivative) and not term.order.is_number:
         raise NotExact("a derivative of order n of an exponential")
     own = int(term.order) if isinstance(term, Derivative) else 0

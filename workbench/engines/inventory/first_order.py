@@ -1,6 +1,6 @@
-"""a ≈ b: both sides to first order in the symbols that are declared small, taken together.
+"""Approximations a ≈ b: both sides to first order in all symbols that are declared small.
 
-Each small s is ε s, and so are its rates; with ε² = 0 the engines for dual numbers compare the sides.
+Each small s becomes ε s, with its rates; with ε² = 0 the engines for dual numbers compare the sides.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ _BEYOND = 2
 
 
 class FirstOrder(NamedTuple):
-    """relation: between dual quantities.   names: what is small.   has_plain_side: whether nothing small
-    stands on one side, which may then be meant to order 0."""
+    """relation: between dual quantities.   names: the small symbols.   has_plain_side: True if one side
+    contains no small symbol; the author may then mean order 0."""
 
     relation: Relation
     names: str
@@ -39,7 +39,7 @@ class FirstOrder(NamedTuple):
 
 
 def to_first_order(said: Relation, assume: Iterable[Statement], definitions: Lookup) -> FirstOrder:
-    """Raises NotExact where a reader may mean something else."""
+    """Returns the relation to first order. Raises NotExact if a reader may understand it otherwise."""
     sides = [expand(side, definitions) for side in (said.left, said.right)]
     parts = [part for side in sides for part in side.walk()]
     small = {part: part.declaration for part in parts if isinstance(part, Symbol) and _is_small(part)}
@@ -73,7 +73,7 @@ def _scaled(symbol: Symbol) -> Term | None:
 
 
 def _degree(term: Term) -> int:
-    """The degree in what is small; _BEYOND for more than the first, and where that is not seen."""
+    """Returns the degree in the small symbols; _BEYOND if it exceeds 1 or is unknown."""
     degrees = [_degree(child) for child in term.children]
     if _is_small(term):
         return 1

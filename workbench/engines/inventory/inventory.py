@@ -1,6 +1,6 @@
-"""What a statement is made of, found before any arithmetic: its free symbols, how often differentiated.
+"""Inventory of a statement before any arithmetic: its free symbols and the orders of their derivatives.
 
-Both engines allocate their indeterminates from this list, and a check that would test nothing shows here.
+Both engines allocate their indeterminates from this list. It also shows a check that would test nothing.
 """
 
 from __future__ import annotations
@@ -22,9 +22,10 @@ from workbench.language.printing.printer import to_latex
 @dataclass
 class Inventory:
     """orders: free symbol → highest time derivative that occurs.   angles: free ones under sin, cos or exp.
-    circles: other terms there, such as ω t or ‖x‖ → the part of it that has a sine and cosine of its own.
-    reciprocals, norms: how many divisions (or inverses) and norms there are, counted with the definitions.
-    has_roots: whether there is a norm or a root besides the angle ‖x‖ of exp x̃, which is smooth at x = 0."""
+    circles: other terms there, such as ω t or ‖x‖ → the part of it that has its own sine and cosine.
+    reciprocals, norms: the number of divisions (or inverses) and of norms, including those in definitions.
+    has_roots: True if there is a norm or a root other than the angle ‖x‖ of exp x̃, which is smooth at x = 0.
+    """
 
     orders: dict[Symbol, int] = field(default_factory=dict)
     angles: dict[Symbol, None] = field(default_factory=dict)
@@ -35,7 +36,7 @@ class Inventory:
 
 
 def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
-    """The inventory of all terms together. Raises NotExact where an integer variable is still unbound."""
+    """Returns the inventory of all terms together. Raises NotExact if an integer variable is unbound."""
     survey = _Survey(definitions)
     for term in terms:
         for symbol, order in survey.orders(term).items():
@@ -47,7 +48,7 @@ def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
 
 
 def has_gradient(terms: Iterable[Term]) -> bool:
-    """Whether a div, curl or partial derivative stands in the terms, as they are written."""
+    """True if the terms, as written, contain a div, curl or partial derivative."""
     heads = GRADIENTS | PARTIALS
     return not all(heads.isdisjoint(heads_in(term)) for term in terms)
 
@@ -59,7 +60,7 @@ class _Survey:
         self._known: dict[Term, dict[Symbol, int]] = {}
         self._sizes: dict[Term, int] = {}
         self._turning: Term | None = None  # the angle ‖x‖ of exp x̃
-        self._factors = 0  # of what roots are taken of, such as the m and r of √(m r)
+        self._factors = 0  # number of factors under roots, such as the m and r of √(m r)
 
     def orders(self, term: Term) -> dict[Symbol, int]:
         if isinstance(term, Apply) and term.head in ("norm", "root") and term is not self._turning:
@@ -102,7 +103,7 @@ class _Survey:
         return merged
 
     def add_coordinates(self) -> None:
-        """What the functions are `of`, as often differentiated as these."""
+        """Adds the coordinates of functions, with the same orders of derivatives as the functions."""
         known = self.inventory.orders
         waiting = list(known)
         while waiting:
@@ -114,7 +115,7 @@ class _Survey:
                         waiting.append(symbol)
 
     def add_roots_of_factors(self) -> None:
-        """√(m r) is √m √r: a root of each, where any are taken."""
+        """Adds a root for each factor, since √(m r) is √m √r."""
         if self.inventory.norms:
             self.inventory.norms += self._factors
             self.inventory.reciprocals += self._factors
@@ -123,7 +124,7 @@ class _Survey:
         return any(isinstance(part, Derivative | TimeOperator) for part in reached(term, self.definitions))
 
     def _moving(self, term: Term) -> set[Symbol]:
-        """What stands under a derivative by the time."""
+        """Returns the free symbols under a time derivative in the term."""
         found: set[Symbol] = set()
         for part in reached(term, self.definitions):
             if isinstance(part, Derivative | TimeOperator):
@@ -131,7 +132,7 @@ class _Survey:
         return found
 
     def _raised(self, term: Term, place: int) -> int:
-        """How often the child at this place is differentiated by operators that act on it from the left."""
+        """Returns how often operators to the left differentiate the child with this index."""
         if isinstance(term, Power):
             return max(0, int(term.exponent) - 1) * self.degree(term.base)
         if isinstance(term, Apply) and term.head in ("mul", "compose") and place == 1:
@@ -139,7 +140,7 @@ class _Survey:
         return 0
 
     def degree(self, term: Term) -> int:
-        """The power of D in an operator; 0 for anything else."""
+        """Returns the power of D in an operator; 0 for other terms."""
         if term.type.kind != "operator":
             return 0
         match term:
@@ -188,7 +189,10 @@ class _Survey:
 
 
 def _require_known_places(gradient: Apply, orders: Mapping[Symbol, int]) -> None:
-    """Nothing is constant in space unless it is said so: the velocity ρ̇ of what is at ρ is not."""
+    """Raises NotExact unless all symbols under div or curl have a declared dependence on the position.
+
+    Nothing is uniform in space unless it is declared so: the velocity ρ̇ of the point at ρ is not.
+    """
     for symbol, order in orders.items():
         if symbol.declaration.coordinate and order:
             rate = to_latex(derivative(symbol, order))

@@ -1,4 +1,4 @@
-"""Inverses without a division: of an exponential, which has one everywhere, and of what it is a factor of."""
+"""Inverses without a division: of exponentials, which are always invertible, and of products with them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.terms import Apply, Symbol, Term
 from workbench.engines.inventory import Lookup
 from workbench.engines.inventory.rodrigues import turned_vector
 
-#: The inverse of the exponential of a square matrix, from its exponent.
+#: Function that inverts the exponential of a square matrix, given the exponent.
 OfExponential = Callable[[Term], Term]
 
 
@@ -18,7 +18,8 @@ def negated(exponent: Term) -> Term:
 
 
 def turned_back(definitions: Lookup) -> OfExponential:
-    """The transpose of the exponential of a skew tensor; any other with the sign of the exponent changed."""
+    """Returns a function that inverts exponentials: transposes that of a skew tensor, negates other
+    exponents."""
 
     def inverse(exponent: Term) -> Term:
         is_turn = exponent.type.kind == "tensor" and turned_vector(exponent, definitions) is not None
@@ -28,7 +29,8 @@ def turned_back(definitions: Lookup) -> OfExponential:
 
 
 def inverted(term: Term, definitions: Lookup, of_exponential: OfExponential) -> Term | None:
-    """The inverse of an exponential, or of a product, a transpose or a multiple of one; None for others."""
+    """Returns the inverse of an exponential, or of a product, transpose or multiple of one; None for other
+    terms."""
     match term:
         case Symbol() if (body := definitions.lookup(term)) is not None:
             return inverted(body, definitions, of_exponential)

@@ -1,8 +1,8 @@
-"""The independent quantities on which the free symbols of a statement depend at one instant.
+"""Parameters: the independent quantities that determine the free symbols of a statement at one instant.
 
-A free function x(t) has its value and each of its derivatives; these can be chosen at will at one instant.
-What is bound by a relation at all times is written by quantities that are free, so that no derivative of the
-relation is needed:
+A free function x(t) has its value and each of its derivatives; at one instant these can be chosen freely. A
+quantity with a relation at all times is expressed by free quantities, so that no derivative of the relation
+is needed:
 
     unit vector     u·u = 1        u̇ = s × u,   s(t) free            (any curve on the sphere has such an s)
     rotation        R Rᵀ = I       R = R(q), |q| = 1,   Ṙ = s̃ R      (s is the angular velocity)
@@ -11,7 +11,7 @@ relation is needed:
     transform       [R p; 0 1]     R a rotation, p(t) free
     unit quaternion |q| = 1        q̇ = ½ (0, s) q,   s(t) free       (s is the angular velocity)
     dual of it      q + ε ½ ρ q    ρ(t) free                         (q · Du q = 0 has just these solutions)
-    function f(q)   f_α free       d f_α = Σ f_{α+eᵢ} d qᵢ           (see `slopes.py`)
+    function f(q)   f_α free       d f_α = Σ f_{α+eᵢ} d qᵢ           (see `partial_derivatives.py`)
     angle           α, sin α, cos α with sin² + cos² = 1
 
 Both engines name their indeterminates by these parameters, so that a point of one is a point of the other.
@@ -26,7 +26,7 @@ from workbench.core.terms import Symbol, Term
 from workbench.engines.inventory.inventory import Inventory, NotExact
 from workbench.engines.inventory.partial_derivatives import coordinate_count, indices
 
-#: Parts whose components lie on a unit sphere, and how many components they have.
+#: Parts whose components lie on a unit sphere → the number of components.
 SPHERES = {"circle": 2, "unit": 3, "quaternion": 4}
 
 
@@ -34,7 +34,7 @@ class Parameter(NamedTuple):
     """Component `component` of the `order`-th derivative of one part of a symbol, or of the circle of a term.
 
     part: "value", "dual", "unit", "spin", "moment", "quaternion", "translation", "circle" (cos, sin), or
-    "slope1", "slope2", … for the partial derivatives of that degree, those of one component side by side.
+    "slope1", "slope2", … for the partial derivatives of that degree, those of one component in sequence.
     """
 
     symbol: Symbol | Term
@@ -44,7 +44,7 @@ class Parameter(NamedTuple):
 
 
 def parameters(inventory: Inventory) -> Iterator[Parameter]:
-    """All parameters of the inventory's symbols, symbol by symbol, in order of derivative."""
+    """Yields all parameters of the inventory's symbols, symbol by symbol, in order of derivative."""
     for symbol, order in inventory.orders.items():
         for part, count, orders in parts(symbol, order):
             for k in range(orders):
@@ -56,7 +56,8 @@ def parameters(inventory: Inventory) -> Iterator[Parameter]:
 
 
 def parts(symbol: Symbol, order: int) -> tuple[tuple[str, int, int], ...]:
-    """(part, components, how many orders) for each part of the symbol differentiated up to `order` times."""
+    """Returns (part, components, number of orders) for each part of the symbol, differentiated `order` times
+    at most."""
     declaration = symbol.declaration
     dual = symbol.type.dual
     moving = 0 if declaration.constant or declaration.clock else order
@@ -78,8 +79,8 @@ def parts(symbol: Symbol, order: int) -> tuple[tuple[str, int, int], ...]:
 
 
 def components(symbol: Symbol) -> int:
-    """How many numbers a value of the symbol is made of: of a symmetric matrix its rows from the diagonal on,
-    of a diagonal one its diagonal."""
+    """Returns the number of scalars in a value of the symbol: of a symmetric matrix its upper triangle, of a
+    diagonal one its diagonal."""
     type_ = symbol.type
     if type_.kind == "operator":
         raise NotExact(f"{symbol.declaration.name} is an undefined {type_}")

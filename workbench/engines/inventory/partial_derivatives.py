@@ -1,12 +1,13 @@
-"""What a partial derivative differentiates by, and the functions `of` something that it differentiates.
+"""Partial derivatives: their variables, and the functions `of` coordinates that they differentiate.
 
-A function f of q is at one instant its value and its partial derivatives, the parameters f_α, of which a
-smooth function may have any:
+At one instant a function f of q is its value and its partial derivatives, the parameters f_α. A smooth
+function may have any values of these:
 
     d f_α = Σᵢ f_{α+eᵢ} d qᵢ      for every derivation d, d/dt and ∂/∂q alike
 
-Under ∂/∂q everything else is kept: other coordinates, t, and q̇ beside q. Nothing is constant unless it is
-said so: each free symbol is constant, a coordinate that functions are `of`, or such a function.
+∂/∂q keeps everything else fixed: other coordinates, t, and q̇ next to q. A symbol is independent of q only if
+it is declared so: as a constant, as a coordinate that functions are `of`, or as a function of other
+coordinates.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from workbench.engines.inventory import Lookup, NotExact, reached
 
 
 class Seed(NamedTuple):
-    """A component of a derivative of a free symbol, of which the variable has the multiple `factor`."""
+    """A component of a derivative of a free symbol; the variable is `factor` times this component."""
 
     symbol: Symbol
     order: int
@@ -31,7 +32,8 @@ class Seed(NamedTuple):
 
 
 def seeds(by: Term, definitions: Lookup) -> list[Seed]:
-    """The components of what is differentiated by. Raises NotExact where they are not free."""
+    """Returns the components of the variable of a partial derivative. Raises NotExact if they are not
+    free."""
     match by:
         case Derivative(order=order):
             return [seed._replace(order=seed.order + int(order)) for seed in seeds(by.body, definitions)]
@@ -50,7 +52,8 @@ def seeds(by: Term, definitions: Lookup) -> list[Seed]:
 
 
 def positive_coordinates(sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:
-    """The positive numbers by which something is differentiated: none is free, each being a square."""
+    """Returns the positive symbols that partial derivatives differentiate by. None is free: each is a
+    square."""
     parts = [part for side in sides for part in reached(side, definitions)]
     by = [part.arguments[1] for part in parts if isinstance(part, Apply) and part.head in PARTIALS]
     symbols = (part for term in by for part in reached(term, definitions) if isinstance(part, Symbol))
@@ -60,9 +63,11 @@ def positive_coordinates(sides: Iterable[Term], definitions: Lookup) -> frozense
 def require_known_dependence(
     head: str, by: Iterable[Seed], symbols: Iterable[Symbol], moving: Collection[Symbol]
 ) -> None:
-    """Nothing is independent of a coordinate unless it is said so. By a function of something else only what
-    is a function of it alone is differentiated; by the place of a field no rate of what is there. moving:
-    what stands under a derivative by the time. Raises NotExact."""
+    """Raises NotExact for a symbol whose dependence on the variable is unknown.
+
+    Only a function of f alone can be differentiated by a function f, and no rate of a point by the position
+    in a field. moving: the symbols under a time derivative.
+    """
     varied = {seed.symbol for seed in by}
     by_function = any(symbol.declaration.of for symbol in varied)
     by_place = all(symbol.declaration.coordinate for symbol in varied)
@@ -84,7 +89,7 @@ def require_known_dependence(
 
 
 def _moved_by(symbol: Symbol, varied: set[Symbol]) -> set[Symbol]:
-    """What a function is of in the end, not beyond what is varied."""
+    """Returns the arguments of a function, resolved down to the symbols in `varied`."""
     found: set[Symbol] = set()
     for each in symbol.declaration.of:
         found |= _moved_by(each, varied) if each.declaration.of and each not in varied else {each}
@@ -92,7 +97,8 @@ def _moved_by(symbol: Symbol, varied: set[Symbol]) -> set[Symbol]:
 
 
 def indices(count: int, degree: int) -> list[tuple[int, ...]]:
-    """The partial derivatives of a degree by `count` coordinates, each as the sorted places of these."""
+    """Returns the partial derivatives of a degree by `count` coordinates, each as sorted coordinate
+    indices."""
     return list(combinations_with_replacement(range(count), degree))
 
 

@@ -1,5 +1,5 @@
-"""What the exponential is taken of: an angle times a unit vector, or any vector, as a skew tensor or as a
-quaternion without a scalar part, or as a skew tensor beside a velocity."""
+"""Arguments of the exponential: an angle times a unit vector or any vector, as a skew tensor, as a quaternion
+without a scalar part, or as the skew tensor of a twist matrix."""
 
 from __future__ import annotations
 
@@ -18,8 +18,10 @@ NO_EXPONENT = (
 
 
 def angle_and_axis(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
-    """(α, u) for c α ũ, ũ c α, the skew tensor of c α u, the quaternion (0, c α u) and the like, with a
-    number c that goes to the angle; None for anything else."""
+    """Returns (α, u) for c α ũ, ũ c α, the skew tensor of c α u, the quaternion (0, c α u) and similar terms.
+
+    A number c multiplies the angle. Returns None for other terms.
+    """
     coefficient, angles = Fraction(1), []
     while not _is_unit(term):
         match term:
@@ -50,7 +52,7 @@ def angle_and_axis(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
 
 
 def _is_unit(term: Term) -> bool:
-    """Whether it is a vector that is declared to be of length 1, or is written so in numbers."""
+    """True for a vector declared as a unit vector, or a numeric vector of length 1."""
     if isinstance(term, Symbol):
         return term.declaration.unit and term.type.kind == "vector"
     if not isinstance(term, Block) or term.type.kind != "vector" or term.type.dual:
@@ -62,7 +64,7 @@ def _is_unit(term: Term) -> bool:
 
 
 def turned_vector(term: Term, definitions: Lookup) -> Term | None:
-    """x where the term is the skew tensor of x or the quaternion (0, x), both real; else None."""
+    """Returns x if the term is the skew tensor of x or the quaternion (0, x), both real; else None."""
     if term.type.dual:
         return None
     match term:
@@ -89,7 +91,8 @@ def turned_vector(term: Term, definitions: Lookup) -> Term | None:
 
 
 def turning_and_moving(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
-    """(X, v) of the 4×4 matrix [X v; 0 0] of a real tensor and a vector, and of its multiples and sums."""
+    """Returns (X, v) of a 4×4 matrix [X v; 0 0] with a real tensor and a vector, or of multiples and sums of
+    such."""
     if term.type.dual:
         return None
     match term:

@@ -1,4 +1,4 @@
-"""Which scalars are not negative, by the form in which they are written."""
+"""Non-negative scalars, recognized by their form."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from workbench.core.terms import Apply, Number, Power, Term, Zero
 
 
 def is_seen_nonnegative(term: Term) -> bool:
-    """Whether the form of the term says that it is not negative, wherever it is defined."""
+    """True if the form of the term shows that it is not negative where it is defined."""
     if term.type.dual or term.type.kind != "scalar":
         return False
     match term:
@@ -26,6 +26,7 @@ def is_seen_nonnegative(term: Term) -> bool:
 
 
 def _are_transposes(left: Term, right: Term) -> bool:
-    """Of real matrices of any shape: det A Aᵀ is the sum of the squares of A's largest minors, or 0."""
+    """True if one of two real matrices is the transpose of the other. det A Aᵀ is the sum of the squares of
+    A's largest minors, or 0."""
     pairs = ((left, right), (right, left))
     return any(isinstance(a, Apply) and a.head == "transpose" and a.arguments == (b,) for a, b in pairs)

@@ -1,1 +1,1 @@
-"""The jet engine: terms as lists of time derivatives in index notation, over any ring but FLINT's."""
+"""The jet engine: terms as lists of time derivatives in index notation, over any ring except FLINT's."""

@@ -1,4 +1,4 @@
-"""Many numbers that go through the same computation, as one scalar of it."""
+"""Batches of numbers that go through the same computation as one scalar."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ import numpy as np
 
 
 class Lanes:
-    """Doubles, one for each lane; a constant is the same in all of them.
+    """Doubles, one per lane; a constant is the same in all lanes.
 
-    It is true, and unequal to another, if any lane is: what is left out as zero must be zero in all.
+    An object is true, or unequal to another, if it is so in any lane: code that omits zeros needs zero in
+    all.
     """
 
     __slots__ = ("values",)
-    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
+    __hash__ = None  # equal objects may have different types
 
     def __init__(self, values: Any) -> None:
         self.values = values
 
     def __add__(self, other: Lanes | float) -> Lanes:
-        if isinstance(other, np.ndarray):  # of Lanes: entry by entry
+        if isinstance(other, np.ndarray):  # an array of Lanes: entry by entry
             return NotImplemented
         return Lanes(self.values + _values(other))
 
@@ -57,9 +58,10 @@ def _values(other: Lanes | float) -> Any:
 
 
 class LaneRing:
-    """Lanes in double precision; what a lane cannot divide by is nan there and no concern of the others.
+    """Lanes in double precision. A lane that divides by 0 becomes nan and does not affect the others.
 
-    draws: how many independent random numbers a random scalar has; each fills `repeated` lanes in a row.
+    draws: the number of independent random numbers of a random scalar; each fills `repeated` consecutive
+    lanes.
     """
 
     def __init__(self, draws: int, repeated: int) -> None:

@@ -1,4 +1,4 @@
-"""Terms without symbols but π as expressions of SymPy, evaluated to many digits."""
+"""Values of terms without symbols other than π, by SymPy to many digits."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ _FUNCTIONS = {
 
 
 def nearly_equal(relation: Relation) -> bool:
-    """Whether no entry of left − right has a first digit among the first forty decimals."""
+    """True if each entry of left − right is 0 to forty decimals."""
     difference = expression(relation.left) - expression(relation.right)
     return all(abs(sympy.N(each, _DIGITS)) < _NEAR for each in difference)
 
 
 def expression(term: Term) -> Any:
-    """The term as a matrix. Raises NotExact."""
+    """Returns the term as a matrix. Raises NotExact."""
     match term:
         case Number(value=value):
             return sympy.Matrix([[sympy.Rational(value.numerator, value.denominator)]])

@@ -1,4 +1,4 @@
-"""Quantities as lists of time derivatives, in index notation: what the second engine computes with."""
+"""Quantities as lists of time derivatives in index notation: the values of the jet engine."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Value:
         return Value(self.re[first : last + 1], du)
 
     def map(self, function: Callable[[np.ndarray], np.ndarray]) -> Value:
-        """A linear function of the components."""
+        """Returns the value of a linear function of the components."""
         du = None if self.du is None else [function(x) for x in self.du]
         return Value([function(x) for x in self.re], du)
 
@@ -62,7 +62,7 @@ def scalar_array(value: Any) -> np.ndarray:
 
 
 def array_shape(type_: Type) -> tuple[int, ...]:
-    """Rows and columns, without those that are 1."""
+    """Returns the numbers of rows and columns, without those that are 1."""
     return tuple(size for size in matrix_shape(type_) if size > 1)
 
 
@@ -71,7 +71,7 @@ def matrix_shape(type_: Type) -> tuple[int, int]:
 
 
 def leibniz(f: Callable, a: Jet, b: Jet) -> Jet:
-    """(f(a, b))⁽ᵏ⁾ = Σⱼ C(k, j) f(a⁽ʲ⁾, b⁽ᵏ⁻ʲ⁾) for bilinear f, as far as both lists reach."""
+    """Returns (f(a, b))⁽ᵏ⁾ = Σⱼ C(k, j) f(a⁽ʲ⁾, b⁽ᵏ⁻ʲ⁾) for a bilinear f, up to the shorter list."""
     result: Jet = []
     for k in range(min(len(a), len(b))):
         total: np.ndarray | None = None
@@ -129,7 +129,7 @@ def stack(values: list[Value]) -> Value:
 
 
 def beside(values: list[Value]) -> Value:
-    """Scalars as a row, columns as a matrix."""
+    """Returns scalars as a row, columns as a matrix."""
 
     def row(jets: list[Jet]) -> Jet:
         return [np.stack([jet[k] for jet in jets], axis=-1) for k in range(values[0].depth + 1)]
@@ -139,12 +139,12 @@ def beside(values: list[Value]) -> Value:
 
 
 def is_zero(value: Value) -> bool:
-    """Whether all derivatives are 0, those of the dual part too."""
+    """True if all derivatives are 0, including the dual part."""
     return not any(bool(x != 0) for jet in (*value.re, *(value.du or ())) for x in jet.ravel())
 
 
 def vanishes(value: Value) -> bool:
-    """Whether the real part is 0 at the instant, so that nothing can be divided by it."""
+    """True if the real part is 0 at the instant, so that division by the value is impossible."""
     return all(not bool(x != 0) for x in value.re[0].ravel())
 
 
@@ -153,7 +153,7 @@ def dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """cᵢ = εᵢⱼₖ aⱼ bₖ."""
+    """Returns cᵢ = εᵢⱼₖ aⱼ bₖ."""
     result = [None, None, None]
     for i, j, k, sign in LEVI_CIVITA:
         addend = a[j] * b[k] if sign > 0 else -(a[j] * b[k])
@@ -166,7 +166,7 @@ def outer(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def skew(x: np.ndarray) -> np.ndarray:
-    """x̃ᵢₖ = −εᵢₖⱼ xⱼ, so that x̃ y = x × y."""
+    """Returns x̃ᵢₖ = −εᵢₖⱼ xⱼ, so that x̃ y = x × y."""
     result = np.empty((3, 3), dtype=object)
     for i in range(3):
         result[i, i] = x[0] * 0
@@ -176,7 +176,7 @@ def skew(x: np.ndarray) -> np.ndarray:
 
 
 def twice_vect(a: np.ndarray) -> np.ndarray:
-    """2 vect(A)ᵢ = −εᵢⱼₖ Aⱼₖ."""
+    """Returns 2 vect(A)ᵢ = −εᵢⱼₖ Aⱼₖ."""
     result = [None, None, None]
     for i, j, k, sign in LEVI_CIVITA:
         addend = -a[j, k] if sign > 0 else a[j, k]
@@ -185,7 +185,7 @@ def twice_vect(a: np.ndarray) -> np.ndarray:
 
 
 def double_cofactors(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """εⱼₖₗ εᵢₘₙ aₖₘ bₗₙ."""
+    """Returns εⱼₖₗ εᵢₘₙ aₖₘ bₗₙ."""
     result = np.empty((3, 3), dtype=object)
     for (j, k, m, sign), (i, p, q, other) in product(LEVI_CIVITA, LEVI_CIVITA):
         addend = a[k, p] * b[m, q]

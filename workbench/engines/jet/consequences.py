@@ -1,4 +1,4 @@
-"""What the second engine sees of a relation: that its sides are the same, perhaps where others hold."""
+"""Verification of a relation by the jet engine over SymPy: equality, perhaps under assumptions."""
 
 from __future__ import annotations
 
@@ -12,17 +12,18 @@ from workbench.engines.jet.sympy_engine import SympyEngine
 from workbench.engines.jet.sympy_gate import PolyElement, grevlex, groebner, require_python_integers
 from workbench.engines.jet.sympy_ring import SympyRing
 
-#: A polynomial, and the places of the indeterminates in it: most are put into polynomials without them.
+#: A polynomial and the positions of its indeterminates. Most are substituted into polynomials without them.
 Placed: TypeAlias = "tuple[PolyElement, set[int]]"
 
-#: How often something is squared to see whether a power of it vanishes, and how many terms it may have.
+#: Number of squarings to test whether a power vanishes, and the largest number of terms of a polynomial to
+#: square.
 _SQUARINGS, _LONGEST = 4, 40
-#: What has more terms is not factored.
+#: Polynomials with more terms are not factored.
 _SHORT = 8
 
 
 def recheck(relation: Relation, engine: SympyEngine, assumptions: Assumptions) -> bool:
-    """Whether left − right is 0 here too, where the assumptions hold."""
+    """True if left − right is 0 under the assumptions in this engine, too."""
     ring, tops = engine.ring, engine.residuals(relation)
     if not assumptions.equations:
         return not any(tops)
@@ -40,7 +41,8 @@ def recheck(relation: Relation, engine: SympyEngine, assumptions: Assumptions) -
 
 
 def _divided_by(engine: SympyEngine, premises: Iterable[Relation]) -> dict[int, int]:
-    """The places of denominators by which the premises divide, so that they are not 0, and how often."""
+    """Returns the positions of the denominators in the premises, which are therefore not 0, with their
+    powers."""
     ring = engine.ring
     powers: dict[int, int] = {}
     for premise in premises:
@@ -51,12 +53,12 @@ def _divided_by(engine: SympyEngine, premises: Iterable[Relation]) -> dict[int, 
 
 
 def recheck_distance(relation: Relation, engine: SympyEngine) -> bool:
-    """Whether some component of left − right is a number that is not 0, over what was divided by."""
+    """True if some component of left − right is a non-zero number over the denominators."""
     return any(top and top.is_ground for top in engine.residuals(relation))
 
 
 class _Solved(NamedTuple):
-    """An indeterminate, known by its place, which is value/over; over: None for 1."""
+    """The solution value/over of an indeterminate, given by its position; over: None for 1."""
 
     place: int
     value: PolyElement
@@ -64,9 +66,12 @@ class _Solved(NamedTuple):
 
 
 class _Supposed:
-    """Polynomials that vanish, where others do not. One that is linear in an indeterminate is solved for it,
-    if the coefficient is a number, or a product of what does not vanish, and put in; of the others there is a
-    Gröbner basis. elsewhere: what does not vanish, and how often it is to divide."""
+    """Polynomials that vanish, and others that do not.
+
+    A polynomial that is linear in an indeterminate is solved for it and substituted, if the coefficient is a
+    number or a product of factors that do not vanish. The remaining ones get a Gröbner basis. elsewhere: the
+    factors that do not vanish, with the powers in which they divide.
+    """
 
     def __init__(
         self, ring: SympyRing, zeros: list[PolyElement], elsewhere: Sequence[tuple[PolyElement, int]]
@@ -92,7 +97,8 @@ class _Supposed:
         self._divisors = [self._polynomials.spread(p, self._polynomials.many) for p, _ in rest]
 
     def _by_number(self, p: PolyElement, places: Sequence[int]) -> _Solved | None:
-        """By the first of these places whose indeterminate p holds in no other term than c · x."""
+        """Returns the solution of p = 0 for the first indeterminate that occurs in p only in a term c · x,
+        else None."""
         place = next((place for place in places if self._polynomials.is_alone(place, p)), None)
         if place is None:
             return None
@@ -100,7 +106,8 @@ class _Supposed:
         return _Solved(place, x - p.quo_ground(p.coeff(x)))
 
     def _by_what_is_apart(self, p: PolyElement, places: Sequence[int]) -> _Solved | None:
-        """By the first whose coefficient is made of what does not vanish."""
+        """Returns the solution for the first indeterminate whose coefficient is a product of non-vanishing
+        factors."""
         for place in places:
             slope = self._polynomials.slope(p, place)
             if slope is not None and self._is_apart(slope):
@@ -118,7 +125,7 @@ class _Supposed:
         return left.is_ground
 
     def _factors_of(self, polynomials: Iterable[PolyElement]) -> list[PolyElement]:
-        """Those of short ones, others as they are; of what is no number."""
+        """Returns the non-constant factors of short polynomials; longer polynomials unchanged."""
         found: list[PolyElement] = []
         for p in polynomials:
             known = self._polynomials.factors(p) if len(p) <= _SHORT else [(p, 1)]
@@ -126,13 +133,16 @@ class _Supposed:
         return [factor for factor in found if not factor.is_ground]
 
     def imply(self, tops: Sequence[PolyElement]) -> bool:
-        """Whether all vanish, or the sum of the squares of those that are not seen to."""
+        """True if all polynomials vanish, or the sum of the squares of those not yet shown to vanish does."""
         left = [p for p in tops if not self._vanishes(p)]
         return not left or (len(left) > 1 and self._vanishes(_square(self._ring, left)))
 
     def _vanishes(self, p: PolyElement) -> bool:
-        """Whether a power is in the ideal: of p, of p times what is not 0, or, where p = x − y and no term of
-        x and y is ever negative, of p (x + y). What the divisors show as they are is seen sooner."""
+        """True if a power of p, or of p times the non-vanishing factors, is in the ideal.
+
+        If p = x − y and no term of x and y is ever negative, p (x + y) is tested, too. The unfactored
+        divisors are tried first because they are cheaper.
+        """
         factors = [p.ring.one, *([reduce(self._product, self._elsewhere)] if self._elsewhere else [])]
         if self._ring.is_made_of_sizes(p):
             factors.append(p.new({powers: abs(c) for powers, c in p.items()}))
@@ -170,7 +180,8 @@ class _Supposed:
         return basis
 
     def _placed(self, polynomials: Iterable[PolyElement]) -> list[Placed]:
-        """Each with the places of the indeterminates in it: most are put into polynomials without them."""
+        """Returns each polynomial with the positions of its indeterminates. Most indeterminates are
+        substituted into polynomials without them."""
         return [(p, self._polynomials.places(p)) for p in polynomials]
 
     def _with_value(self, group: Iterable[Placed], solved: _Solved) -> list[Placed]:

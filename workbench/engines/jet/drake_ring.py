@@ -1,7 +1,7 @@
-"""Drake's polynomials as a further ring of the second engine, where their double coefficients are exact.
+"""Drake's polynomials as another ring of the jet engine, as long as their double coefficients are exact.
 
-Sums and products of integers, and of fractions with a power of two below, are exact in doubles as long as
-they stay below 2⁵³. Where they would not, Drake is not asked; see `MOST_INDETERMINATES` and `constant`.
+Sums and products of integers, and of fractions whose denominator is a power of two, are exact in doubles as
+long as they stay below 2⁵³. Otherwise Drake is not used; see `MOST_INDETERMINATES` and `constant`.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from workbench.engines.inventory.parameters import SPHERES, parameters
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource
 
-#: Beyond this many indeterminates Drake's polynomials are too slow to be asked.
+#: With more indeterminates Drake's polynomials are too slow.
 MOST_INDETERMINATES = 15
 
 
 class DrakeRing:
-    """pydrake.symbolic.Polynomial; no division, no roots."""
+    """pydrake.symbolic.Polynomial as a ring without division and roots."""
 
     def __init__(self, inventory: Inventory) -> None:
         names = list(parameters(inventory))
@@ -43,7 +43,8 @@ class DrakeRing:
 
 
 def recheck_by_drake(relation: Relation, inventory: Inventory, definitions: Lookup) -> bool | None:
-    """Whether left − right expands to 0 in Drake; None where doubles are not exact or it takes too long."""
+    """Returns whether left − right expands to 0 in Drake; None if doubles are not exact or it takes too
+    long."""
     try:
         ring = DrakeRing(inventory)
         engine = JetEngine(PointSource(ring, ring.point), definitions)

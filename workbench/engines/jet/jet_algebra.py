@@ -1,4 +1,5 @@
-"""Jets over a ring: the constants, quotients, determinants, inverses and norms that need its scalars."""
+"""Operations on jets that need the scalars of the ring: constants, quotients, determinants, inverses,
+norms."""
 
 from __future__ import annotations
 
@@ -29,18 +30,18 @@ from workbench.engines.jet.jet_quaternions import conjugated
 
 
 class Ring(Protocol):
-    """The scalars of a computation."""
+    """The ring of the scalars of a computation."""
 
     def constant(self, numerator: int, denominator: int) -> Any: ...
 
     def divide(self, a: Any, b: Any) -> Any: ...
 
     def root(self, square: Any) -> Any:
-        """The non-negative root; raises NotExact where the ring has none."""
+        """Returns the non-negative root; raises NotExact if the ring has none."""
 
 
 class JetAlgebra:
-    """The operations on values that divide, take roots or need a constant of the ring."""
+    """Operations on values that divide, take roots or need a constant of the ring."""
 
     def __init__(self, ring: Ring) -> None:
         self.ring = ring
@@ -62,17 +63,17 @@ class JetAlgebra:
         return Value(jets)
 
     def adjugate(self, a: Value) -> Value:
-        """adj(A)ᵢⱼ = ½ εⱼₖₗ εᵢₘₙ Aₖₘ Aₗₙ."""
+        """Returns adj(A)ᵢⱼ = ½ εⱼₖₗ εᵢₘₙ Aₖₘ Aₗₙ."""
         return product_of(np.multiply, self.constant(1, 2, a.depth), product_of(double_cofactors, a, a))
 
     def det(self, a: Value) -> Value:
-        """det A = a₁ⱼ adj(A)ⱼ₁; for other sizes row by row."""
+        """Returns det A = a₁ⱼ adj(A)ⱼ₁; for sizes other than 3 by minors, row by row."""
         if a.re[0].shape != (3, 3):
             return self._by_minors(a, len(a.re[0]))
         return product_of(first_row_by_first_column, a, self.adjugate(a))
 
     def _by_minors(self, a: Value, size: int) -> Value:
-        """The determinants of the first k rows and any k columns, one row more at a time."""
+        """Returns the determinant by the minors of the first k rows and any k columns, for k = 1, 2, …."""
         minors: dict[tuple[int, ...], Value] = {(): self.constant(1, 1, a.depth)}
         for row in range(size):
             wider: dict[tuple[int, ...], Value] = {}
@@ -87,7 +88,7 @@ class JetAlgebra:
         return minors[tuple(range(size))]
 
     def quaternion_inverse(self, q: Value) -> Value:
-        """The conjugate over q₀² + q₁² + q₂² + q₃²."""
+        """Returns the conjugate over q₀² + q₁² + q₂² + q₃²."""
         return self.divide(q.map(conjugated), product_of(dot, q, q))
 
     def inverse(self, a: Value) -> Value:
@@ -105,7 +106,7 @@ class JetAlgebra:
         return self._gauss_jordan(a)
 
     def _lower_inverse(self, a: Value, size: int) -> Value:
-        """X with A X = I for A = [P 0; Q S], column block by column block: P X₁ = I, S X₂ = −Q X₁."""
+        """Returns X with A X = I for A = [P 0; Q S], column block by column block: P X₁ = I, S X₂ = −Q X₁."""
         upper = self.inverse(a.map(lambda x: x[:size, :size]))
         lower = self.inverse(a.map(lambda x: x[size:, size:]))
         moved = product_of(np.matmul, a.map(lambda x: -x[size:, :size]), upper)
@@ -120,7 +121,7 @@ class JetAlgebra:
         return Value(joined([block.re for block in blocks]), joined(duals) if duals else None)
 
     def _gauss_jordan(self, a: Value) -> Value:
-        """The inverse of a square block matrix, pivot by pivot; a pivot must not vanish identically."""
+        """Returns the inverse of a square block matrix, pivot by pivot; no pivot may vanish identically."""
         size = len(a.re[0])
         rows = [[entry(a, (i, j)) for j in range(size)] for i in range(size)]
         unit = self.diagonal(size, 1, a.depth)
@@ -144,7 +145,7 @@ class JetAlgebra:
         return stack([stack(row[size:]) for row in rows])
 
     def divide(self, a: Value, b: Value) -> Value:
-        """q with q b = a, order by order; dual by (a + ε a₀)/(b + ε b₀) = q + ε (a₀ − q b₀)/b."""
+        """Returns q with q b = a, order by order; for duals (a + ε a₀)/(b + ε b₀) = q + ε (a₀ − q b₀)/b."""
         re = self._divide_jets(a.re, b.re)
         if a.du is None and b.du is None:
             return Value(re)
@@ -163,7 +164,7 @@ class JetAlgebra:
         return quotient
 
     def norm(self, x: Value) -> Value:
-        """N with N² = x·x, order by order; a dual norm is N + ε x·x₀/N, Eq. (74)."""
+        """Returns N with N² = x·x, order by order; for a dual norm N + ε x·x₀/N, Eq. (74)."""
         squared = np.multiply if x.re[0].shape == () else dot
         norm = self._root_jets(leibniz(squared, x.re, x.re))
         if x.du is None:
@@ -171,7 +172,7 @@ class JetAlgebra:
         return Value(norm, self._divide_jets(leibniz(squared, x.re, x.du), norm))
 
     def root(self, square: Value) -> Value:
-        """N with N² = square, order by order; of a dual number the dual part is half of it over N."""
+        """Returns N with N² = square, order by order; the dual part is half that of the square over N."""
         root = self._root_jets(square.re)
         if square.du is None:
             return Value(root)

@@ -1,4 +1,4 @@
-"""Quaternions of the second engine: a scalar and a vector, (a, u)(b, v) = (a b − u·v, a v + b u + u × v)."""
+"""Quaternions of the jet engine: a scalar and a vector, (a, u)(b, v) = (a b − u·v, a v + b u + u × v)."""
 
 from __future__ import annotations
 

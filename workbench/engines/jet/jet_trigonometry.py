@@ -1,4 +1,4 @@
-"""Sines, cosines and exponentials of the second engine, as lists of time derivatives."""
+"""Sines, cosines and exponentials of the jet engine, as lists of time derivatives."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ from workbench.engines.jet.jet_algebra import JetAlgebra
 from workbench.engines.jet.tangents import pushed
 from workbench.engines.jet.term_source import Source
 
-#: How many times an angle is looked for in another that is written otherwise.
+#: Multiples to try when an angle may be a multiple of another one that is written differently.
 _MULTIPLES = range(1, 5)
 
 
 class Engine(Protocol):
-    """What evaluates the terms inside; `origin` is the engine that nothing is moved in."""
+    """The engine that evaluates the arguments. `origin` is the same engine without displacements."""
 
     origin: Engine
 
@@ -51,15 +51,15 @@ class Engine(Protocol):
 
 
 class Turns:
-    """The terms of an engine that turn: angles by their circles, exponents by Rodrigues' formula."""
+    """Evaluation of rotations: angles by their sine and cosine, exponentials by Rodrigues' formula."""
 
     def __init__(self, engine: Engine, source: Source, algebra: JetAlgebra, definitions: Lookup) -> None:
         self._engine, self._source, self._algebra = engine, source, algebra
         self._definitions = definitions
 
     def circle(self, angle: Term, depth: int, factor: Fraction = Fraction(1)) -> tuple[Value, Value]:
-        """cos and sin of factor · angle by the addition theorems on the term; of a free angle by ċ = −s α̇,
-        ṡ = c α̇."""
+        """Returns cos and sin of factor · angle: by the addition theorems on the term, and for a free angle
+        by ċ = −s α̇, ṡ = c α̇."""
         match angle:
             case Zero():
                 return self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
@@ -97,7 +97,8 @@ class Turns:
         return total
 
     def _part_of_circle(self, angle: Term, factor: Fraction, depth: int) -> tuple[Value, Value]:
-        """cos and sin of factor · ω t and the like, from those of the part that has a circle of its own."""
+        """Returns cos and sin of factor · ω t and similar terms, from those of the part that has its own
+        circle."""
         for part in self._source.circles():
             own = angle_parts(part, self._definitions)
             if list(own) == [angle] and (factor / own[angle]).denominator == 1:
@@ -115,7 +116,8 @@ class Turns:
         return total
 
     def _free_circle(self, angle: Term, depth: int) -> tuple[Value, Value]:
-        """By ċ = −s α̇, ṡ = c α̇ from what the source says of the angle where nothing is moved."""
+        """Returns cos and sin of a free angle by ċ = −s α̇, ṡ = c α̇, from the source's values without
+        displacement."""
         value = self._engine.value(angle, depth)
         step = value.re[0][()] - self._engine.origin.value(angle, 0).re[0][()]
         c, s = pushed(self._circle_now(angle), step, self._algebra.ring)
@@ -130,8 +132,11 @@ class Turns:
         return Value(cosine, falling), Value(sine, leibniz(np.multiply, cosine, value.du))
 
     def _circle_now(self, angle: Term) -> tuple[Any, Any]:
-        """cos and sin where nothing is moved. A term whose value is a multiple of another's has no circle of
-        its own: ‖R a‖ has that of ‖a‖, and ‖a + a‖ turns along it twice."""
+        """Returns cos and sin without displacement.
+
+        A term whose value is a multiple of another's shares its circle: ‖R a‖ has that of ‖a‖, and ‖a + a‖ is
+        twice that angle.
+        """
         now = self._engine.origin.value(angle, 0).re[0][()]
         others = () if isinstance(angle, Symbol) else self._source.circles()
         for count, other in product(reversed(_MULTIPLES), others):
@@ -146,8 +151,11 @@ class Turns:
         return self._source.circle(angle, now)
 
     def exp(self, argument: Term, depth: int) -> Value:
-        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u. Of
-        [α ũ v; 0 0] that beside (u · v) u + sin α/α (v − (u · v) u) + (1 − cos α)/α u × v."""
+        """Returns the exponential.
+
+        For a purely dual x it is 1 + x. For α ũ with a unit vector u it is I cos α + ũ sin α + (1 − cos α) u
+        ⊗ u. For [α ũ v; 0 0] the last column is (u · v) u + sin α/α (v − (u · v) u) + (1 − cos α)/α u × v.
+        """
         if (parts := turning_and_moving(argument, self._definitions)) is not None:
             return self._moved(*parts, depth)
         turn = angle_and_axis(argument, self._definitions)
@@ -191,7 +199,7 @@ class Turns:
         return Value([np.vstack([rows, unit[3:]]) for rows, unit in zip(joined, last, strict=True)])
 
     def _turned(self, argument: Term, cosine: Value, sine: Value, axis: Value) -> Value:
-        """The rotation, or cos + u sin of a quaternion, about an axis of length 1."""
+        """Returns the rotation about a unit axis; for a quaternion cos + u sin."""
         if argument.type.kind == "quaternion":
             scaled = product_of(np.multiply, sine, axis)
             return stack([cosine, *(entry(scaled, i) for i in range(3))])

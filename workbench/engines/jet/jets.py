@@ -1,8 +1,9 @@
-"""The second engine: a term's value as the list of its time derivatives at one instant, over any ring.
+"""The jet engine: the value of a term as the list of its time derivatives at one instant, over any ring.
 
-It shares no arithmetic with the first: components are arrays contracted with the Levi-Civita symbol and
-derivatives come from Leibniz' rule on the lists. The ring can be SymPy's polynomials, the integers modulo a
-prime, the rationals, floats or Drake's polynomials. A `Source` says what the symbols' derivatives are.
+It shares no arithmetic with the polynomial engine: components are arrays contracted with the Levi-Civita
+symbol, and derivatives follow from Leibniz' rule on the lists. The ring can be SymPy's polynomials, the
+integers modulo a prime, the rationals, floats or Drake's polynomials. A `Source` supplies the derivatives of
+the symbols.
 """
 
 from __future__ import annotations
@@ -75,31 +76,32 @@ class JetEngine:
         self._turns = Turns(self, source, self._algebra, definitions)
         self._known: dict[Term, Value] = {}
         self._moved: dict[Seed, JetEngine] = {}
-        self.origin = self  # the engine that nothing is moved in
+        self.origin = self  # the engine without displacements
 
     def components(self, term: Term) -> list[Any]:
-        """All components at the instant: an operator's coefficients by rising power of D, each in reading
-        order, real parts before dual parts."""
+        """Returns all components at the instant: an operator's coefficients by rising power of D, each in
+        reading order, real parts before dual parts."""
         return flat_components(self.operator(term, 0))
 
     def differences(self, left: Term, right: Term) -> list[Any]:
-        """left − right by components; a missing dual part or operator coefficient counts as zero."""
+        """Returns left − right by components; a missing dual part or operator coefficient counts as zero."""
         minus = tuple(v.map(lambda x: -x) for v in self.operator(right, 0))
         return flat_components(add_operators(self.operator(left, 0), minus))
 
     def circle(self, angle: Term) -> tuple[Any, Any]:
-        """(cos, sin) of a free angle at the instant."""
+        """Returns (cos, sin) of a free angle at the instant."""
         return self._source.circle(angle)
 
     def value(self, term: Term, depth: int) -> Value:
-        """The term's derivatives of order 0 … depth."""
+        """Returns the term's derivatives of order 0 … depth."""
         known = self._known.get(term)
         if known is None or known.depth < depth:
             known = self._known[term] = self._evaluate(term, depth)
         return known.cut(0, depth)
 
     def operator(self, term: Term, depth: int) -> OperatorValue:
-        """The coefficients of an operator by rising power of D; a tensor is an operator of degree 0."""
+        """Returns the coefficients of an operator by rising power of D; a tensor is an operator of degree
+        0."""
         if term.type.kind != "operator":
             return (self.value(term, depth),)
         match term:
@@ -139,7 +141,7 @@ class JetEngine:
     def _compose(
         self, left: OperatorValue, right: Callable[[int], OperatorValue], depth: int
     ) -> OperatorValue:
-        """Aᵢ Dⁱ ∘ Bⱼ Dʲ = Σₗ C(i, l) Aᵢ Bⱼ⁽ˡ⁾ Dⁱ⁻ˡ⁺ʲ."""
+        """Returns the product by Aᵢ Dⁱ ∘ Bⱼ Dʲ = Σₗ C(i, l) Aᵢ Bⱼ⁽ˡ⁾ Dⁱ⁻ˡ⁺ʲ."""
         factors = right(depth + len(left) - 1)
         total = [self._algebra.diagonal(3, 0, depth) for _ in range(len(left) + len(factors) - 1)]
         for (i, a), (j, b) in product(enumerate(left), enumerate(factors)):
@@ -193,7 +195,7 @@ class JetEngine:
         return total
 
     def one(self, type_: Type, depth: int) -> Value:
-        """1, the unit matrix, or the quaternion 1."""
+        """Returns 1, the unit matrix, or the quaternion 1."""
         if type_.kind == "scalar":
             return self._algebra.constant(1, 1, depth)
         unit = self._algebra.diagonal(type_.rows, 1, depth)
@@ -319,7 +321,7 @@ class JetEngine:
         return stack([scalar, *(entry(vector, i) for i in range(3))])
 
     def _function(self, function: Symbol, depth: int) -> Value:
-        """f(q) by its Taylor series at q, which holds q's changes in time and along coordinates."""
+        """Returns f(q) by its Taylor series at q, with the changes of q in time and along coordinates."""
         ring, arguments = self._algebra.ring, function.declaration.of
         values = [self.value(argument, depth) for argument in arguments]
         coordinates = [list(jet) for v in values for jet in zip(*(x.ravel() for x in v.re), strict=True)]
@@ -331,8 +333,11 @@ class JetEngine:
         return Value(composed(slopes, coordinates, start, ring, shape))
 
     def _partial(self, body: Term, by: Term, depth: int) -> Value:
-        """∂f/∂x component by component. With ∂ₖ for the derivative by x⁽ᵏ⁾, ∂ₖ D = D ∂ₖ + ∂ₖ₋₁, so that
-        Dʲ ∂ₖ f = Σᵢ (−1)ⁱ C(j, i) ∂ₖ₋ᵢ Dʲ⁻ⁱ f, where ∂ₖ Dʲ f is what Dʲ f changes by with x⁽ᵏ⁾ moved by ε."""
+        """Returns ∂f/∂x component by component.
+
+        With ∂ₖ for the derivative by x⁽ᵏ⁾, ∂ₖ D = D ∂ₖ + ∂ₖ₋₁, so that Dʲ ∂ₖ f = Σᵢ (−1)ⁱ C(j, i) ∂ₖ₋ᵢ Dʲ⁻ⁱ
+        f. Here ∂ₖ Dʲ f is the change of Dʲ f if x⁽ᵏ⁾ moves by ε.
+        """
         found = []
         for seed in seeds(by, self._definitions):
             lower = [seed._replace(order=seed.order - i) for i in range(min(seed.order, depth) + 1)]
@@ -352,7 +357,7 @@ class JetEngine:
         return [JetEngine(self._source.along(component), self._definitions) for component in range(3)]
 
     def _gradient(self, field: Term, depth: int) -> list[Value]:
-        """∂f/∂ρⱼ for j = 1, 2, 3: the dual part of f at ρ + ε eⱼ."""
+        """Returns ∂f/∂ρⱼ for j = 1, 2, 3: the dual part of f at ρ + ε eⱼ."""
         if field.type.dual:
             raise NotExact("div and curl of a dual field")
         values = [engine.value(field, depth) for engine in self._displaced]

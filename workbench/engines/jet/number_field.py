@@ -1,7 +1,7 @@
-"""Real algebraic numbers in one field ℚ(θ), for points that have no rational coordinates.
+"""Real algebraic numbers in one field ℚ(θ), for points without rational coordinates.
 
-θ is a real zero of a polynomial over ℚ that is irreducible, so an element, a polynomial in θ of lower degree,
-is 0 only as the zero polynomial. The arithmetic is that of Python's fractions.
+θ is a real zero of an irreducible polynomial over ℚ. An element is a polynomial in θ of lower degree, and is
+0 only as the zero polynomial. The arithmetic is that of Python's fractions.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ Coefficients = tuple[Fraction, ...]  # by rising power, the last one not 0
 
 
 class NumberField:
-    """ℚ(θ) by θ's minimal polynomial (any multiple of it by a number) and an interval that holds θ alone."""
+    """ℚ(θ), given by a multiple of θ's minimal polynomial and an interval that contains no other zero of
+    it."""
 
     def __init__(self, minimal: Sequence[Fraction], between: tuple[Fraction, Fraction]) -> None:
         minimal = _trimmed(minimal)
@@ -36,7 +37,7 @@ class NumberField:
 
     @cached_property
     def near(self) -> float:
-        """θ, rounded."""
+        """θ as a float."""
         low, high = self._between
         rising = _at(self.minimal, high) > 0
         for _ in range(_HALVINGS):
@@ -52,7 +53,7 @@ class Algebraic:
     """An element of a number field."""
 
     __slots__ = ("coefficients", "field")
-    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
+    __hash__ = None  # equal objects may have different types
 
     def __init__(self, field: NumberField, coefficients: Sequence[Fraction]) -> None:
         self.field, self.coefficients = field, _trimmed(coefficients)
@@ -89,11 +90,12 @@ class Algebraic:
         return float(sum(float(c) * self.field.near**k for k, c in enumerate(self.coefficients)))
 
     def rational(self) -> Fraction | None:
-        """The element as a fraction, if it is one."""
+        """Returns the element as a fraction if it is rational, else None."""
         return None if len(self.coefficients) > 1 else Fraction(sum(self.coefficients))
 
     def inverse(self) -> Algebraic:
-        """By Euclid's algorithm for the element and the minimal polynomial, which have no common factor."""
+        """Returns the inverse by Euclid's algorithm for the element and the minimal polynomial, which are
+        coprime."""
         if not self:
             raise ZeroDivisionError("division by zero in a number field")
         above, below = self.field.minimal, self.coefficients
@@ -106,7 +108,7 @@ class Algebraic:
         return self.field.reduced([c / below[0] for c in right])
 
     def __str__(self) -> str:
-        """Such as 1/2 + √3, or 2 θ for another θ that is then told."""
+        """Returns text such as 1/2 + √3, or 2 θ with the definition of θ."""
         minimal, root, shown = self.field.minimal, "θ", self.coefficients
         if len(minimal) == 3 and not minimal[1]:
             root = f"√{-minimal[0]}" if minimal[0].denominator == 1 else f"√({-minimal[0]})"
@@ -118,7 +120,7 @@ class Algebraic:
 
 
 class NumberFieldRing(RationalRing):
-    """A number field as a ring of the second engine."""
+    """A number field as a ring of the jet engine."""
 
     def divide(self, a: Any, b: Any) -> Any:
         return a * b.inverse() if isinstance(b, Algebraic) else a * (1 / Fraction(b))

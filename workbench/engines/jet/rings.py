@@ -1,4 +1,4 @@
-"""The rings that the second engine computes in, and the points at which symbols are evaluated there."""
+"""Rings of the jet engine, and the points at which symbols are evaluated."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from workbench.engines.jet.components import Value, array_shape, leibniz
 from workbench.engines.jet.jet_quaternions import joined, quaternion_product
 from workbench.engines.jet.tangents import MovedPoint, TangentRing
 
-#: A Mersenne prime of 61 bits; it is 3 modulo 4, so a square root is one power.
+#: A Mersenne prime of 61 bits. It is 3 modulo 4, so a square root is one power.
 PRIME = 2**61 - 1
 
 
@@ -52,7 +52,7 @@ class Residue:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, (Residue, int)) and (self.value - _residue(other)) % PRIME == 0
 
-    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
+    __hash__ = None  # equal objects may have different types
 
     def __bool__(self) -> bool:
         return self.value != 0
@@ -63,7 +63,7 @@ def _residue(value: Residue | int) -> int:
 
 
 class ResidueRing:
-    """The field of integers modulo PRIME. A zero there can be an accident, a non-zero cannot."""
+    """The field of integers modulo PRIME. A zero in it may be accidental, a non-zero value cannot be."""
 
     def constant(self, numerator: int, denominator: int) -> Residue:
         return Residue(numerator * pow(denominator, -1, PRIME))
@@ -81,7 +81,7 @@ class ResidueRing:
 
 
 class RationalRing:
-    """The rationals, for counterexamples that a person can check; whole ones are Python's integers."""
+    """The rationals, for counterexamples that a person can check; integers are Python integers."""
 
     def __init__(self, entries: tuple[int, ...] = (-1, 0, 1)) -> None:
         self._entries = entries
@@ -123,7 +123,7 @@ class FloatRing:
 
 
 class PointSource:
-    """Symbols' derivatives from values of the parameters, by the formulas in `parameters.py`."""
+    """Derivatives of symbols from values of the parameters, by the formulas in `parameters.py`."""
 
     def __init__(self, ring: Any, point: Mapping[Parameter, Any], moved_along: int | None = None) -> None:
         self.ring = ring
@@ -132,12 +132,12 @@ class PointSource:
         self._circles: list[Term] | None = None
 
     def moved(self, seed: Seed) -> PointSource:
-        """The same source with one component of a derivative moved by ε, over dual numbers."""
+        """Returns the same source with one component of a derivative moved by ε, over dual numbers."""
         ring = TangentRing(self.ring)
         return PointSource(ring, MovedPoint(self._point, ring, seed), self._moved_along)
 
     def slopes(self, function: Symbol, degree: int, count: int) -> list[Any]:
-        """All partial derivatives of a degree, those of one component side by side."""
+        """Returns all partial derivatives of a degree, those of one component in sequence."""
         part = f"slope{degree}" if degree else "value"
         return [self._point[Parameter(function, part, 0, i)] for i in range(count)]
 
@@ -186,7 +186,7 @@ class PointSource:
         return arrays
 
     def _mirrored(self, symbol: Symbol, part: str, depth: int) -> list[np.ndarray]:
-        """Matrices from their upper triangles, row by row, or from their diagonals."""
+        """Returns matrices from their upper triangles, row by row, or from their diagonals."""
         size, matrices = symbol.type.rows, []
         for order in range(depth + 1):
             array = np.full((size, size), self.ring.constant(0, 1), dtype=object)
@@ -206,7 +206,7 @@ class PointSource:
         return self._point[Parameter(symbol, part, order, component)]
 
     def _spun(self, symbol: Symbol, start: np.ndarray, depth: int) -> list[np.ndarray]:
-        """X, Ẋ, … from Ẋ = s × X for each column of X: X⁽ᵏ⁺¹⁾ = Σ C(k, j) s⁽ʲ⁾ × X⁽ᵏ⁻ʲ⁾."""
+        """Returns X, Ẋ, … from Ẋ = s × X for each column of X: X⁽ᵏ⁺¹⁾ = Σ C(k, j) s⁽ʲ⁾ × X⁽ᵏ⁻ʲ⁾."""
         spins = [_crossing(s) for s in self._array(symbol, "spin", depth - 1, (3,))] if depth else []
         jets = [start]
         for k in range(depth):
@@ -221,7 +221,7 @@ class PointSource:
         return Value(u, _folded(m, u))
 
     def _quaternion(self, symbol: Symbol, depth: int) -> Value:
-        """q, q̇, … from 2 q̇ = s q; dual: the dual part is ½ ρ q."""
+        """Returns q, q̇, … from 2 q̇ = s q; the dual part is ½ ρ q."""
         half = self.ring.constant(1, 2)
         start = self._array(symbol, "quaternion", 0, (4,))[0]
         spins = self._array(symbol, "spin", depth - 1, (3,)) if depth else []
@@ -246,7 +246,7 @@ class PointSource:
         return Value(jets)
 
     def _rotation(self, symbol: Symbol, depth: int) -> Value:
-        """R = (q₀² − q·q) I + 2 q ⊗ q + 2 q₀ q̃ at |q| = 1."""
+        """Returns R = (q₀² − q·q) I + 2 q ⊗ q + 2 q₀ q̃ at |q| = 1, with its derivatives."""
         q0, *rest = (self._parameter(symbol, "quaternion", 0, i) for i in range(4))
         q = np.array(rest, dtype=object)
         start = np.outer(q, q) * 2 + _crossing(q) * (q0 * 2)
@@ -269,9 +269,11 @@ def _folded(a: list[np.ndarray], b: list[np.ndarray]) -> list[np.ndarray]:
 
 
 class RandomPoint(dict[Parameter, Any]):
-    """A random point, each parameter drawn when it is first asked for: every one that `keep` keeps gets a
-    random value, the others 0; parts on a sphere get a point of the sphere with coordinates in the ring, by
-    stereographic projection."""
+    """A random point; each parameter is drawn on first access.
+
+    Parameters that `keep` accepts get a random value, others 0. Parts on a sphere get a point of the sphere
+    with coordinates in the ring, by stereographic projection.
+    """
 
     def __init__(self, ring: Any, random: Random, keep: Callable[[Parameter], bool] = lambda _: True) -> None:
         super().__init__()
@@ -290,7 +292,7 @@ class RandomPoint(dict[Parameter, Any]):
 def sample(
     inventory: Inventory, ring: Any, random: Random, keep: Callable[[Parameter], bool] = lambda _: True
 ) -> dict[Parameter, Any]:
-    """A random point in which just the parameters of the inventory are."""
+    """Returns a random point with exactly the parameters of the inventory."""
     point = RandomPoint(ring, random, keep)
     return {parameter: point[parameter] for parameter in parameters(inventory)}
 

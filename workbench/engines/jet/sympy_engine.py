@@ -1,4 +1,4 @@
-"""The second engine over SymPy's polynomials."""
+"""The jet engine over SymPy's polynomials."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from workbench.engines.jet.sympy_ring import SympyRing
 
 
 class SympyEngine(JetEngine):
-    """Evaluates terms as ratios of polynomials in all that the symbols depend on."""
+    """Evaluates terms as ratios of polynomials in the parameters of the symbols."""
 
     def __init__(self, inventory: Inventory | None, definitions: Lookup) -> None:
         self.ring = SympyRing(inventory)
         super().__init__(PointSource(self.ring, self.ring.point), definitions)
 
     def residuals(self, relation: Relation) -> list[PolyElement]:
-        """The numerators of left − right, component by component."""
+        """Returns the numerators of left − right, component by component."""
         return self.ring.tops(self.differences(relation.left, relation.right))

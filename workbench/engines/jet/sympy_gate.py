@@ -1,8 +1,8 @@
-"""Where SymPy comes in: the one module that imports it, and sees to it that its numbers are Python's.
+"""The only module that imports SymPy. It ensures that SymPy computes with Python's integers.
 
-SymPy takes FLINT's numbers where python-flint is installed, and settles that when it is first imported,
-perhaps by someone else. `ZZ` and `QQ` compute with Python's integers in any case. What else of SymPy is
-handed out computes with the numbers that SymPy has settled on, so it is refused where these are not Python's.
+SymPy uses FLINT's numbers if python-flint is installed, and chooses at its first import, which may be
+elsewhere. `ZZ` and `QQ` always compute with Python's integers. Other parts of SymPy compute with the numbers
+that SymPy chose, so this module refuses to hand them out if these are not Python's.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ __all__ = [
     "require_python_integers",
 ]
 
-#: What computes with the numbers that SymPy has settled on.
+#: Functions that compute with the numbers that SymPy chose → their modules.
 HOMES = {
     **dict.fromkeys(("Matrix", "eye", "symbols", "zeros", "Float", "N", "Rational", "pi", "sqrt"), "sympy"),
     **dict.fromkeys(("sin", "cos", "exp", "acos", "asin", "atan", "atan2"), "sympy"),
@@ -46,16 +46,16 @@ HOMES = {
 
 
 class PythonIntegers(PythonIntegerRing):
-    """ℤ as Python's integers; SymPy's own class looks for the numbers that SymPy has settled on."""
+    """ℤ as Python integers; SymPy's own class uses the numbers that SymPy chose."""
 
     tp = int
 
 
 class PythonRationals(PythonRationalField):
-    """ℚ on Python's integers, whatever numbers SymPy has settled on: its own field then divides by FLINT."""
+    """ℚ on Python integers, regardless of SymPy's choice: its own field would divide by FLINT."""
 
     def from_ZZ(self, a: Any, domain: Any) -> PythonRational:
-        """Of an integer of SymPy's own ring, in which it wraps Python's."""
+        """Returns an integer of SymPy's own ring, which wraps Python integers, as a rational."""
         return PythonRational(int(a))
 
     from_ZZ_gmpy = from_ZZ_python = from_ZZ
@@ -77,7 +77,7 @@ ZZ = PythonIntegers()
 
 
 def require_python_integers(*polynomials: PolyElement) -> None:
-    """Raises RuntimeError if a coefficient is anything but a Python integer or a fraction of two of them."""
+    """Raises RuntimeError if a coefficient is not a Python integer or a fraction of two Python integers."""
     for p in polynomials:
         for c in p.values():
             if type(c) is int:

@@ -1,4 +1,4 @@
-"""SymPy's sparse polynomials on Python integers as a ring of the second engine; denominators kept apart."""
+"""SymPy's sparse polynomials on Python integers as a ring of the jet engine, with separate denominators."""
 
 from __future__ import annotations
 
@@ -12,14 +12,17 @@ from workbench.engines.inventory.parameters import SPHERES, Parameter, parameter
 from workbench.engines.jet.packed_polynomials import PackedPolynomials
 from workbench.engines.jet.sympy_gate import QQ, ZZ, PolyElement, require_python_integers
 
-#: What this engine is called in the evidence.
+#: The name of this engine in the evidence.
 METHOD = "SymPy PolyRing on Python integers"
 
 
 class Ratio:
-    """top / (number · Π denominatorᵢ^eᵢ). The coefficients of top are integers, and number is a positive one.
-    Denominators are primitive polynomials with a positive leading coefficient, known by their place in the
-    ring's list, and never cancelled: equality needs no greatest common divisor of polynomials."""
+    """The ratio top / (number · Π denominatorᵢ^eᵢ).
+
+    The coefficients of top are integers, and number is a positive integer. Denominators are primitive
+    polynomials with a positive leading coefficient, identified by their index in the ring's list, and never
+    cancelled: equality needs no greatest common divisor of polynomials.
+    """
 
     __slots__ = ("below", "number", "ring", "top")
 
@@ -81,27 +84,29 @@ class Ratio:
     def __eq__(self, other: object) -> bool:
         return not self - other
 
-    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
+    __hash__ = None  # equal objects may have different types
 
     def __bool__(self) -> bool:
         return bool(self.top)
 
 
 class SympyRing:
-    """Indeterminates for parameters, each made when it is first asked for, and for roots. Relations rewrite
-    their squares. The parameters of the inventory are made at once, in its order."""
+    """The ring of the parameters' indeterminates and of roots; relations rewrite their squares.
+
+    Indeterminates are created on first use, those of the inventory at once and in its order.
+    """
 
     def __init__(self, inventory: Inventory | None = None) -> None:
         self.polynomials = PackedPolynomials()
         self.normal = self.polynomials.normal
-        self._roots: dict[PolyElement, int] = {}  # their squares, over the rationals, and their places
+        self._roots: dict[PolyElement, int] = {}  # squares over the rationals → positions of their roots
         self.denominators: list[PolyElement] = []
         self.point = _Indeterminates(self)
         for parameter in () if inventory is None else parameters(inventory):
             self.point[parameter]
 
     def at(self, place: int) -> Ratio:
-        """The indeterminate at a place."""
+        """Returns the indeterminate at a position."""
         return Ratio(self, self.polynomials.generators[place], 1, {})
 
     @property
@@ -109,7 +114,8 @@ class SympyRing:
         return self.polynomials.relations
 
     def over_rationals(self, polynomials: Sequence[PolyElement]) -> list[PolyElement]:
-        """Polynomials with integer coefficients as those over ℚ, for what divides by numbers."""
+        """Returns polynomials with integer coefficients as polynomials over ℚ, for algorithms that divide by
+        numbers."""
         converted = [p.set_ring(self.polynomials.rationals) for p in polynomials]
         require_python_integers(*converted)
         return converted
@@ -128,7 +134,8 @@ class SympyRing:
         return value.numerator if value.denominator == 1 else self.lift(value)
 
     def tops(self, values: Sequence[Any]) -> list[PolyElement]:
-        """The numerators, in normal form. Raises RuntimeError if anything here is no number of Python's."""
+        """Returns the numerators in normal form. Raises RuntimeError if a coefficient is not a Python
+        number."""
         tops = [self.normal(self.lift(value).top) for value in values]
         require_python_integers(*tops, *self.relations, *self.denominators)
         return tops
@@ -169,7 +176,7 @@ class SympyRing:
         return root
 
     def _root_of_quotient(self, square: Ratio) -> Ratio:
-        """√(p/d^{2k}) = √p/√(d²)^k; of an odd power of d, p d is taken."""
+        """Returns √(p/d^{2k}) = √p/√(d²)^k; for an odd power of d, p d replaces p."""
         top, sizes = square.top, self.lift(1)
         for place, exponent in square.below.items():
             denominator = self.denominators[place]
@@ -181,7 +188,7 @@ class SympyRing:
         return self.divide(self.root(Ratio(self, top, square.number, {})), sizes)
 
     def _root_of(self, square: PolyElement) -> Ratio:
-        """With d for the common denominator: the root of d² · square, an indeterminate, over d."""
+        """Returns the root of d² · square, which is an indeterminate, over the common denominator d."""
         below = lcm(*(c.denominator for c in square.coeffs()))
         if square not in self._roots:
             whole = {powers: int(c * below**2) for powers, c in square.terms()}
@@ -190,11 +197,12 @@ class SympyRing:
         return self.at(self._roots[square]) * self.constant(1, below)
 
     def is_made_of_sizes(self, p: PolyElement) -> bool:
-        """Whether each monomial is a product of squares and of roots, and so is nowhere negative."""
+        """True if each monomial is a product of squares and roots, so that p is nowhere negative."""
         return not self.polynomials.odd_places(p) - set(self._roots.values())
 
     def _split(self, square: PolyElement) -> list[tuple[PolyElement, int]]:
-        """The factors of a square that are nowhere negative, with their powers; itself where one may be."""
+        """Returns the non-negative factors of a square with their powers; the square itself if a factor may
+        be negative."""
         if square.LC != 1 or not self._is_nowhere_negative(square):
             return [(square, 1)]
         factors = self.polynomials.factors(square)
@@ -207,12 +215,12 @@ class SympyRing:
         ]
 
     def _is_nowhere_negative(self, p: PolyElement) -> bool:
-        """Whether it is seen so: even powers with positive coefficients."""
+        """True if all powers are even and all coefficients positive, so that p is nowhere negative."""
         return all(c > 0 for c in p.coeffs()) and not self.polynomials.odd_places(p)
 
 
 class _Indeterminates(dict[Parameter, Ratio]):
-    """The indeterminate of each parameter; of those on a sphere all at once."""
+    """The indeterminate of each parameter; those of a sphere are created together."""
 
     def __init__(self, ring: SympyRing) -> None:
         super().__init__()

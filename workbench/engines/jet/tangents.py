@@ -1,7 +1,7 @@
-"""Dual numbers over any ring of the second engine: a + b ε, where b is the change of a along one coordinate.
+"""Dual numbers over any ring of the jet engine: a + b ε, where b is the change of a along one coordinate.
 
-They nest: over themselves they carry mixed partial derivatives. Functions `of` a coordinate are composed as
-Taylor series, so that a change of the coordinate changes them.
+They nest: dual numbers over dual numbers carry mixed partial derivatives. Functions `of` a coordinate are
+composed as Taylor series, so that a change of the coordinate changes them.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from workbench.engines.jet.components import Jet, Value
 
 
 class Tangent:
-    """value + slope ε."""
+    """The number value + slope ε."""
 
     __slots__ = ("ring", "slope", "value")
 
@@ -52,21 +52,21 @@ class Tangent:
         other = self.ring.lift(other)
         return bool(self.value == other.value) and bool(self.slope == other.slope)
 
-    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
+    __hash__ = None  # equal objects may have different types
 
     def __bool__(self) -> bool:
         return bool(self.value) or bool(self.slope)
 
 
 class TangentRing:
-    """The ring of the a + b ε with a and b in `base`."""
+    """The ring of the numbers a + b ε with a and b in `base`."""
 
     def __init__(self, base: Any) -> None:
         self.base = base
 
     @property
     def depth(self) -> int:
-        """How many ε there are."""
+        """The number of nested ε."""
         return 1 + getattr(self.base, "depth", 0)
 
     def lift(self, value: Any) -> Tangent:
@@ -90,7 +90,7 @@ class TangentRing:
 
 
 class MovedPoint(Mapping):
-    """The parameters of a point, one of them moved by ε."""
+    """The parameters of a point, with one of them moved by ε."""
 
     def __init__(self, point: Mapping[Parameter, Any], ring: TangentRing, seed: Seed) -> None:
         self._point, self._ring, self._seed = point, ring, seed
@@ -111,7 +111,7 @@ class MovedPoint(Mapping):
 
 
 def changes(value: Value) -> Value:
-    """What stands beside ε."""
+    """Returns the coefficient of ε."""
 
     def jet(arrays: Jet) -> Jet:
         return [_changed(array) for array in arrays]
@@ -120,7 +120,7 @@ def changes(value: Value) -> Value:
 
 
 def pushed(circle: tuple[Any, Any], step: Any, ring: Any) -> tuple[Any, Any]:
-    """cos and sin of an angle that is moved by a step whose powers beyond the number of ε are 0."""
+    """Returns cos and sin of an angle moved by a step whose powers beyond the number of ε are 0."""
     c, s = circle
     cosine, sine = ring.constant(1, 1), ring.constant(0, 1)
     power = ring.constant(1, 1)
@@ -132,7 +132,7 @@ def pushed(circle: tuple[Any, Any], step: Any, ring: Any) -> tuple[Any, Any]:
 
 
 def commuted(lowered: list[Jet]) -> Jet:
-    """Dʲ ∂ₖ f for each j, from the lists of the ∂ₖ₋ᵢ Dʲ f."""
+    """Returns Dʲ ∂ₖ f for each j, from the lists of the ∂ₖ₋ᵢ Dʲ f."""
     jet = []
     for j in range(len(lowered[0])):
         total = lowered[0][j]
@@ -153,8 +153,11 @@ def _changed(array: np.ndarray) -> np.ndarray:
 def composed(
     slopes: list[list[Any]], coordinates: list[list[Any]], start: list[Any], ring: Any, shape: tuple[int, ...]
 ) -> Jet:
-    """f(q(t)) order by order, from the partial derivatives of f at `start`, by degree, and the derivatives of
-    each coordinate: Σ f_α/α! (q(t) − q₀)^α as series in t. Powers beyond the orders of t and of ε are 0."""
+    """Returns f(q(t)) order by order, as Σ f_α/α! (q(t) − q₀)^α, a series in t.
+
+    slopes: the partial derivatives of f at `start`, by degree. coordinates: the derivatives of each
+    coordinate. Powers beyond the orders of t and of ε are 0.
+    """
     length = len(coordinates[0])
     zero = ring.constant(0, 1)
     steps = [

@@ -1,4 +1,4 @@
-"""What the second engine evaluates terms on."""
+"""Sources: the interface from which the jet engine takes the derivatives of symbols."""
 
 from __future__ import annotations
 
@@ -11,23 +11,24 @@ from workbench.engines.jet.jet_algebra import Ring
 
 
 class Source(Protocol):
-    """Where free symbols get their derivatives from."""
+    """The derivatives of free symbols."""
 
     ring: Ring
 
     def jet(self, symbol: Symbol, depth: int) -> Value: ...
 
     def circle(self, angle: Term, value: Any = None) -> tuple[Any, Any]:
-        """(cos, sin) of the angle at the instant; value: that of a term that is no symbol."""
+        """Returns (cos, sin) of the angle at the instant; value: the value of an angle that is not a
+        symbol."""
 
     def circles(self) -> list[Term]:
-        """The terms other than symbols that have a circle, such as ω t."""
+        """Returns the terms other than symbols that have a circle, such as ω t."""
 
     def moved(self, seed: Seed) -> Source:
-        """The same source with one component of a derivative moved by ε, over dual numbers."""
+        """Returns the same source with one component of a derivative moved by ε, over dual numbers."""
 
     def slopes(self, function: Symbol, degree: int, count: int) -> list[Any]:
-        """The partial derivatives of a function `of` something, all those of a degree."""
+        """Returns all partial derivatives of one degree of a function `of` coordinates."""
 
     def along(self, component: int) -> Source:
-        """The same source with the coordinate moved by ε along one axis, for div and curl."""
+        """Returns the same source with the coordinate moved by ε along one axis, for div and curl."""

@@ -1,7 +1,7 @@
-"""Terms without symbols but π: in balls that are sure to hold their values, and in a cyclotomic field.
+"""Values of terms without symbols other than π: as balls that contain them, and in a cyclotomic field.
 
-The field ℚ(ζ) of a root of unity ζ of order N holds the sines and cosines of the multiples of 2π/N, and the
-root of each rational number whose square-free part, times 4, divides N.
+The field ℚ(ζ) of a root of unity ζ of order N contains the sines and cosines of the multiples of 2π/N, and
+the root of each rational number whose square-free part, times 4, divides N.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _FUNCTIONS = frozenset(("sin", "cos", "exp", "arccos", "arcsin", "arctan", "atan
 
 
 class Field(Protocol):
-    """Numbers, and the functions of terms that are more than the four operations."""
+    """A field of numbers, with the functions beyond the four operations."""
 
     def rational(self, value: Fraction) -> Any: ...
 
@@ -48,7 +48,7 @@ class Field(Protocol):
 
 
 def entries(term: Term, field: Field) -> np.ndarray:
-    """The entries of a term without symbols but π. Raises NotExact and ZeroDivisionError."""
+    """Returns the entries of a term without symbols other than π. Raises NotExact and ZeroDivisionError."""
     if term.type.dual or term.type.algebra:
         raise NotExact("a term that is no matrix of real numbers")
     match term:
@@ -88,7 +88,7 @@ def _filled(rows: int, columns: int, value: Any) -> np.ndarray:
 
 
 def _rational(term: Term) -> Fraction:
-    """The value of a number, of an integer or of a count."""
+    """Returns the value of a number, an integer or a counting function."""
     match term:
         case Number(value=value):
             return value
@@ -134,7 +134,7 @@ def _determinant(a: np.ndarray) -> Any:
 
 
 def _inverse(a: np.ndarray, field: Field) -> np.ndarray:
-    """By cofactors."""
+    """Returns the inverse by cofactors."""
     if len(a) == 1:
         return _filled(1, 1, field.reciprocal(a[0, 0]))
     cofactors = _filled(a.shape[0], a.shape[1], None)
@@ -246,7 +246,7 @@ class _Element:
     """A number of a cyclotomic field."""
 
     __slots__ = ("field", "polynomial")
-    __hash__ = None  # type: ignore[assignment]  # equal ones may be of different makes
+    __hash__ = None  # equal objects may have different types
 
     def __init__(self, field: Cyclotomic, polynomial: fmpq_poly) -> None:
         self.field, self.polynomial = field, polynomial
@@ -269,7 +269,7 @@ class _Element:
 
 
 def turns(term: Term) -> Fraction | None:
-    """The angle as a part of a whole turn, where it is a rational multiple of π."""
+    """Returns the angle as a fraction of a whole turn if it is a rational multiple of π, else None."""
     match term:
         case Symbol():
             return Fraction(1, 2)
@@ -294,7 +294,7 @@ def turns(term: Term) -> Fraction | None:
 
 
 class _Rationals:
-    """ℚ alone."""
+    """The field ℚ."""
 
     def rational(self, value: Fraction) -> Fraction:
         return value
@@ -310,12 +310,12 @@ class _Rationals:
 
 
 def rational_value(term: Term) -> Fraction:
-    """Raises NotExact for a number that is not seen to be rational."""
+    """Returns the value of a rational number. Raises NotExact if it is not known to be rational."""
     return entries(term, _Rationals())[0, 0]
 
 
 def square_free(square: Fraction) -> tuple[Fraction, list[int]]:
-    """The root as a rational number and the primes whose roots multiply it. Raises NotExact."""
+    """Returns the root as a rational number and the primes whose roots multiply it. Raises NotExact."""
     if square < 0:
         raise NotExact("the root of a negative number")
     whole = square.numerator * square.denominator
@@ -327,7 +327,7 @@ def square_free(square: Fraction) -> tuple[Fraction, list[int]]:
 
 
 def order_for(sides: Sequence[Term]) -> int:
-    """The order of a root of unity in whose field the terms are. Raises NotExact."""
+    """Returns the order of a root of unity whose field contains the terms. Raises NotExact."""
     found = [4]
     for part in (part for side in sides for part in side.walk()):
         if isinstance(part, Apply) and part.head in ("sin", "cos"):
@@ -344,7 +344,7 @@ def order_for(sides: Sequence[Term]) -> int:
 
 
 def surely_apart(relation: Relation) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
-    """Returns the entries of both sides where some entry is sure to differ, else None.
+    """Returns the entries of both sides if some entry is certain to differ, else None.
 
     Rational sides are given exactly, others by 17 digits.
     """
@@ -363,7 +363,7 @@ def _shown(side: Term, balls: np.ndarray) -> tuple[str, ...]:
 
 
 def exactly_equal(relation: Relation) -> bool:
-    """Whether all entries of the sides are the same in a cyclotomic field. Raises NotExact."""
+    """True if all entries of the sides are equal in a cyclotomic field. Raises NotExact."""
     field = Cyclotomic(order_for((relation.left, relation.right)))
     left, right = (entries(side, field) for side in (relation.left, relation.right))
     return all((a - b).polynomial == 0 for a, b in zip(left.flat, right.flat, strict=True))

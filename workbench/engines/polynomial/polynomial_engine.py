@@ -1,4 +1,5 @@
-"""The first engine: a term's value as a matrix of polynomials over ℚ, with d/dt as the ring's derivation.
+"""The polynomial engine: the value of a term as a matrix of polynomials over ℚ; d/dt is the ring's
+derivation.
 
 A scalar is a 1×1 matrix, a vector 3×1, a covector 1×3, a tensor 3×3, so that juxtaposition is the matrix
 product throughout. Dual entries are `Dual` numbers over the ring. An operator Σ Aₖ Dᵏ is (A₀, A₁, …).
@@ -99,7 +100,7 @@ class ExactEngine:
         return [p for argument in function.declaration.of for p in flat(self.value(argument))]
 
     def residuals(self, relation: Relation) -> list[Polynomial]:
-        """left − right, entry by entry, real parts before dual parts, cleared of denominators."""
+        """Returns left − right, entry by entry, real parts before dual parts, cleared of denominators."""
         return [self.ring.clear(p) for p in self.parts(self.difference(relation))]
 
     def difference(self, relation: Relation) -> Matrix | Operator:
@@ -109,7 +110,7 @@ class ExactEngine:
         return add(left, scaled(self.ring.constant(-1), right))
 
     def parts(self, value: Matrix | Operator) -> list[Polynomial]:
-        """All entries in reading order, real parts before dual parts."""
+        """Returns all entries in reading order, real parts before dual parts."""
         matrices = value if is_operator(value) else (value,)
         entries = [entry for matrix in matrices for row in matrix for entry in row]
         real = map(real_part, entries)
@@ -117,17 +118,17 @@ class ExactEngine:
         return [self.ring.reduce(self._algebra.polynomial(p)) for p in (*real, *dual)]
 
     def at(self, p: Polynomial, point: dict[Parameter, Fraction]) -> Fraction:
-        """The value of a polynomial without reciprocals at a point of the parameters. Raises NotExact where a
-        norm in it is no rational number there."""
+        """Returns the value of a polynomial without reciprocals at a point of the parameters. Raises NotExact
+        if a norm in it is not a rational number there."""
         values = {self._named[q]: value for q, value in point.items() if q in self._named}
         return self._algebra.at(p, values)
 
     def name_of(self, parameter: Parameter) -> str:
-        """The generator of the ring that stands for a parameter."""
+        """Returns the generator of the ring that stands for a parameter."""
         return self._named[parameter]
 
     def parameter_of(self, generator: Polynomial) -> Parameter:
-        """The parameter that a generator of the ring stands for."""
+        """Returns the parameter that a generator of the ring stands for."""
         return next(p for p, name in self._named.items() if name == str(generator))
 
     @property
@@ -137,18 +138,18 @@ class ExactEngine:
 
     @property
     def norm_places(self) -> frozenset[int]:
-        """Their places among the generators."""
+        """The positions of the norms among the generators."""
         return frozenset(place for place, name in enumerate(self.ring.names) if name in self.norms)
 
     def depends(self, terms: Iterable[Term], parameter: Parameter) -> bool:
-        """Whether the parameter occurs in the terms' values, in what they divide by or take roots of."""
+        """True if the parameter occurs in the terms' values, in their denominators or under their roots."""
         place = self.ring.names.index(self._named[parameter])
         values = [p for term in terms for p in self.parts(self.value(term))]
         values += [*self.ring.denominators, *self._algebra.radicands]
         return any(p.degrees()[place] > 0 for p in values)
 
     def value(self, term: Term) -> Matrix | Operator:
-        """The matrix (or operator) of the term. Raises NotExact outside the exact world."""
+        """Returns the matrix (or operator) of the term. Raises NotExact outside exact arithmetic."""
         if term not in self._values:
             self._values[term] = self._map(self.ring.reduce, self._evaluate(term))
         return self._values[term]
@@ -277,7 +278,7 @@ class ExactEngine:
         return ((g[2][1] - g[1][2],), (g[0][2] - g[2][0],), (g[1][0] - g[0][1],))
 
     def _partial(self, term: Apply) -> Matrix:
-        """∂f/∂x, entry by entry: by a column the derivatives of each entry beside each other."""
+        """Returns ∂f/∂x entry by entry; for a column x, the derivatives of each entry side by side."""
         body, by = term.arguments
         value, slopes = self.value(body), []
         for seed in seeds(by, self._definitions):
@@ -289,7 +290,7 @@ class ExactEngine:
         return tuple(tuple(slope[i][0] for slope in slopes) for i in range(len(value)))
 
     def _gradient(self, field: Term) -> Matrix:
-        """∂fᵢ/∂ρⱼ at a fixed instant, ρ the declared coordinate."""
+        """Returns ∂fᵢ/∂ρⱼ at a fixed instant, where ρ is the declared coordinate."""
         coordinates = [s for s in self._values if isinstance(s, Symbol) and s.declaration.coordinate]
         if len(coordinates) != 1:
             raise NotExact(f"div and curl need one symbol declared `coordinate`, got {len(coordinates)}")

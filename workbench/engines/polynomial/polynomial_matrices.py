@@ -1,4 +1,4 @@
-"""Matrices over the first engine's ring: constants, and what adjoins reciprocals and roots to it."""
+"""Matrices over the ring of the polynomial engine: constants, and the adjunction of reciprocals and roots."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from workbench.engines.inventory.inventory import Inventory, NotExact
 
 
 class ExactAlgebra:
-    """The ring of some parameters, with one generator set aside for each norm and each reciprocal."""
+    """The ring of some parameters, with one generator reserved for each norm and each reciprocal."""
 
     def __init__(self, inventory: Inventory, parameters: Iterable[str]) -> None:
         self._norm_names = [f"norm{i}" for i in reversed(range(inventory.norms))]
@@ -37,16 +37,17 @@ class ExactAlgebra:
 
     @property
     def norms(self) -> frozenset[str]:
-        """The generators that stand for norms, none of which is negative."""
+        """The generators that stand for norms; norms are never negative."""
         return frozenset(self._norm_names)
 
     @property
     def radicands(self) -> list[Polynomial]:
-        """What the norms so far are roots of."""
+        """The squares of the norms so far."""
         return [square for _, square in self._norms]
 
     def at(self, p: Polynomial, values: dict[str, Fraction]) -> Fraction:
-        """The value of a polynomial at values of its generators, with those of its norms and reciprocals."""
+        """Returns the value of a polynomial at values of its generators, including those of norms and
+        reciprocals."""
         places = {name: place for place, name in enumerate(self.ring.names)}
         adjoined = {}
         for name, square in self._norms:
@@ -61,7 +62,7 @@ class ExactAlgebra:
         return self.ring.at(p, {**values, **adjoined})
 
     def diagonal(self, value: int, rows: int = 3, columns: int | None = None) -> Matrix:
-        """The matrix with the value on its diagonal and 0 elsewhere."""
+        """Returns the matrix with the value on its diagonal and 0 elsewhere."""
         return tuple(
             tuple(self.ring.constant(value if i == j else 0) for j in range(columns or rows))
             for i in range(rows)
@@ -71,7 +72,7 @@ class ExactAlgebra:
         return self.ring.constant(entry) if isinstance(entry, int) else entry
 
     def map(self, function: Callable[[Polynomial], Polynomial], matrix: Matrix) -> Matrix:
-        """A linear function of the polynomials, real parts and dual parts alike."""
+        """Returns a linear function applied to each polynomial, real parts and dual parts alike."""
         return tuple(
             tuple(
                 Dual(function(self.polynomial(e.re)), function(self.polynomial(e.du)))
@@ -83,7 +84,7 @@ class ExactAlgebra:
         )
 
     def reciprocal(self, entry: Entry) -> Entry:
-        """1/p, or 1/(p + ε p₀) = 1/p − ε p₀/p². Raises ZeroDivisionError where p is identically zero."""
+        """Returns 1/p, or 1/(p + ε p₀) = 1/p − ε p₀/p². Raises ZeroDivisionError if p is identically zero."""
         if isinstance(entry, Dual):
             z = self.reciprocal(entry.re)
             return Dual(z, -entry.du * z**2)
@@ -91,8 +92,11 @@ class ExactAlgebra:
         return self.ring.constant(factor) * z
 
     def inverse(self, matrix: Matrix) -> Matrix:
-        """A⁻¹ = adj A / det A; for block matrices both come from Faddeev and LeVerrier's recurrence, but for
-        block triangular ones: [A 0; C D]⁻¹ = [A⁻¹ 0; −D⁻¹ C A⁻¹ D⁻¹]."""
+        """Returns A⁻¹ = adj A / det A.
+
+        For block matrices both come from Faddeev and LeVerrier's recurrence; a block triangular matrix is
+        inverted by blocks: [A 0; C D]⁻¹ = [A⁻¹ 0; −D⁻¹ C A⁻¹ D⁻¹].
+        """
         if len(matrix) == 1:
             return ((self.reciprocal(matrix[0][0]),),)
         if len(matrix) == 3:
@@ -109,7 +113,7 @@ class ExactAlgebra:
         return det(matrix) if len(matrix) == 3 else self._faddeev_leverrier(matrix)[1]
 
     def _zeros_above(self, matrix: Matrix) -> int | None:
-        """The size of A, nearest to one half, where the matrix is [A 0; C D]; None where it is not."""
+        """Returns the size of A, as near to one half as possible, if the matrix is [A 0; C D]; else None."""
         size = len(matrix)
         for place in sorted(range(1, size), key=lambda p: abs(2 * p - size)):
             corner = self.map(self.ring.reduce, tuple(row[place:] for row in matrix[:place]))
@@ -140,7 +144,7 @@ class ExactAlgebra:
         return scale(sign, adjugate), self.ring.constant((-1) ** size) * coefficient
 
     def norm(self, matrix: Matrix) -> Entry:
-        """N with N² = x·x; for a dual vector N + ε x·x₀/N, Eq. (74), where Re x ≠ 0."""
+        """Returns N with N² = x·x; for a dual vector N + ε x·x₀/N, Eq. (74), if Re x ≠ 0."""
         entries = [entry for row in matrix for entry in row]
         norm = self._root(self.ring.reduce(sum((real_part(e) ** 2 for e in entries), self.ring.zero)))
         if not any(isinstance(entry, Dual) for entry in entries):
@@ -149,8 +153,7 @@ class ExactAlgebra:
         return Dual(norm, mixed * self.reciprocal(norm))
 
     def root(self, matrix: Matrix, is_nonnegative: bool) -> Matrix:
-        """√p where p is not negative, as a sum of squares, so that it has a root everywhere; √p + ε q/(2 √p)
-        for p + ε q."""
+        """Returns √p, or √p + ε q/(2 √p) for p + ε q. p must be non-negative, such as a sum of squares."""
         ((entry,),) = matrix
         square = self.ring.reduce(real_part(entry))
         if not (is_nonnegative or self._is_sum_of_squares(square)):
@@ -165,7 +168,7 @@ class ExactAlgebra:
         return all(c > 0 and not any(e[i] % 2 for i in places) for e, c in p.terms())
 
     def _root(self, square: Polynomial) -> Polynomial:
-        """The indeterminate N with N² = square, where squares of numbers are taken out: |−2x| is 2|x|."""
+        """Returns the indeterminate N with N² = square; squares of numbers are extracted: |−2x| is 2|x|."""
         if square == 0:
             raise NotExact("the norm of zero")
         factor = square.leading_coefficient()
@@ -181,8 +184,10 @@ class ExactAlgebra:
         return outside
 
     def _factors(self, square: Polynomial) -> list[tuple[Polynomial, int]]:
-        """Sums of squares and their powers, of which the square is the product, so that ‖p q‖ is ‖p‖ ‖q‖; the
-        square alone where it is no such product, or the names for roots do not suffice."""
+        """Returns sums of squares and their powers whose product is the square, so that ‖p q‖ is ‖p‖ ‖q‖.
+
+        Returns the square alone if it is no such product, or if too few generators for roots remain.
+        """
         if square.leading_coefficient() != 1 or not self._is_sum_of_squares(square):
             return [(square, 1)]
         found = []
@@ -213,7 +218,7 @@ class ExactAlgebra:
         return norm
 
     def _over(self, norm: Polynomial) -> Entry:
-        """1/‖x‖ in a derivative; of exp x̃ the quotients are limits at x = 0."""
+        """Returns 1/‖x‖ for a derivative; for exp x̃ the quotients are limits at x = 0."""
         with self.ring.removable() if self._are_of_turns else nullcontext():
             return self.reciprocal(norm)
 

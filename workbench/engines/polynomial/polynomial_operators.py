@@ -1,4 +1,4 @@
-"""Operators Σ Aₖ Dᵏ of the first engine, as (A₀, A₁, …), and what is done with matrices alike."""
+"""Operators Σ Aₖ Dᵏ of the polynomial engine, as (A₀, A₁, …), and operations that also apply to matrices."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def add_operators(a: Operator, b: Operator) -> Operator:
 
 
 def composed(algebra: ExactAlgebra, left: Operator, right: Operator) -> Operator:
-    """By D·A = Ȧ + A·D, applied once for each power of D on the left."""
+    """Returns the product by D·A = Ȧ + A·D, applied once for each power of D on the left."""
     total: Operator = (algebra.diagonal(0),)
     shifted = right
     for power, coefficient in enumerate(left):
@@ -37,7 +37,7 @@ def composed(algebra: ExactAlgebra, left: Operator, right: Operator) -> Operator
 
 
 def acted(algebra: ExactAlgebra, operator: Operator, value: Matrix) -> Matrix:
-    """What the operator makes of a matrix of three rows. Raises NotExact for one of other rows."""
+    """Returns the operator applied to a matrix of three rows. Raises NotExact for another number of rows."""
     if len(value) != 3:
         raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
     total = product(operator[0], value)
@@ -56,7 +56,7 @@ def scaled(factor: Entry, value: Matrix | Operator) -> Matrix | Operator:
 def mapped(
     algebra: ExactAlgebra, function: Callable[[Polynomial], Polynomial], value: Matrix | Operator
 ) -> Matrix | Operator:
-    """The function of each polynomial."""
+    """Returns the function applied to each polynomial."""
     if is_operator(value):
         return tuple(algebra.map(function, matrix) for matrix in value)
     return algebra.map(function, value)

@@ -1,4 +1,4 @@
-"""Quaternions of the first engine: columns (q₀, q₁, q₂, q₃) of Hamilton, multiplied as matrices.
+"""Quaternions of the polynomial engine: Hamilton's columns (q₀, q₁, q₂, q₃), multiplied as matrices.
 
 p q = L(p) q,   L(p) = [p₀ −pᵀ; p p₀ I + p̃]
 """

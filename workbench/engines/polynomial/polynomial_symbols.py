@@ -1,4 +1,4 @@
-"""The free symbols of the first engine: generators of the ring, their derivatives and their relations."""
+"""Free symbols of the polynomial engine: generators of the ring, their derivatives and their relations."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from workbench.engines.polynomial.polynomial_quaternions import hamilton
 
 
 class FreeSymbols:
-    """Furnishes a ring with the parameters of the free symbols; see `parameters.py` for what they mean."""
+    """Sets up a ring with the parameters of the free symbols, which `parameters.py` defines."""
 
     def __init__(self, ring: DifferentialRing, named: dict[Parameter, str]) -> None:
         self.ring = ring
@@ -31,17 +31,17 @@ class FreeSymbols:
         return None if name is None else self.ring.generators[name]
 
     def column(self, symbol: Symbol | Term, part: str, order: int, count: int) -> list[Polynomial]:
-        """The parameters of one part and order, or [] where the inventory does not hold them."""
+        """Returns the parameters of one part and order, or [] if the inventory does not contain them."""
         found = [self._generator(symbol, part, order, i) for i in range(count)]
         known = [each for each in found if each is not None]
         return known if len(known) == count else []
 
     def place(self, symbol: Symbol, order: int, component: int) -> str:
-        """The generator that stands for a component of a derivative."""
+        """Returns the generator that stands for a component of a derivative."""
         return self._named[Parameter(symbol, "value", order, component)]
 
     def _shift(self, symbol: Symbol, part: str, count: int) -> list[Polynomial]:
-        """Gives each order of the part the next one as its derivative; returns order 0."""
+        """Sets each order of the part as the derivative of the previous one; returns order 0."""
         order, first = 0, self.column(symbol, part, 0, count)
         current = first
         while current:
@@ -145,14 +145,15 @@ class FreeSymbols:
         self.furnish_circle(angle, lambda: self.ring.zero if value is None else value)
 
     def furnish_circle(self, angle: Term, value: Callable[[], Polynomial]) -> None:
-        """The cosine and sine of what has that value."""
+        """Sets up the cosine and sine of the term with this value."""
         cosine, sine = self.column(angle, "circle", 0, 2)
         self.ring.square_as(str(sine), self.ring.one - cosine**2)
         self.ring.derive_by(str(sine), lambda derivation: cosine * derivation(value()))
         self.ring.derive_by(str(cosine), lambda derivation: -sine * derivation(value()))
 
     def furnish_function(self, symbol: Symbol, coordinates: Callable[[], list[Polynomial]]) -> Matrix:
-        """f(q) and its partial derivatives, d f_α = Σᵢ f_{α+eᵢ} d qᵢ; the q are asked for when d is taken."""
+        """Sets up f(q) and its partial derivatives, d f_α = Σᵢ f_{α+eᵢ} d qᵢ, and returns f. The q are
+        evaluated when d is taken."""
         count, among, degree = components(symbol), coordinate_count(symbol), 0
         values = current = self._slopes(symbol, 0, among, count)
         while current:
@@ -166,15 +167,17 @@ class FreeSymbols:
     def _slopes(
         self, symbol: Symbol, degree: int, among: int, count: int
     ) -> dict[tuple[tuple[int, ...], int], Polynomial]:
-        """The partial derivatives of a degree: by which coordinates, of which component; none where the
-        inventory does not hold them."""
+        """Returns the partial derivatives of a degree by (coordinates, component); {} if the inventory lacks
+        them."""
         keys = list(product_of(indices(among, degree), range(count)))
         part = f"slope{degree}" if degree else "value"
         return dict(zip(keys, self.column(symbol, part, 0, len(keys)), strict=False))
 
     def multiples(self, angle: Polynomial, circles: Mapping[Term, Polynomial]) -> Iterator[tuple[Term, int]]:
-        """The angles of which it is made up, each with how often. circles: terms with a sine and cosine of
-        their own, and what they are."""
+        """Yields the angles that the angle is a combination of, with their multiples.
+
+        circles: the terms with their own sine and cosine, and their values.
+        """
         for circle, part in circles.items():
             place, size = next(iter(part.terms()), ((), 1))
             count: Any = dict(angle.terms()).get(place, 0) / size
@@ -195,7 +198,7 @@ class FreeSymbols:
         raise NotExact(NO_ANGLE)
 
     def circle(self, angle: Term, count: int) -> tuple[Polynomial, Polynomial]:
-        """(cos, sin) of `count` times the angle, by the addition theorems."""
+        """Returns (cos, sin) of `count` times the angle, by the addition theorems."""
         c, s = self.column(angle, "circle", 0, 2)
         s = s if count >= 0 else -s
         cosine, sine = self.ring.one, self.ring.zero
@@ -212,6 +215,7 @@ def _by_chain(
 
 
 def rank(parameter: Parameter) -> bool:
-    """The squared component of a circle, a unit vector or a quaternion ranks above the others of it."""
+    """True unless the parameter is the squared component of a circle, unit vector or quaternion, which ranks
+    highest."""
     squared = {"circle": 1, "unit": 0, "quaternion": 0}
     return parameter.component != squared.get(parameter.part)

@@ -1,4 +1,4 @@
-"""Sines, cosines and exponentials of the first engine."""
+"""Sines, cosines and exponentials of the polynomial engine."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from workbench.engines.polynomial.polynomial_symbols import FreeSymbols
 
 
 class Turns:
-    """value: the engine's.   circles: the terms that have a sine and cosine of their own."""
+    """value: evaluates a term in the engine.   circles: the terms that have their own sine and cosine."""
 
     def __init__(
         self,
@@ -36,7 +36,7 @@ class Turns:
         self._circles, self._definitions = circles, definitions
 
     def circle(self, angle: Term) -> tuple[Entry, Entry]:
-        """(cos, sin) of an integer combination of free angles, dual parts by Eq. (72)."""
+        """Returns (cos, sin) of an integer combination of free angles; dual parts by Eq. (72)."""
         value = self._value(angle)[0][0]
         cosine, sine = self._algebra.ring.one, self._algebra.ring.zero
         circles = {circle: self.part_of(circle) for circle in self._circles}
@@ -48,14 +48,17 @@ class Turns:
         return cosine, sine
 
     def part_of(self, circle: Term) -> Polynomial:
-        """The value of ω t, ‖x‖, … or the part of it that has a sine and cosine of its own."""
+        """Returns the value of ω t, ‖x‖, …, or of the part of it that has its own sine and cosine."""
         ((value,),) = self._value(circle)
         return self._algebra.ring.reduce(self._algebra.polynomial(real_part(value)))
 
     def exp(self, term: Apply) -> Matrix:
-        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: Rodrigues' formula; of any x̃ the same with
-        sin ‖x‖/‖x‖, and of quaternions without a scalar part the like; of [x̃ v; 0 0] the rotation beside
-        v + (1 − cos α)/α u × v + (1 − sin α/α) u × (u × v)."""
+        """Returns the exponential.
+
+        For a purely dual x it is 1 + x. For α ũ with a unit vector u it is Rodrigues' formula, for any x̃ the
+        same with sin ‖x‖/‖x‖, and similarly for quaternions without a scalar part. For [x̃ v; 0 0] it is the
+        rotation with the column v + (1 − cos α)/α u × v + (1 − sin α/α) u × (u × v).
+        """
         argument = term.arguments[0]
         value = self._value(argument)
         real = [self._algebra.ring.reduce(self._algebra.polynomial(real_part(e))) for r in value for e in r]
@@ -69,7 +72,8 @@ class Turns:
         return self._rotation(cosine, sine, axis)
 
     def _turn(self, argument: Term) -> tuple[Entry, Entry, Matrix, Entry]:
-        """cos α, sin α, the unit vector u and 1/α of α ũ; at α = 0 these are limits, but for α by name."""
+        """Returns cos α, sin α, the unit vector u and 1/α of α ũ; at α = 0 these are limits, unless α is a
+        symbol."""
         turn = angle_and_axis(argument, self._definitions)
         vector = turned_vector(argument, self._definitions) if turn is None else None
         if turn is not None:

@@ -1,8 +1,8 @@
-"""The engines loaded ahead: what imports the judge alone imports each of them on first use."""
+"""Preloading of the modules that the judge otherwise imports on first use."""
 
 
 def load_engines() -> None:
-    """Here, once, and not in each process that is forked from this one."""
+    """Imports the engines once in this process, so that forked processes need not do it."""
     import workbench.engines.jet.consequences
     import workbench.engines.jet.drake_ring
     import workbench.engines.jet.sympy_ring  # noqa: F401

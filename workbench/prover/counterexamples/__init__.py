@@ -1,1 +1,1 @@
-"""Points at which a statement fails and its assumptions hold."""
+"""Counterexamples: points at which a statement fails and its assumptions hold."""

@@ -26,23 +26,23 @@ from workbench.engines.jet.rings import PointSource, RationalRing, sample
 from workbench.language.definitions import number_behind
 from workbench.language.printing.printer import to_latex
 
-#: Entries to draw from, and how many points to try with them.
+#: Coordinates to draw from, and the number of points to try with them.
 STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
 
-#: What is more than rounding in doubles, at points with such entries.
+#: Differences above rounding errors of doubles, at points with such coordinates.
 _CLEARLY = 1e-6
 
-#: Completes a point: gives the parameters that the assumed equations determine their values.
+#: Function that completes a point with the parameters that the assumed equations determine.
 Completion = Callable[[dict[Parameter, Fraction]], dict[Parameter, Fraction]]
 
 
 @dataclass(frozen=True)
 class Trial:
-    """What two terms are at one point; None where a side is undefined there."""
+    """The values of two terms at one point; None if a side is undefined there."""
 
     point: dict[Parameter, Fraction]
     engine: JetEngine
-    real: bool = False  # whether the numbers are balls
+    real: bool = False  # True if the numbers are balls
 
     def components(self, term: Term) -> list[Fraction] | None:
         try:
@@ -57,7 +57,7 @@ class Trial:
             return None
 
     def holds(self, relation: Relation) -> bool:
-        """Whether the relation is true here; False where it is undefined."""
+        """True if the relation holds at this point; False if it is undefined."""
         differences = self.differences(relation)
         if differences is None:
             return False
@@ -65,8 +65,11 @@ class Trial:
 
 
 def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> Iterator[Trial]:
-    """Random points, simple ones first; in each stage a parameter is non-zero with growing probability. The
-    last are simple again, on the other side of their circles."""
+    """Yields random points, simple ones first. In each stage a parameter is non-zero with growing
+    probability.
+
+    The last points are simple again, on the other side of their circles.
+    """
     random = Random(0)
     for entries, count in STAGES:
         ring = RationalRing(entries)
@@ -82,7 +85,8 @@ def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> I
 
 
 def _mirrored(point: dict[Parameter, Fraction], random: Random) -> dict[Parameter, Fraction]:
-    """With the first coordinate on some spheres the other way: -1 itself, cos π, has no slope."""
+    """Returns the point with the first coordinate negated on some spheres: the projection never gives -1, cos
+    π."""
     turned = {p for p in point if p.part in SPHERES and p.component == 0 and random.random() < 0.5}
     return {p: -value if p in turned else value for p, value in point.items()}
 
@@ -98,8 +102,11 @@ def first_trial(
     complete: Completion,
     positive_nowhere: Term | None = None,
 ) -> Trial | None:
-    """The first point that is accepted, made simpler as long as it still is; None if there is none.
-    positive_nowhere: a scalar that is > 0 at none of the points to be accepted, which spares most of them."""
+    """Returns the first accepted point, simplified as long as it stays accepted; None if there is none.
+
+    positive_nowhere: a scalar that is > 0 at none of the accepted points, which rules out most points
+    quickly.
+    """
     candidates = trials(inventory, definitions, complete)
     if positive_nowhere is not None:
         candidates = _where_not_positive(list(candidates), positive_nowhere, definitions)
@@ -110,7 +117,7 @@ def first_trial(
 
 
 def _where_not_positive(candidates: list[Trial], term: Term, definitions: Lookup) -> Iterator[Trial]:
-    """Those where the term is not clearly > 0, in doubles at all points at once."""
+    """Yields the trials at which the term is not clearly > 0, evaluated in doubles at all points at once."""
     lanes = {
         parameter: Lanes(np.array([trial.point[parameter] for trial in candidates], dtype=float))
         for parameter in candidates[0].point
@@ -135,7 +142,8 @@ def accepted(trial: Trial, accept: Callable[[Trial], bool]) -> bool:
 def _simplified(
     trial: Trial, definitions: Lookup, accept: Callable[[Trial], bool], complete: Completion
 ) -> Trial:
-    """Puts entries to 0 or makes them positive, highest derivatives first, while the point is accepted."""
+    """Returns the trial with entries set to 0 or made positive, highest derivatives first, while it stays
+    accepted."""
     for parameter in sorted(trial.point, key=lambda p: -p.order):
         if parameter.part in SPHERES:
             continue
@@ -152,8 +160,11 @@ def _simplified(
 def counterexample(
     trial: Trial, relation: Relation, inventory: Inventory, turned: Collection[Symbol]
 ) -> Counterexample:
-    """The point as values of the symbols and their derivatives, with what the two sides are there. An angle
-    in `turned` is told by its cosine and sine, another one by its value; that is 0 if both occur."""
+    """Returns the point as values of the symbols and their derivatives, with the values of the two sides.
+
+    An angle in `turned` is given by its cosine and sine, other angles by their value; that is 0 if both
+    occur.
+    """
     values: dict[str, _Value] = {}
     behind: list[str] = []
     spoken_of = list(_symbols(relation.left, relation.right))
@@ -166,7 +177,7 @@ def counterexample(
             if k and symbol.declaration.constant:
                 break
             if not k and symbol in turned:
-                if symbol.type.dual:  # its real part is told by cosine and sine alone
+                if symbol.type.dual:  # cosine and sine alone give its real part
                     dual_part = apply("du", symbol)
                     values[to_latex(dual_part)] = _value(trial, dual_part)
                 continue
@@ -203,23 +214,23 @@ def _value(trial: Trial, term: Term) -> _Value:
 
 
 def _wider(one: Type, other: Type) -> Type:
-    """The type of both sides, dual where one of them is."""
+    """Returns the type of both sides, dual if one of them is dual."""
     return one.with_dual(one.dual or other.dual)
 
 
 def _defined(trial: Trial, relation: Relation, inventory: Inventory) -> dict[str, _Value]:
-    """What the defined symbols of the formula are there."""
+    """Returns the values of the defined symbols of the formula at the point."""
     found: dict[str, _Value] = {}
     for term in _named(relation.left, relation.right):
         symbol = term.body if isinstance(term, Derivative) else term
         if symbol not in inventory.orders and term.type.kind in ("scalar", "vector", "tensor"):
-            with suppress(NotExact, KeyError):  # where the point does not say what the symbol is made of
+            with suppress(NotExact, KeyError):  # the point has no values for the symbols of the definition
                 found[to_latex(term)] = _value(trial, term)
     return found
 
 
 def _named(*terms: Term) -> Iterator[Symbol | Derivative]:
-    """The symbols, and the derivatives of symbols, as they stand in the terms."""
+    """Yields the symbols, and the derivatives of symbols, that occur in the terms."""
     for term in terms:
         if isinstance(term, Symbol) or (isinstance(term, Derivative) and isinstance(term.body, Symbol)):
             yield term
@@ -235,7 +246,7 @@ def _symbols(*terms: Term) -> Iterator[Symbol]:
 
 
 def _of_function(trial: Trial, symbol: Symbol, order: int) -> dict[str, _Value]:
-    """A function's value, and those of its partial derivatives that are not 0; of the time its value."""
+    """Returns a function's value and its non-zero partial derivatives; for the time its value."""
     name = to_latex(symbol)
     values = {name: _value(trial, symbol)}
     size = symbol.type.rows * symbol.type.columns
@@ -261,5 +272,5 @@ def _strings(components: list[Any] | None) -> tuple[str, ...]:
 
 
 def _text(number: Any) -> str:
-    """A fraction as it is, a ball by the first digits of its midpoint."""
+    """Returns a fraction exactly, a ball by the first digits of its midpoint."""
     return str(number) if isinstance(number, Fraction | int) else format(float(number), ".6g")

@@ -1,6 +1,6 @@
-"""Points at which angles are real numbers, beside their sines and cosines: evaluated in balls, by Arb.
+"""Points whose angles are real numbers with matching sines and cosines, evaluated in balls by Arb.
 
-Rational points of a circle are those of no rational angle but 0. Where an angle also stands outside of its
+A rational point of the circle belongs to no rational angle except 0. If an angle also occurs outside its
 sine, or is a product such as ω t, a claim is refuted at rational values by a ball that excludes 0.
 """
 
@@ -26,7 +26,7 @@ _STAGES = (((-1, 0, 1), 20), ((-2, -1, 1, 2, 3), 20))
 
 
 class BallRing:
-    """Real numbers as balls that are sure to hold them."""
+    """Real numbers as balls that are certain to contain them."""
 
     def constant(self, numerator: int, denominator: int) -> arb:
         return arb(fmpq(numerator, denominator))
@@ -43,7 +43,7 @@ class BallRing:
 
 
 def real_trials(inventory: Inventory, definitions: Lookup) -> Iterator[Trial]:
-    """Small rational points with the real sines and cosines of their angles."""
+    """Yields small rational points with the real sines and cosines of their angles."""
     random = Random(0)
     for entries, count in _STAGES:
         for _ in range(count):
@@ -79,7 +79,7 @@ def _trial(point: dict[Parameter, Fraction], inventory: Inventory, definitions: 
 
 
 def surely_differ(trial: Trial, relation: Relation) -> bool:
-    """Whether some component of left − right is sure not to be 0."""
+    """True if some component of left − right is certainly not 0."""
     with ctx.workprec(PRECISION):
         differences = trial.differences(relation)
     return differences is not None and any(not arb(cast(arb, d)).contains(0) for d in differences)

@@ -1,7 +1,7 @@
 """Points where equations between the parameters hold: coordinates are chosen until one is determined.
 
-Where that one has no rational value it is a real algebraic number, and the others that follow are in its
-field. What is found here is only proposed: the second engine tells whether the equations hold.
+If the determined coordinate has no rational value, it is a real algebraic number, and the remaining ones are
+in its field. These points are only candidates: the jet engine checks whether the equations hold.
 """
 
 from __future__ import annotations
@@ -22,21 +22,22 @@ from workbench.engines.jet.number_field import Algebraic, NumberField, NumberFie
 from workbench.engines.jet.rings import RationalRing, sample
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
 
-#: What is chosen for a coordinate, the simple ones more often. Fractions, so that a sphere is met inside.
+#: Values of a chosen coordinate, simple ones more often. Fractions allow points inside a sphere.
 CHOICES = tuple(
     map(Fraction, ("0", "0", "1", "1", "-1", "-1", "1/2", "-1/2", "2", "-2", "1/3", "3/5", "4/5"))
 )
 
-#: How often a point is sought.
+#: Number of attempts to find a point.
 ATTEMPTS = 80
 
-Terms = dict[tuple[tuple[int, int], ...], Any]  # monomial ((place, exponent), …) → coefficient
+Terms = dict[tuple[tuple[int, int], ...], Any]  # monomial ((position, exponent), …) → coefficient
 
 
 def solved_points(
     engine: ExactEngine, equations: Sequence[Relation], inventory: Inventory
 ) -> Iterator[dict[Parameter, Any]]:
-    """Points of the parameters at which the equations should hold; what they say nothing of is random."""
+    """Yields points of the parameters at which the equations should hold; unconstrained parameters are
+    random."""
     wanted = [p for e in equations for p in engine.residuals(e)]
     while more := [q for q in engine.ring.relations if q not in wanted and _meets(q, wanted)]:
         wanted += more
@@ -51,7 +52,7 @@ def solved_points(
 
 
 def _meets(relation: Polynomial, others: Sequence[Polynomial]) -> bool:
-    """Whether the relation has an indeterminate in common with one of the others."""
+    """True if the relation shares an indeterminate with one of the others."""
     used = [place for place, degree in enumerate(relation.degrees()) if degree > 0]
     return any(p.degrees()[place] > 0 for p in others for place in used)
 
@@ -82,7 +83,8 @@ class _Search:
             values[place] = self._random.choice(roots)
 
     def _chosen(self, system: Terms, places: list[int]) -> int:
-        """A coordinate to choose: one for which the equation cannot be solved, if there is such a one."""
+        """Returns the position of a coordinate to choose, preferably one for which the equation cannot be
+        solved."""
         height = {p: max(e for monomial in system for q, e in monomial if q == p) for p in places}
         steep = [p for p in places if height[p] > 1]
         return self._random.choice(steep if steep and len(steep) < len(places) else places)
@@ -134,13 +136,13 @@ class _Search:
 
 
 def _exact(real: Any) -> Fraction:
-    """A dyadic number of an interval as a fraction."""
+    """Returns a dyadic number of an interval as a fraction."""
     mantissa, exponent = real.man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def _split_square(number: int) -> tuple[int, int]:
-    """(p, q) with p² q = number, all squares of small primes in p."""
+    """Returns (p, q) with p² q = number, where p contains all squares of small primes."""
     outside, divisor = 1, 2
     while divisor * divisor <= number and divisor < 1000:
         while number % (divisor * divisor) == 0:
@@ -163,7 +165,7 @@ def _places(p: Terms) -> list[int]:
 
 
 def _reduced(p: Terms, values: Mapping[int, Any]) -> Terms:
-    """The polynomial with the known values put in."""
+    """Returns the polynomial with the known values substituted."""
     result: Terms = {}
     for monomial, coefficient in p.items():
         rest = []

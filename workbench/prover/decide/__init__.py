@@ -1,1 +1,1 @@
-"""Decides one statement: both engines, families in n, extrema, inequations, branches, zero sets."""
+"""Decisions on one statement: both engines, families in n, extrema, disequations, branches, zero sets."""

@@ -1,7 +1,7 @@
-"""The engines of a judge: one that has computed the parts of a statement keeps them for the next.
+"""Caches of engines: an engine that has evaluated parts of a statement serves the next statement.
 
-One engine can be put to many statements where what it finds of one says nothing of another: where nothing is
-divided by and no root is taken, which it would remember, and no term but a symbol has a sine.
+An engine can serve many statements if the results for one do not affect another: if the statement has no
+division and no root, which the engine would record, and only symbols have sines.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
 
 _SEED = 2020
 
-#: So many indeterminates are at most in a ring that is kept; more make all of its monomials longer.
+#: Largest number of indeterminates of a cached ring; more would lengthen all of its monomials.
 _MOST = 120
 
-#: So many engines are kept.
+#: Number of cached engines.
 _KEPT = 60
 
 
 class Engines:
-    """The engines that are kept, each by what it is about: the identity of the definitions that it holds, and
-    of the first engine the symbols, too."""
+    """The cached engines, by the identity of the definitions; for the polynomial engine also by the
+    symbols."""
 
     def __init__(self) -> None:
         self._first: dict[tuple, ExactEngine] = {}
@@ -36,7 +36,7 @@ class Engines:
         self._residues: dict[int, JetEngine] = {}
 
     def first(self, inventory: Inventory, definitions: Lookup) -> ExactEngine:
-        """The first engine, for the symbols of the inventory."""
+        """Returns the polynomial engine for the symbols of the inventory."""
         if not _is_plain(inventory):
             return ExactEngine(inventory, definitions)
         about = id(definitions), frozenset(inventory.orders.items()), frozenset(inventory.angles)
@@ -45,7 +45,7 @@ class Engines:
         return self._first[about]
 
     def second(self, inventory: Inventory, definitions: Lookup) -> SympyEngine:
-        """The second engine over SymPy's polynomials."""
+        """Returns the jet engine over SymPy's polynomials."""
         from workbench.engines.jet.sympy_engine import SympyEngine
 
         if not _is_plain(inventory):
@@ -56,7 +56,7 @@ class Engines:
         return self._second[id(definitions)]
 
     def residues(self, inventory: Inventory, definitions: Lookup) -> JetEngine:
-        """The second engine at a random point modulo a prime."""
+        """Returns the jet engine at a random point modulo a prime."""
         ring = ResidueRing()
         if not _is_plain(inventory):
             return JetEngine(PointSource(ring, sample(inventory, ring, Random(_SEED))), definitions)
@@ -71,7 +71,7 @@ def _is_plain(inventory: Inventory) -> bool:
 
 
 def _keep(kept: dict, about: object, engine: object) -> None:
-    """Keeps an engine; where there are many, the oldest goes."""
+    """Stores an engine; removes the oldest one if there are too many."""
     if len(kept) >= _KEPT:
         del kept[next(iter(kept))]
     kept[about] = engine

@@ -1,4 +1,4 @@
-"""One claim made ready for the engines: what it is about, what it supposes, where a point can be found."""
+"""Cases: one claim prepared for the engines, with its inventory, its assumptions and its points."""
 
 from __future__ import annotations
 
@@ -38,17 +38,17 @@ from workbench.prover.decide.zero_sets import Equations, solve
 if TYPE_CHECKING:
     from workbench.engines.jet.sympy_engine import SympyEngine
 
-#: So many random points are cheaper to try than points to solve for.
+#: Number of random points that are cheaper to try than solving for points.
 _FEW = 40
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What all claims of a paper share.
+    """Settings that all claims of a paper share.
 
-    second_engine: whether proofs are rechecked by SymPy. Without it no outcome is `proved`, since one engine
-    alone proves nothing here: it is `probable`.
-    laws: whether an equation may be a law; in a family each member is to follow from the definitions.
+    second_engine: True if SymPy rechecks proofs. Without it the best outcome is `probable`, since one engine
+    alone proves nothing.
+    laws: True if an equation may be a law; each member of a family must follow from the definitions.
     bound: the names of the symbols that stand for quantities of a motion, and so are not free.
     """
 
@@ -60,7 +60,7 @@ class Setting:
 
 
 class NoDefinitions:
-    """Every symbol is free. What holds for any tensor at the place of Φ₄ holds for Φ₄."""
+    """Definitions that leave every symbol free. A statement that holds for any tensor holds for Φ₄."""
 
     def lookup(self, symbol: Symbol) -> None:
         return None
@@ -85,12 +85,12 @@ class Case:
 
     @property
     def exact(self) -> ExactEngine:
-        """The first engine."""
+        """The polynomial engine."""
         return self._supposing[0]
 
     @property
     def second(self) -> SympyEngine:
-        """The second engine over SymPy's polynomials."""
+        """The jet engine over SymPy's polynomials."""
         from workbench.engines.jet.sympy_engine import SympyEngine
 
         make = SympyEngine if self.assumptions.equations else self.setting.engines.second
@@ -98,7 +98,8 @@ class Case:
 
     @cached_property
     def _supposing(self) -> tuple[ExactEngine, list[Polynomial]]:
-        """The first engine, and what is supposed not to be 0: all that the assumptions divide by, too."""
+        """The polynomial engine, and the polynomials assumed not to be 0, including all divisors in the
+        assumptions."""
         supposed = self.assumptions.relations
         engine = (ExactEngine if supposed else self.setting.engines.first)(self.inventory, self.definitions)
         for relation in supposed:
@@ -107,8 +108,11 @@ class Case:
         return engine, [*engine.ring.denominators, *apart]
 
     def require_satisfiable(self) -> None:
-        """Raises Unsatisfiable if it is proved that no point satisfies the assumptions: under them anything
-        would be proved; NotExact where none is found and that is not proved."""
+        """Raises Unsatisfiable if it is proved that no point satisfies the assumptions, since they would
+        imply anything.
+
+        Raises NotExact if no point is found and that is not proved.
+        """
         admitted = self._admitted(lambda trial: True)
         points = trials(self.inventory, self.definitions, self._completed)
         first = islice(points, _FEW)
@@ -126,13 +130,13 @@ class Case:
             raise NotExact("an equation under which an angle stands beside its sine or cosine")
 
     def find(self, accept: Callable[[Trial], bool], positive_nowhere: Term | None = None) -> Trial | None:
-        """A small point that satisfies the assumptions and is accepted; see also `first_trial`."""
+        """Returns a small point that satisfies the assumptions and is accepted; see also `first_trial`."""
         admitted = self._admitted(accept)
         found = first_trial(self.inventory, self.definitions, admitted, self._completed, positive_nowhere)
         return found or next((trial for trial in self._solved() if accepted(trial, admitted)), None)
 
     def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:
-        """The same among points at which angles are real numbers beside their sines, in balls."""
+        """Returns such a point among those with real angles and matching sines, in balls."""
         if self.assumptions.equations or not (self.inventory.circles or self.measured_angles):
             return None
         supposed = self.assumptions.nonzero
@@ -145,7 +149,7 @@ class Case:
         return None
 
     def _solved(self) -> Iterator[Trial]:
-        """Points at which the equations are solved for coordinates, rational or algebraic ones."""
+        """Yields points at which the equations are solved for coordinates, rational or algebraic ones."""
         if not self.assumptions.equations:
             return
         for point in solved_points(self.exact, self.assumptions.equations, self.inventory):
@@ -156,19 +160,19 @@ class Case:
         return lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t)
 
     def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
-        """The point with the parameters for which the equations are solved put to their values."""
+        """Returns the point with the parameters for which the equations are solved set to their values."""
         if not self.assumptions.equations:
             return point
         point = dict(point)
-        with suppress(NotExact):  # the point is not on the equations then, and is not taken
+        with suppress(NotExact):  # the point is not on the equations then, and is not used
             for pivot in reversed(self.solved.solved):
                 point[self.exact.parameter_of(pivot.generator)] = self.exact.at(pivot.value, point)
         return point
 
     @cached_property
     def measured_angles(self) -> list[Symbol]:
-        """The angles that stand beside their sines and cosines, as in sin α = α: no rational point but
-        α = 0 is one of theirs."""
+        """The angles that occur both in and outside sines, as in sin α = α: only α = 0 has a rational
+        point."""
         return [a for a in self.inventory.angles if self._uses(a, "value", 1) and self._uses(a, "circle", 2)]
 
     def _uses(self, angle: Symbol, part: str, count: int) -> bool:
@@ -186,7 +190,7 @@ class Case:
                 not trial.engine.value(angle, 0).re[0][()] and trial.engine.circle(angle)[0] == 1
                 for angle in (*angles, *circles)
             )
-        except ZeroDivisionError:  # an angle that is a quotient, undefined there
+        except ZeroDivisionError:  # an angle that is a quotient, undefined at the point
             return False
 
     @cached_property
@@ -195,13 +199,15 @@ class Case:
         return solve(engine, self.assumptions.equations, nonzero)
 
     def counterexample(self, trial: Trial, relation: Relation) -> Counterexample:
-        """The trial's point, an angle told by what of it occurs: its value, or its cosine and sine."""
+        """Returns the trial's point; an angle is given by the part of it that occurs, its value or its cosine
+        and sine."""
         angles = self.inventory.angles
         turned = [a for a in angles if not trial.real and not self._uses(a, "value", 1)]
         return counterexample(trial, relation, self.inventory, turned)
 
     def refuted(self, trial: Trial, relation: Relation) -> Verdict:
-        """The verdict that the relation, or the statement it is part of, fails at the trial's point."""
+        """Returns the verdict that the relation, or the statement that it is part of, fails at the trial's
+        point."""
         example = self.counterexample(trial, relation)
         method = "real balls (Arb)" if trial.real else "rational point, exact arithmetic"
         evidence = Evidence(method, "the two sides differ")

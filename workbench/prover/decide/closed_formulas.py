@@ -1,4 +1,4 @@
-"""Equations of numbers: without symbols but π, the number."""
+"""Equations of numbers: without symbols other than π."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from workbench.engines.polynomial.closed_numbers import exactly_equal, surely_ap
 from workbench.language.definitions import Definitions, expand
 from workbench.language.printing.printer import to_latex
 
-#: The method that tells that a verdict is one on numbers.
+#: The method in the evidence of verdicts on numbers.
 NUMBERS = "numbers in balls (Arb)"
 _LARGEST = 2000
 
@@ -23,8 +23,11 @@ _LARGEST = 2000
 def judge_closed(
     said: Statement, assume: Sequence[Statement], definitions: Lookup, second_engine: bool = True
 ) -> Verdict | None:
-    """The verdict on an equation of numbers under premises that are true ones; None where symbols stand in
-    it, or it is not decided. Without the second engine nothing is proved."""
+    """Returns the verdict on an equation of numbers under true premises; None if it contains symbols or is
+    undecided.
+
+    Without the second engine nothing is proved.
+    """
     if not isinstance(definitions, Definitions) or not all(_holds(each, definitions) for each in assume):
         return None
     verdict = _of_relation(said, definitions) if isinstance(said, Relation) and said.operator == "=" else None
@@ -44,7 +47,7 @@ def _holds(premise: Statement, definitions: Definitions) -> bool:
 
 
 def _of_relation(said: Relation, definitions: Definitions) -> Verdict | None:
-    """On the equation of its sides."""
+    """Returns the verdict on the equation of its sides."""
     sides = (said.left, said.right)
     if not all(_is_number(part, definitions) for side in sides for part in definitions.reached(side)):
         return None
@@ -83,5 +86,5 @@ def _judged(numbers: Relation) -> Verdict | None:
 
 
 def is_of_numbers(verdict: Verdict) -> bool:
-    """Whether it is the verdict on an equation of numbers."""
+    """True for a verdict on an equation of numbers."""
     return any(evidence.method == NUMBERS for evidence in verdict.evidence)

@@ -1,4 +1,4 @@
-"""From a statement to its verdict: for each kind of statement, its judge."""
+"""Decides a statement: a judge for each kind of statement."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ from workbench.prover.decide.premise_consequences import equal_turns, put_in
 
 @dataclass(frozen=True)
 class Judge(Setting):
-    """Judges statements under one set of definitions; `Setting` says what it can be given."""
+    """Judges statements under one set of definitions; `Setting` has the options."""
 
-    #: The verdicts on instances, by the setting and all that is asked: claims share steps of their proofs.
+    #: Verdicts on instances, by setting and question: claims share steps of their proofs.
     _known: dict[tuple[Judge, Statement, tuple[Statement, ...], Statement | None], Verdict] = field(
         default_factory=dict, compare=False, repr=False
     )
@@ -61,11 +61,11 @@ class Judge(Setting):
         hypothesis: Statement | None = None,
         orders: OrderRanges | None = None,
     ) -> Verdict:
-        """The verdict on a statement under the stated assumptions.
+        """Returns the verdict on a statement under the stated assumptions.
 
         hypothesis: a condition that the text does not state; the outcome is `conditional` if the statement
-        needs it. orders: the integer variables of a family.
-        Raises Unsatisfiable if nothing satisfies the assumptions, EngineDisagreement if the engines differ.
+        needs it. orders: the integer variables of a family. Raises Unsatisfiable if nothing satisfies the
+        assumptions, EngineDisagreement if the engines differ.
         """
         judge = replace(self, laws=False) if orders else self
         judged = judge_family(cast(InstanceJudge, judge), statement, tuple(assume), hypothesis, orders)
@@ -77,7 +77,8 @@ class Judge(Setting):
     def judge_instance(
         self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
     ) -> Verdict:
-        """The verdict where no integer variable is left to bind. Raises NotExact outside the exact world."""
+        """Returns the verdict on a statement without integer variables. Raises NotExact outside exact
+        arithmetic."""
         asked = self, statement, assume, hypothesis
         if asked not in self._known:
             try:
@@ -96,7 +97,7 @@ class Judge(Setting):
         assume: tuple[Statement, ...],
         hypothesis: Statement | None,
     ) -> Verdict:
-        """What is found if the positive numbers by which is differentiated may be negative, too."""
+        """Returns the verdict if the positive variables of derivatives may be negative, too."""
         judge = replace(self, definitions=Without(self.definitions, coordinates))
         verdict = judge.judge_instance(statement, assume, hypothesis)
         if verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
@@ -137,7 +138,7 @@ class Judge(Setting):
             if (closed := judge_closed(statement, assume, self.definitions, self.second_engine)) is None:
                 raise
             return closed
-        # A counterexample that gives π a value is none.
+        # A point that assigns a value to π is not a counterexample.
         values = verdict.counterexample.values if verdict.counterexample else ()
         is_refuted = verdict.outcome is Outcome.REFUTED and not values
         is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
@@ -180,7 +181,7 @@ class Judge(Setting):
         return (self._by_premise(said, assume) if is_open else None) or verdict
 
     def _by_premise(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict | None:
-        """What is found if a premise defines a symbol."""
+        """Returns the verdict if a premise defines a symbol, else None."""
         with suppress(NotExact, Unsatisfiable, ZeroDivisionError):
             if (found := put_in(said, assume, self.definitions, self.bound)) is not None:
                 premise, others, definitions = found
@@ -221,8 +222,10 @@ class Judge(Setting):
         return replace(verdict, scope=order if holds else None, evidence=(*verdict.evidence, evidence))
 
     def _of_parts(self, parts: Sequence[Statement], assume: tuple[Statement, ...]) -> Verdict:
-        """On a chain or a system: that on its parts which say something. Of one whose sides are the same term
-        it is seen that they are defined, and the evidence tells."""
+        """Returns the verdict on a chain or a system: that on its non-trivial parts.
+
+        For a part whose sides are the same term only its definedness is checked, and the evidence records it.
+        """
         judged = [(part, self._judge(part, assume)) for part in parts]
         if all(verdict.code is VerdictCode.SAME_TERM for _, verdict in judged):
             return judged[0][1]
@@ -238,7 +241,7 @@ class Judge(Setting):
         return replace(verdict, evidence=(*verdict.evidence, *idle))
 
     def _named(self, said: Naming, assume: tuple[Statement, ...]) -> Verdict:
-        """On a set or a map: a definition, if what makes it one is proved."""
+        """Returns the verdict on a set or a map: a definition, if its conditions are proved."""
         for part in said.parts:
             verdict = self._judge(part, assume)
             if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
@@ -250,7 +253,7 @@ class Judge(Setting):
             Case(self, terms, (*assume, *said.given)).require_satisfiable()
         except Unsatisfiable:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SET())
-        for term in terms:  # that it is the same everywhere says that it is defined everywhere
+        for term in terms:  # equality of the value everywhere implies that it is defined everywhere
             verdict = self._judge(_difference(term), (*assume, *said.given))
             if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
                 reason = VerdictCode.NOT_DEFINED_FOR_ALL(left=to_latex(term.left), reason=verdict.reason)
@@ -264,7 +267,8 @@ class Judge(Setting):
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SIDE())
 
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
-        """x ≠ 0 ⇒ y ≠ 0 says that x = 0 where y = 0, and that y is defined where x ≠ 0."""
+        """Returns the verdict on an implication. x ≠ 0 ⇒ y ≠ 0 means that x = 0 where y = 0, and that y is
+        defined where x ≠ 0."""
         if (
             isinstance(premise, Relation)
             and isinstance(claim, Relation)
@@ -279,8 +283,11 @@ class Judge(Setting):
     def _supposing(
         self, premises: Sequence[Statement], claim: Statement, assume: tuple[Statement, ...]
     ) -> Verdict:
-        """The claim under the premises at the instant. One that is false only if they do not last, such as
-        f = 1 ⇒ ḟ = 0, is not refuted: it has to say which is meant."""
+        """Returns the verdict on the claim under the premises at the instant.
+
+        A claim that is false only if they do not last, such as f = 1 ⇒ ḟ = 0, is not refuted: its author has
+        to state which is meant.
+        """
         verdict = self._judge(claim, (*assume, *premises))
         if verdict.outcome is not Outcome.REFUTED:
             return verdict
@@ -306,7 +313,7 @@ def _difference(same: Relation) -> Relation:
 
 
 def _together(verdicts: list[Verdict]) -> Verdict:
-    """A conjunction is as good as its worst part."""
+    """Returns the verdict on a conjunction: the worst verdict on its parts."""
     worst = min(verdicts, key=lambda verdict: WORST_FIRST.index(verdict.outcome))
     if worst.outcome != Outcome.PROVED:
         return worst

@@ -1,4 +1,4 @@
-"""The verdict on one inequation."""
+"""Decides one disequation (≠)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.prover.decide.case import Case, Setting
 
 
 def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Statement, ...]) -> Verdict:
-    """p ≠ 0 is proved only for a non-zero constant, and refuted by a zero."""
+    """Returns the verdict on p ≠ 0: proved only for a non-zero constant, refuted by a zero."""
     case = Case(setting, [relation], assume)
     trial = case.find(lambda t: t.differences(relation) is not None and not t.holds(relation))
     if trial is not None:

@@ -1,6 +1,6 @@
-"""The verdict on one equation.
+"""Decides one equation.
 
-Inventory → a random point modulo a prime → the exact ring → the second engine; or, where the residual is not
+Inventory → a random point modulo a prime → the polynomial engine → the jet engine; or, if the residual is not
 zero, a small rational counterexample.
 """
 
@@ -25,7 +25,7 @@ IN_FORCE = "well-formed, and the one in force"
 
 
 class Equation(Case):
-    """One equation, with the assumptions it stands under."""
+    """One equation with its assumptions."""
 
     def __init__(
         self,
@@ -51,8 +51,10 @@ class Equation(Case):
         return self._in_rotated_frame() or self._by_names_alone() or self._by_definitions()
 
     def _in_rotated_frame(self) -> Verdict | None:
-        """The proof of a dear relation by a cheaper one that holds just where it does, if there is one. That
-        the relation itself is zero at a random point tells that it was rewritten without a mistake."""
+        """Returns the proof of an expensive relation by an equivalent cheaper one, or None.
+
+        The relation itself must be zero at a random point, which checks the rewriting.
+        """
         cheaper = in_rotated_frame(self.relation, self.definitions)
         if cheaper is None or self.assumptions.equations or not self.screen():
             return None
@@ -64,8 +66,10 @@ class Equation(Case):
         return rotated._prove(residuals, True, case=self, before=(rewriting,))
 
     def _by_names_alone(self) -> Verdict | None:
-        """The proof that needs no definition, if there is one: with all defined symbols left free. A free
-        symbol does not depend on the coordinate, so div and curl need the definitions."""
+        """Returns the proof that needs no definitions, with all defined symbols free, or None.
+
+        A free symbol does not depend on the coordinate, so div and curl need the definitions.
+        """
         if has_gradient(self.sides):
             return None
         try:
@@ -96,7 +100,8 @@ class Equation(Case):
         return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
 
     def screen(self) -> bool | None:
-        """Zero at a random point modulo the prime, by the second engine; None where it does not apply."""
+        """Returns whether the residual is zero at a random point modulo the prime, by the jet engine; None if
+        it does not apply."""
         return self._at_random_point() if self.setting.second_engine else None
 
     def _at_random_point(self) -> bool | None:
@@ -143,8 +148,11 @@ class Equation(Case):
         return Verdict(Outcome.PROVED, evidence=tuple(evidence))
 
     def _recheck(self) -> list[Evidence] | None:
-        """None where the second engine finds no way from the equations to the relation, which contradicts
-        nothing: each engine divides by them in an order of its own."""
+        """Returns the evidence of the jet engine, or None if it cannot derive the relation from the
+        equations.
+
+        None is no contradiction: each engine divides by the equations in its own order.
+        """
         from workbench.engines.jet.consequences import recheck
         from workbench.engines.jet.drake_ring import recheck_by_drake
         from workbench.engines.jet.sympy_ring import METHOD
@@ -207,14 +215,14 @@ class Equation(Case):
         return self.refuted(trial, relation)
 
     def _is_of_a_recurrence(self, symbol: Symbol) -> bool:
-        """Whether other members of the symbol's family, or definitions, may say what it is."""
+        """True if other members of the symbol's family, or definitions, may determine it."""
         is_member = all(place.is_number for place in symbol.index)
         return bool(symbol.declaration.indices) and not (
             is_member and isinstance(self.definitions, Definitions) and not self.definitions.about(symbol)
         )
 
     def _confirm(self, trial: Trial, residuals: list[Polynomial]) -> None:
-        """The first engine must see the counterexample too, where it is a rational point."""
+        """Raises EngineDisagreement unless the polynomial engine confirms a rational counterexample."""
         if trial.real or self.assumptions.equations:
             return
         if not any(self.exact.at(p, trial.point) for p in residuals):

@@ -1,10 +1,10 @@
-"""What is least or greatest: f(x) = ‖p + L x‖, or quadratic in x, over all numbers and vectors x; linear over
-unit vectors. Each is decided by equations, which the judge of equations proves or refutes.
+"""Decides extrema of f(x) = ‖p + L x‖, of f quadratic in x, over all numbers and vectors x, and of f linear
+over unit vectors. Each case reduces to equations, which the judge of equations decides.
 
 f = c + 2 b·y + y·A y in the unknown components y (of a norm, f²). A has no negative eigenvalue if it is LᵀL,
-or if the sums cₖ of its principal minors are all ≥ 0. With r the greatest k of a cₖ that is not always 0, and
-A y* = −b, the least value is c + b·y* where c_r ≠ 0, for f = c + b·y* + (y − y*)·A (y − y*). Where c_r is 0,
-A is 0 if c₁ vanishes there too, and f does not depend on y.
+or if the sums cₖ of its principal minors are all ≥ 0. Let r be the greatest k with cₖ not identically 0, and
+A y* = −b. The least value is c + b·y* where c_r ≠ 0, since f = c + b·y* + (y − y*)·A (y − y*). Where c_r is
+0, A is 0 if c₁ vanishes there too, and f does not depend on y.
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ _MOST = 6  # unknown components
 
 
 def judge_extremum(setting: Setting, said: Extremum, assume: tuple[Statement, ...], judge: Judge) -> Verdict:
-    """Raises NotExact for what is neither quadratic nor linear on a sphere."""
+    """Returns the verdict on an extremum. Raises NotExact if it is neither quadratic nor linear on a
+    sphere."""
     value = expand(said.value, setting.definitions)
     varied = Varied.of(said, setting.definitions, assume)
     if any(letter in value.walk() for letter in said.letters):
@@ -58,7 +59,7 @@ class _Question:
     judge: Judge
 
     def verdict(self) -> Verdict:
-        """Over all values of the unknown numbers and vectors."""
+        """Returns the verdict for an extremum over all values of the unknown numbers and vectors."""
         if self.varied.count > _MOST:
             raise NotExact(f"a minimum or maximum over more than {_MOST} numbers")
         form = self._shown(self.form, self.quadratic.written_out)
@@ -77,7 +78,8 @@ class _Question:
         return self._together(parts)
 
     def on_sphere(self) -> Verdict:
-        """p·u + c over all unit vectors u: c ± ‖p‖ (Cauchy and Schwarz), at u = ± p/‖p‖, or anywhere."""
+        """Returns the verdict on p·u + c over all unit vectors u: the extremum is c ± ‖p‖ (Cauchy and
+        Schwarz), at u = ± p/‖p‖, or at any u."""
         if len(self.said.letters) > 1:
             raise NotExact("a minimum or maximum over unit vectors and more")
         body, at = self.varied.body, self.varied.at
@@ -96,7 +98,7 @@ class _Question:
             return verdict if verdict.outcome in _HOLDS else None
         return None
 
-    # the form
+    # The form.
 
     @cached_property
     def quadratic(self) -> Quadratic:
@@ -107,7 +109,8 @@ class _Question:
         return self.quadratic.value_at_rank(self.rank)
 
     def _said(self, form: Term) -> Relation:
-        """That the form is what is wanted; of a greatest value with the signs as they are written."""
+        """Returns the equation of the form and the wanted value; for a greatest value with the signs as
+        written."""
         if self.has_norm or self.said.least:
             return relation("=", form, self.wanted)
         return relation("=", apply("neg", form), self.value)
@@ -118,7 +121,7 @@ class _Question:
 
     @cached_property
     def form(self) -> Term:
-        """f, −f where the greatest value is asked for, or f² of a norm."""
+        """The form: f, −f for a greatest value, or f² for a norm."""
         if self.varied.inside is not None:
             if not self.said.least:
                 raise NotExact("a greatest norm")
@@ -127,7 +130,7 @@ class _Question:
 
     @cached_property
     def wanted(self) -> Term:
-        """What the least value of the form is said to be."""
+        """The claimed least value of the form."""
         if self.has_norm:
             match self.value:
                 case Apply(head="norm", arguments=(inner,)):
@@ -148,17 +151,17 @@ class _Question:
         return 0
 
     def _is_nonnegative(self, term: Term) -> bool:
-        """Whether it is seen to be a sum of squares of monomials."""
+        """True if the term is a sum of squares of monomials."""
         case = Case(self.setting, [relation("=", term, zero())], self.assume)
         (p,) = case.exact.residuals(relation("=", term, zero()))
         if case.exact.ring.denominators:
             return False
         return has_even_powers(p, case.exact.norm_places) and all(factor > 0 for _, factor in p.terms())
 
-    # what is to be shown
+    # The equations to be proved.
 
     def _beyond(self) -> Verdict | None:
-        """The refutation by a place where the form is less than it is said to be anywhere."""
+        """Returns the refutation by a point where the form is less than its claimed minimum, or None."""
         squares = relation("=", self.form, self.wanted)
         plain = relation("=", self.varied.body, self.value)
         case = Case(self.setting, [squares, plain], self.assume)
@@ -190,7 +193,7 @@ class _Question:
         return "least" if self.said.least else "greatest"
 
     def _where_regular(self) -> Iterator[Verdict]:
-        """A y* = −b, and what the form is there, where c_r ≠ 0."""
+        """Yields the verdicts on A y* = −b and on the value of the form there, where c_r ≠ 0."""
         matrix, slopes, _ = self.quadratic.coefficients
         factor, supposed = self.quadratic.invariants[self.rank], self._regular
         stationary = self.quadratic.stationary(self.rank) if self.rank else []
@@ -206,7 +209,8 @@ class _Question:
         yield shown
 
     def _vanishing(self, supposed: tuple[Statement, ...]) -> Verdict | None:
-        """That p + L y* = 0, where a least norm is said to be 0: the equation with the easier residual."""
+        """Returns the verdict on p + L y* = 0 for a least norm that is claimed to be 0: its residual is
+        easier."""
         if not (self.has_norm and isinstance(self.value, Zero)):
             return None
         rest, columns = self.quadratic.columns
@@ -223,7 +227,7 @@ class _Question:
         return (*self.assume, relation("≠", self.quadratic.invariants[self.rank], zero()))
 
     def _is_excluded(self, term: Term) -> bool:
-        """Whether the assumptions keep the term from being 0."""
+        """True if the assumptions exclude that the term is 0."""
         unit = relation("=", apply("div", term, term), number(1))
         return self.judge(unit, self.assume).outcome == Outcome.PROVED
 
@@ -252,8 +256,11 @@ class _Question:
         yield self.judge(relation("=", rest, self._wanted_under(supposed)), supposed)
 
     def _at_singular(self, factor: Term) -> Verdict | None:
-        """A point with c_r = 0 where the least value is not what it is said to be; or, where at all of them
-        that is undefined, the verdict with c_r ≠ 0 as a hypothesis."""
+        """Returns the refutation by a point with c_r = 0 where the claimed value is wrong.
+
+        If the claimed value is undefined at all such points, returns the verdict with c_r ≠ 0 as a
+        hypothesis.
+        """
         matrix, _, rest = self.quadratic.coefficients
         rewritten = self._wanted_under((*self.assume, *self.quadratic.vanishing))
         case = Case(self.setting, [self._said(rest), self._said(self.least)], self.assume)
@@ -285,7 +292,7 @@ class _Question:
         return None if defined else self._elsewhere()
 
     def _least_at(self, trial: Trial) -> Fraction | None:
-        """The least value of the form at a point; None if it has no bound there, or is not defined."""
+        """Returns the least value of the form at a point; None if it is unbounded or undefined there."""
         matrix, slopes, rest = self.quadratic.coefficients
         rows: list[list[Fraction]] = []
         for row, b in zip(matrix, slopes, strict=True):
@@ -303,7 +310,7 @@ class _Question:
         return at_zero_part(self.wanted, lambda t: self._is_zero(t, supposed))
 
     def _elsewhere(self) -> Verdict:
-        """What holds where c_r ≠ 0 only, since elsewhere what is said to be the least value is undefined."""
+        """Returns the verdict for c_r ≠ 0 only, since the claimed value is undefined elsewhere."""
         nothing = relation("=", minus(self.wanted, self.wanted), zero(self.wanted.type))
         bare = self.judge(self._said(self.least), self.assume)
         conditional = all(
@@ -329,7 +336,8 @@ class _Question:
 
 
 def _number(trial: Trial, term: Term) -> Fraction | None:
-    """The value of a scalar at a point; None where it has none. Raises NotExact if it is not rational."""
+    """Returns the value of a scalar at a point; None if it is undefined. Raises NotExact if it is not
+    rational."""
     found = trial.components(term)
     if found is None:
         return None

@@ -1,7 +1,7 @@
-"""Statements about integers n: for every n at once where the recurrences allow it, else for a range.
+"""Decides statements about integers n: for every n at once if the recurrences allow it, else for a range.
 
 With Φₙ, aₙ, … left as free functions and Φₙ₊₁, aₙ₊₁, … replaced by their recurrences, an identity between
-them holds whatever the n-th members are; so it holds for every n from which the recurrences are in force.
+them holds for any n-th members. It therefore holds for every n from which the recurrences apply.
 """
 
 from __future__ import annotations
@@ -48,7 +48,8 @@ from workbench.prover.decide.unbounded_indices import judge_addends, ranges_apar
 
 
 class InstanceJudge(Protocol):
-    """A judge of statements without integer variables; a frozen dataclass, so that it can be made lighter."""
+    """A judge of statements without integer variables; a frozen dataclass, so that options can be
+    replaced."""
 
     definitions: Definitions
     second_engine: bool
@@ -58,10 +59,10 @@ class InstanceJudge(Protocol):
     ) -> Verdict: ...
 
     def by_one_engine(self) -> InstanceJudge:
-        """The judge without its second engine."""
+        """Returns the judge without its second engine."""
 
 
-#: A family is as good as its worst member.
+#: The verdict on a family is that on its worst member.
 WORST_FIRST = (
     Outcome.REFUTED,
     Outcome.ILL_FORMED,
@@ -80,8 +81,11 @@ def judge_family(
     hypothesis: Statement | None,
     orders: OrderRanges | None,
 ) -> Verdict:
-    """The verdict on a statement whose integer variables are those of `orders`: that on its worst member.
-    Of indices that may be any, examples prove nothing, and two that are the same refute nothing."""
+    """Returns the verdict on a statement whose integer variables are those of `orders`: that on its worst
+    member.
+
+    For unbounded indices, examples prove nothing, and equal indices refute nothing.
+    """
     if orders is None:
         return _instance_for(judge, statement, assume, hypothesis, {})
     verdict = _family(judge, statement, assume, hypothesis, orders)
@@ -97,7 +101,7 @@ def judge_family(
 
 
 def _open(orders: OrderRanges, seen: Reason) -> Verdict:
-    """What is seen of some members, of as many as there are numbers."""
+    """Returns the `unchecked` verdict on examples of a family without a stated range."""
     if orders.generic:
         why = VerdictCode.NO_RANGE(variables=", ".join(orders.generic))
     else:
@@ -144,7 +148,7 @@ def _checked(general: Verdict, orders: OrderRanges) -> tuple[Evidence, ...]:
 
 
 def _defines(judge: InstanceJudge, statement: Statement) -> bool:
-    """Whether the statement is the definition in force of its left side, for every n."""
+    """True if the statement is the applicable definition of its left side, for every n."""
     match statement:
         case Relation(operator="=", left=Symbol() as symbol):
             return judge.definitions.lookup(symbol) == statement.right
@@ -158,11 +162,14 @@ def _for_all(
     hypothesis: Statement | None,
     orders: OrderRanges,
 ) -> Verdict | None:
-    """The verdict with the lowest member of each family free; None where the statement is not of that form,
-    does not hold in it, or where some definition is not in force for all of `orders`."""
+    """Returns the verdict with the lowest member of each family left free.
+
+    Returns None if the statement is not of that form or does not hold so, or if some definition does not
+    apply for all of `orders`.
+    """
     statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
     if any(map(has_sums, _all_terms(statements))):
-        return judge_addends(judge, statement)  # holds without what is supposed
+        return judge_addends(judge, statement)  # holds without the assumptions
     try:
         shift = _shift(_indices(statements))
         statements = _shifted(statements, shift)
@@ -195,10 +202,12 @@ def _scope(
     original: Statement,
     orders: OrderRanges,
 ) -> str | None:
-    """ "all n ≥ 1", from the least n on for which the definitions that the statements use are in force, or
-    "all n" where that is 0; None unless that holds for each n for which all members in them are of their
-    families, and for all of `orders`; "" without any n. The statements are shifted: their n counts from
-    `shift`."""
+    """Returns the scope "all n ≥ 1", from the least n for which the definitions of the statements apply.
+
+    Returns "all n" if that is 0, and "" without any n. Returns None unless the statement covers each n for
+    which all its members belong to their families, and all of `orders`. The statements are shifted: their n
+    counts from `shift`.
+    """
     known = exceptions(judge)
     terms = list(_all_terms(statements))
     start, begin = known.start(rewritten(terms, judge.definitions)), known.begin(symbolic_members(terms))
@@ -214,7 +223,7 @@ def _scope(
 
 
 def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Statement]) -> None:
-    """Raises NotExact where div or curl would be taken of a free function that stands for a field."""
+    """Raises NotExact if div or curl would be taken of a free function that stands for a field."""
     for term in _all_terms(statements):
         for slope in (t for t in term.walk() if isinstance(t, Apply) and t.head in PARTIALS):
             if not _is_apart(slope, judge.definitions):
@@ -232,10 +241,11 @@ def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Stateme
 
 
 def _is_apart(slope: Term, definitions: Definitions) -> bool:
-    """Whether two members of a family in it are two for every n, or one, and none hides a function."""
+    """True if two members in the partial derivative are distinct or equal for every n alike, and none hides a
+    function."""
     parts = list(slope.walk())
     symbols = [part for part in parts if isinstance(part, Symbol)]
-    for own in symbols:  # longer with each
+    for own in symbols:  # the list grows during the loop
         symbols += own.declaration.of
     indices: dict[Declaration, list[Linear]] = {}
     for own in symbols:
@@ -250,7 +260,7 @@ def _is_apart(slope: Term, definitions: Definitions) -> bool:
 
 
 def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:
-    """The indices of all symbols that hold an integer variable, and the orders that hold just one."""
+    """Returns the indices with integer variables, and the orders with exactly one."""
     indices = [
         index
         for term in _all_terms(statements)
@@ -263,7 +273,7 @@ def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> 
 
 
 def _shift(indices: Sequence[Linear]) -> dict[str, Linear]:
-    """What n is to be replaced by so that no index n + c has a negative c. Raises NotExact for other
+    """Returns the shift of n after which no index n + c has a negative c. Raises NotExact for other
     indices."""
     shift: dict[str, Linear] = {}
     for index in indices:
@@ -286,8 +296,12 @@ def _instances(
     hypothesis: Statement | None,
     orders: OrderRanges,
 ) -> Verdict:
-    """The worst verdict over the range, and of equal ones the first; a member that is refuted ends it. Of one
-    whose condition, such as i ≠ j, nothing meets, nothing is claimed. Raises Unsatisfiable if that is all."""
+    """Returns the worst verdict over the range, and the first of equal ones; a refuted member ends the
+    search.
+
+    Members whose condition, such as i ≠ j, is unsatisfiable are skipped. Raises Unsatisfiable if all are
+    skipped.
+    """
     worst, place, count, is_idle, impossible = None, "", 0, False, None
     for values in orders.assignments():
         try:
@@ -315,7 +329,7 @@ def _instances(
         fails = Evidence("each instance", f"fails for {place}", figures)
         return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
     for far in beyond(_terms(statement), judge.definitions, orders):
-        with suppress(Unsatisfiable):  # there, nothing is claimed
+        with suppress(Unsatisfiable):  # nothing is claimed of such a member
             further = _instance_for(judge, statement, assume, hypothesis, far)
             if further.outcome == Outcome.REFUTED:
                 return replace(
@@ -336,7 +350,7 @@ def _instance_for(
     hypothesis: Statement | None,
     values: Mapping[str, int],
 ) -> Verdict:
-    """The verdict with the integer variables put to these values and the sums written out."""
+    """Returns the verdict with the integer variables set to these values and the sums expanded."""
     try:
         supposed = tuple(instantiate(a, values) for a in assume)
         given = None if hypothesis is None else instantiate(hypothesis, values)
@@ -346,7 +360,7 @@ def _instance_for(
 
 
 def _variables(statement: Statement) -> set[str]:
-    """The integer variables of indices and orders, but for those that a sum binds."""
+    """Returns the integer variables of indices and orders, without those that a sum binds."""
     names: set[str] = set()
     bound: set[str] = set()
     for term in _terms(statement):
@@ -371,7 +385,7 @@ def _expanded(judge: InstanceJudge, statement: Relation) -> Relation:
 
 
 def mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Statement:
-    """The statement with each of its relations put to what `of` makes of it."""
+    """Returns the statement with `of` applied to each of its relations."""
     match statement:
         case Relation():
             return of(statement)

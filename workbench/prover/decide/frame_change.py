@@ -1,11 +1,12 @@
-"""A relation in the rotated frame: rotations that meet their transposes go, what is isotropic lets them out.
+"""Change of frame: cancels rotations with their transposes and moves rotations out of isotropic functions.
 
     R Rᵀ = Rᵀ R = I    R⁻¹ = adj R = Rᵀ    det R = 1    (A B)ᵀ = Bᵀ Aᵀ    (A B)⁻¹ = B⁻¹ A⁻¹
     adj (A B) = adj B adj A    det (A B) = det A det B    tr (R A Rᵀ) = tr A    vect (R A Rᵀ) = R vect A
     (R x)~ = R x̃ Rᵀ    R a · R b = a · b    R a × R b = R (a × b)    R a ⊗ R b = R (a ⊗ b) Rᵀ    ‖R a‖ = ‖a‖
 
-for free rotations R, real or dual, and any A, B, a, b. Each holds wherever either side is defined, so that a
-relation is true, false or undefined where the rewritten one is: no factor but a rotation is ever cancelled.
+for free rotations R, real or dual, and any A, B, a, b. Each law holds wherever either side is defined. A
+relation is therefore true, false or undefined exactly where the rewritten one is: only rotations are
+cancelled.
 """
 
 from __future__ import annotations
@@ -17,15 +18,17 @@ from workbench.core.construct import apply, identity, number, rebuild, relation
 from workbench.core.terms import Apply, Identity, Power, Relation, Symbol, Term
 from workbench.engines.inventory.inventory import Lookup
 
-#: From this degree in its letters on, a side is worth the rewriting.
+#: Least degree of a side for which the rewriting pays.
 DEAR = 8
 
 Word = list[Term]  # factors of a product of tensors; the last one may be a vector
 
 
 def in_rotated_frame(judged: Relation, definitions: Lookup) -> Relation | None:
-    """The relation rewritten by the rules, without rotations that both sides begin or end with; None where
-    nothing changes or it is not worth it."""
+    """Returns the relation rewritten by the rules, without rotations that both sides begin or end with.
+
+    Returns None if nothing changes or the rewriting does not pay.
+    """
     frame = _Frame(definitions)
     if judged.operator != "=" or max(map(frame.degree, (judged.left, judged.right))) < DEAR:
         return None
@@ -45,7 +48,7 @@ class _Frame:
         self._words: dict[Term, Word] = {}
 
     def turns(self, letter: Term) -> bool:
-        """Whether the letter is a free rotation or the transpose of one."""
+        """True if the letter is a free rotation or the transpose of one."""
         if isinstance(letter, Apply) and letter.head == "transpose":
             letter = letter.arguments[0]
         return (
@@ -55,7 +58,7 @@ class _Frame:
         )
 
     def degree(self, term: Term) -> int:
-        """In the indeterminates, where an entry of a rotation has the degree 2."""
+        """Returns the degree in the indeterminates; an entry of a rotation has the degree 2."""
         if term not in self._degrees:
             self._degrees[term] = self._degree(term)
         return self._degrees[term]
@@ -74,7 +77,8 @@ class _Frame:
         return sum(inner)
 
     def word(self, term: Term) -> Word:
-        """The factors of a tensor or vector, rotations as far out as they go; of anything else itself."""
+        """Returns the factors of a tensor or vector, with rotations moved outwards; a single factor for other
+        terms."""
         if term not in self._words:
             self._words[term] = self._word(term)
         return self._words[term]
@@ -127,7 +131,7 @@ class _Frame:
         return rebuild(term, [self.simple(child) for child in term.children])
 
     def _reduced(self, word: Word) -> Word:
-        """Without rotations beside their transposes."""
+        """Returns the word without adjacent rotations and their transposes."""
         kept: Word = []
         for letter in word:
             if kept and self._undo(kept[-1], letter):
@@ -140,7 +144,7 @@ class _Frame:
         return self.turns(a) and self._flipped("transpose", a) == b
 
     def _flipped(self, head: str, letter: Term) -> Term:
-        """The transpose, inverse or adjugate of a letter."""
+        """Returns the transpose, inverse or adjugate of a letter."""
         head = "transpose" if self.turns(letter) else head
         if head == "transpose" and isinstance(letter, Apply) and letter.head == "transpose":
             return letter.arguments[0]
@@ -150,21 +154,21 @@ class _Frame:
         return [self._flipped("transpose", letter) for letter in reversed(out)]
 
     def _out(self, word: Word) -> tuple[Word, Term]:
-        """The rotations in front of a vector, and what they turn."""
+        """Returns the rotations in front of a vector, and the vector that they rotate."""
         place = 0
         while place < len(word) - 1 and self.turns(word[place]):
             place += 1
         return word[:place], _product(word[place:], word[-1])
 
     def _out_of_both(self, word: Word, tensor: Term) -> tuple[Word, Term]:
-        """Q and A of Q A Qᵀ, Q a product of rotations."""
+        """Returns Q and A of Q A Qᵀ, where Q is a product of rotations."""
         place = 0
         while 2 * place + 1 < len(word) and self._undo(word[place], word[-1 - place]):
             place += 1
         return word[:place], _product(word[place : len(word) - place], tensor)
 
     def _around(self, function: Callable[[Term], Term], word: Word) -> Word:
-        """A linear function of what stands between the rotations at both ends."""
+        """Returns a linear function applied to the part between the rotations at both ends."""
         first, last = 0, len(word)
         while first < last - 1 and self.turns(word[first]):
             first += 1
@@ -174,7 +178,7 @@ class _Frame:
         return [*word[:first], core, *word[last:]]
 
     def _shared(self, words: list[Word]) -> tuple[Word, list[Term]]:
-        """The rotations that all of the vectors begin with, and the vectors without them."""
+        """Returns the rotations that all vectors begin with, and the vectors without them."""
         place = 0
         while all(len(w) > place + 1 and w[place] == words[0][place] for w in words):
             if not self.turns(words[0][place]):
@@ -184,7 +188,7 @@ class _Frame:
 
 
 def _product(word: Word, like: Term) -> Term:
-    """The product of the letters; of none of them the unit tensor, of the type of `like`."""
+    """Returns the product of the letters; for an empty word the unit tensor of the type of `like`."""
     if not word:
         return identity(like.type)
     return fold(lambda a, b: apply("mul", a, b), word)

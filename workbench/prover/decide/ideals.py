@@ -1,4 +1,4 @@
-"""Ideals of equations: what is in them, and when no real numbers at all satisfy some assumptions."""
+"""Ideals of equations: membership, and proofs that no real numbers satisfy some assumptions."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from workbench.core.terms import Relation
 from workbench.engines.inventory.assumptions import Assumptions
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
 
-#: Beyond these sizes (polynomials of a basis, terms of one, bits of a coefficient) a basis is not sought.
+#: Limits on a basis: polynomials, terms of a polynomial, bits of a coefficient.
 LIMITS = (60, 400, 4096)
 
 
 def square_of(engine: ExactEngine, relation: Relation) -> Polynomial:
-    """What is 0 just where both sides are the same: of scalars their difference, else the sum of its
-    components' squares."""
+    """Returns a polynomial that is 0 exactly where the sides are equal: the difference of scalars, else the
+    sum of the squares of the components."""
     residuals = engine.residuals(relation)
     if len(residuals) == 1:
         return residuals[0]
@@ -27,8 +27,10 @@ def square_of(engine: ExactEngine, relation: Relation) -> Polynomial:
 
 
 def impossible(engine: ExactEngine, assumptions: Assumptions) -> bool:
-    """Whether 1 is in the ideal of the equations, or a polynomial of it has no real zero. An inequation p ≠ 0
-    is w p = 1 with another indeterminate w; False says that nothing was proved."""
+    """True if 1 is in the ideal of the equations, or a polynomial of it has no real zero.
+
+    A disequation p ≠ 0 is w p = 1 with another indeterminate w. False means that nothing was proved.
+    """
     ring = engine.ring
     for relation in assumptions.nonzero:
         if not any(engine.residuals(relation)):
@@ -45,7 +47,7 @@ def impossible(engine: ExactEngine, assumptions: Assumptions) -> bool:
 
 
 class Ideal:
-    """What follows from polynomials that vanish, as far as a basis of them is found within the limits."""
+    """The ideal of some vanishing polynomials, as far as a basis is found within the limits."""
 
     def __init__(self, names: tuple[str, ...], generators: Sequence[Polynomial]) -> None:
         context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
@@ -54,7 +56,7 @@ class Ideal:
         self._basis = [self._context.from_dict(dict(p.terms())) for p in found]
 
     def holds(self, p: Polynomial) -> bool:
-        """Whether p is seen to be in it: each division takes a multiple of one of its members away."""
+        """True if division by the basis shows that p is in the ideal."""
         rest, before = self._context.from_dict(dict(p.terms())), None
         while rest != before:
             before = rest
@@ -64,14 +66,14 @@ class Ideal:
 
 
 def _basis(generators: Sequence[fmpz_mpoly], context: fmpz_mpoly_ctx) -> fmpz_mpoly_vec:
-    """A Gröbner basis of the ideal, or what was found of it within the limits."""
+    """Returns a Gröbner basis of the ideal, or the part of it that was found within the limits."""
     found: Any
     found, finished = fmpz_mpoly_vec(generators, context).buchberger_naive(limits=LIMITS)
     return found.autoreduction() if finished else found
 
 
 def _integral(p: Polynomial, context: fmpz_mpoly_ctx) -> fmpz_mpoly:
-    """A multiple of p by a number, in the larger ring."""
+    """Returns an integral multiple of p, in the larger ring."""
     below = lcm(*(int(c.q) for _, c in p.terms()))
     more = (0,) * (context.nvars() - p.context().nvars())
     return context.from_dict({(*e, *more): int(c.p) * (below // int(c.q)) for e, c in p.terms()})
@@ -80,9 +82,11 @@ def _integral(p: Polynomial, context: fmpz_mpoly_ctx) -> fmpz_mpoly:
 def is_nowhere_zero(
     p: Polynomial | fmpz_mpoly, norms: Collection[int], apart: Collection[int] = frozenset()
 ) -> bool:
-    """A number that is not 0 plus monomials of its sign, whose squares and norms are not negative. norms: the
-    places of the generators that stand for such. apart: those of generators that are not 0, whose product
-    does as well as a number."""
+    """True for a non-zero number plus monomials of its sign in which all squares and norms are non-negative.
+
+    norms: the positions of the generators that stand for norms. apart: those of generators that are not 0,
+    whose product can replace the number.
+    """
     terms: list[Any] = list(p.terms())
     same_sign = len({c > 0 for _, c in terms}) == 1
     is_there = any(all(place in apart for place, e in enumerate(powers) if e) for powers, _ in terms)
@@ -90,6 +94,6 @@ def is_nowhere_zero(
 
 
 def has_even_powers(p: Polynomial | fmpz_mpoly, norms: Collection[int]) -> bool:
-    """Whether each monomial is a product of squares and norms, and so is nowhere negative."""
+    """True if each monomial is a product of squares and norms, and so is nowhere negative."""
     powers = (exponents for exponents, _ in p.terms())
     return all(e % 2 == 0 or place in norms for exponents in powers for place, e in enumerate(exponents))

@@ -1,4 +1,4 @@
-"""θ = arccos x and its kin: proved or refuted without the arc, and true on one branch only.
+"""Decides θ = arccos x and similar equations, which hold on one branch only, without the inverse function.
 
 θ = c arccos x     cos (θ/c) = x              on 0 ≤ θ/c ≤ π
 θ = c arcsin x     sin (θ/c) = x              on −π/2 ≤ θ/c ≤ π/2
@@ -31,7 +31,8 @@ _BRANCHES = {
     "arctan": r"-\frac{{\pi}}{{2}} < {} < \frac{{\pi}}{{2}}",
     "atan2": r"-\pi < {} \leq \pi",
 }
-#: 24π + 0.60…: it, its half, third and quarter have the sines and cosines of an angle on every branch.
+#: 24π + 0.60…: this angle, its half, third and quarter have the sines and cosines of an angle on every
+#: branch.
 _ELSEWHERE = 76
 
 
@@ -46,7 +47,7 @@ def holds_arc(statement: Relation) -> bool:
 
 
 def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verdict:
-    """Raises NotExact where the arc does not stand alone on its side."""
+    """Returns the verdict. Raises NotExact if the inverse function is not alone on its side."""
     left, right = _arc(statement.left), _arc(statement.right)
     others = [s for s, arc in ((statement.left, left), (statement.right, right)) if arc is None]
     inside = [argument for arc in (left, right) if arc is not None for argument in arc.arguments]
@@ -82,7 +83,7 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
 
 
 def _of_two(left: _Arc, right: _Arc, judge: Judge) -> Verdict:
-    """arccos a = arccos b says a = b, where both are defined."""
+    """Returns the verdict on arccos a = arccos b, which means a = b where both are defined."""
     if left.factor != right.factor or left.head != right.head or left.head == "atan2":
         raise NotExact("two different inverse functions of angles")
     verdict = judge(relation("=", left.arguments[0], right.arguments[0]))
@@ -130,7 +131,7 @@ def _has_arc(term: Term) -> bool:
 
 
 def _in_domain(verdict: Verdict) -> bool:
-    """Whether what the arc is taken of, on either side of the counterexample, lies between −1 and 1."""
+    """True if the arguments of both sides lie between −1 and 1 at the counterexample."""
     example = verdict.counterexample
     with suppress(ValueError, ZeroDivisionError):
         sides = (*example.left, *example.right) if example is not None else ("2",)

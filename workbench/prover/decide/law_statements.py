@@ -1,8 +1,8 @@
-"""Equations that state a law: m p̈ = m g says what p̈ is, and is no identity that could be false.
+"""Recognizes equations that state a law: m p̈ = m g determines p̈, and is not an identity.
 
-Such an equation holds the highest derivative of a free symbol just once, and has solutions for it. That the
-derivative stands alone, as p̈ does, or that the other side speaks of something else, as d/dt(m v) = F does,
-tells it from a mistaken product rule such as d/dt(f g) = f ġ, which would be an equation for ḟ as well.
+Such an equation contains the highest derivative of a free symbol exactly once, and can be solved for it. A
+mistaken product rule such as d/dt(f g) = f ġ would be an equation for ḟ as well. It is told apart because in
+a law the derivative stands alone, as p̈ does, or the other side has other symbols, as in d/dt(m v) = F.
 """
 
 from __future__ import annotations
@@ -44,7 +44,8 @@ class _Occurrence:
 
 
 def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Term | None:
-    """The derivative of a free symbol that the equation can be solved for; None where it is no law."""
+    """Returns the derivative of a free symbol that the equation can be solved for; None if it is not a
+    law."""
     sides = (relation.left, relation.right)
     if relation.operator != "=" or any(part.type.kind == "operator" for s in sides for part in s.walk()):
         return None
@@ -65,13 +66,13 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
         if len(orders) == 1 and all(orders) and len(entries) == len(highest) == len(free):
             (order,), place = orders, highest[0]
             if sum(map(len, found.values())) == len(entries):
-                return None  # ẋ = 0 says that x is constant
+                return None  # ẋ = 0 means that x is constant
             beyond = {s for s, others in found.items() if all(o.side != place.side for o in others)}
             alone = all(each.alone for each in highest)
             said = max(named.get(whole, highest), key=lambda each: each.order)
             if whole in named and _is_moved_by(entries, whole, definitions):
                 alone = said.alone
-            if whole.declaration.hidden:  # a law for what is written, by symbols of the author
+            if whole.declaration.hidden:  # a law for the author's symbols, not for hidden ones
                 written, occurrence = _written(whole, place.side, named, definitions)
                 if written is None or occurrence is None:
                     continue
@@ -88,8 +89,11 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
 def _rates_a_definition(
     defined: Symbol, occurrences: list[_Occurrence], rates: Mapping[Symbol, int], definitions: Lookup
 ) -> bool:
-    """Whether the equation takes a rate of what is defined by all that it speaks of, and a higher one beside
-    that: it says what the rate is, be it wrongly, as ė = φ̈ n of e = (cos φ, sin φ)."""
+    """True if the equation contains a rate of a symbol defined by its other symbols, and a higher rate of
+    these.
+
+    It then states the rate, perhaps wrongly, as ė = φ̈ n for e = (cos φ, sin φ).
+    """
     inside = _occurrences(defined, definitions, max(each.order for each in occurrences), True)
     by_it = {symbol: order for symbol, order, _ in sorted(inside, key=lambda each: each[1])}
     is_moved = any(each.order for each in occurrences)
@@ -103,8 +107,8 @@ def _rates_a_definition(
 def _written(
     hidden: Symbol, side: int, named: Mapping[Symbol, list[_Occurrence]], definitions: Lookup
 ) -> tuple[Symbol | None, _Occurrence | None]:
-    """The symbol of the author that stands on the side and is made of a hidden one, and where it is
-    differentiated most often."""
+    """Returns the author's symbol on the side that contains a hidden one, and its most differentiated
+    occurrence."""
     for symbol, occurrences in named.items():
         own = [each for each in occurrences if each.side == side]
         if own and not symbol.declaration.hidden and hidden in _free_inside(symbol, definitions):
@@ -117,8 +121,11 @@ def _may_be_given(declared: Declaration) -> bool:
 
 
 def _claimed(symbols: Iterable[Symbol], sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:
-    """The symbols that are declared free and related to others that are, so that the equation is a claim. One
-    by which it differentiates is a coordinate, of which it may be a law."""
+    """Returns the symbols that are declared free and related to other such symbols, so that the equation is a
+    claim.
+
+    A symbol that the equation differentiates by is a coordinate, for which it may be a law.
+    """
     free = frozenset(each for each in symbols if each.declaration.free and not each.declaration.constant)
     slopes = (
         part.arguments[1]
@@ -133,8 +140,11 @@ def _claimed(symbols: Iterable[Symbol], sides: Iterable[Term], definitions: Look
 def _composed(
     named: Iterable[Symbol], inventory: Inventory, definitions: Lookup
 ) -> Iterator[tuple[Symbol, tuple[Symbol, ...]]]:
-    """The columns and quaternions that a definition makes of some symbols, as (x, y, z) or x i + y j + z k,
-    with those that the equation differentiates most often."""
+    """Yields the columns and quaternions that definitions compose of symbols, as (x, y, z) or x i + y j + z
+    k.
+
+    Each comes with the components that the equation differentiates most often.
+    """
     for whole in named:
         if whole.type.is_column or whole.type.kind == "quaternion":
             inside = (s for s in _free_inside(whole, definitions) if _may_be_given(s.declaration))
@@ -145,13 +155,13 @@ def _composed(
 
 
 def _is_moved_by(entries: tuple[Symbol, ...], whole: Symbol, definitions: Lookup) -> bool:
-    """Whether nothing else in its definition moves it, as i, j, k and a turning matrix would."""
+    """True if only the entries move in its definition, unlike i, j, k or a rotating matrix."""
     inside = _free_inside(whole, definitions)
     return all(symbol.declaration.constant or symbol in entries for symbol in inside)
 
 
 def _free_inside(term: Term, definitions: Lookup) -> dict[Symbol, None]:
-    """The free symbols in the term and in the definitions there, and what such are functions of."""
+    """Returns the free symbols in the term and in its definitions, with the arguments of functions."""
     found: dict[Symbol, None] = {}
     waiting = [term]
     while waiting:
@@ -166,14 +176,16 @@ def _free_inside(term: Term, definitions: Lookup) -> dict[Symbol, None]:
 def _occurrences(
     term: Term, definitions: Lookup, order: int, alone: bool
 ) -> Iterator[tuple[Symbol, int, bool]]:
-    """The symbols in the term, and those in the definitions of these. A momentum ∂L/∂q̇ holds q̇ once, however
-    L is written."""
+    """Yields the symbols in the term and in their definitions, with their orders.
+
+    A momentum ∂L/∂q̇ contains q̇ once, regardless of how L is written.
+    """
     if isinstance(term, Symbol):
         yield term, order, alone
         if (body := definitions.lookup(term)) is not None:
             yield from _occurrences(body, definitions, order, alone)
         else:
-            for argument in term.declaration.of:  # with the function its arguments are differentiated
+            for argument in term.declaration.of:  # the arguments of a function are differentiated with it
                 yield from _occurrences(argument, definitions, order, False)
     elif isinstance(term, Derivative):
         yield from _occurrences(term.body, definitions, order + int(term.order), alone)
@@ -193,7 +205,7 @@ def _occurrences(
 
 
 def _rate_of_momentum(term: Term) -> Derivative | None:
-    """The q̇ of ∂L/∂q̇."""
+    """Returns the q̇ of ∂L/∂q̇, else None."""
     by = term.children[1] if isinstance(term, Apply) and term.head in PARTIALS else None
     return by if isinstance(by, Derivative) and isinstance(by.body, Symbol) else None
 
@@ -205,8 +217,10 @@ def is_constant(term: Term, definitions: Lookup) -> bool:
 def _has_solutions(
     relation: Relation, inventory: Inventory, definitions: Lookup, symbols: tuple[Symbol, ...], order: int
 ) -> bool:
-    """Whether, at random values of all else, some values of the derivatives satisfy the equation. It is no
-    law that what an identity has too much, as u_2 c_z × l c_x, is 0: that u_2 is."""
+    """True if, at random values of the other symbols, some values of the derivatives satisfy the equation.
+
+    An equation that forces an unrelated term to vanish is not a law: u_2 c_z × l c_x = 0 would mean u_2 = 0.
+    """
     unknowns = [
         Parameter(symbol, part, orders - 1, component)
         for symbol in symbols
@@ -233,8 +247,8 @@ def _has_solutions(
 
 
 class _Solved(NamedTuple):
-    """slopes: of left − right by the unknowns.   holds_without: whether the sides are equal where these are
-    0, and not 0 there themselves."""
+    """slopes: of left − right by the unknowns.   holds_without: True if the sides are equal, and not 0, where
+    the unknowns are 0."""
 
     slopes: np.ndarray
     holds_without: bool
@@ -243,7 +257,7 @@ class _Solved(NamedTuple):
 def _solved(
     relation: Relation, definitions: Lookup, point: dict[Parameter, float], unknowns: list[Parameter]
 ) -> _Solved | None:
-    """None where no values of the unknowns satisfy the equation, or it is not linear in them."""
+    """Returns None if no values of the unknowns satisfy the equation, or it is not linear in them."""
 
     def engine(values: np.ndarray) -> JetEngine:
         at = {**point, **dict(zip(unknowns, values.tolist(), strict=True))}

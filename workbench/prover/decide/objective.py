@@ -1,4 +1,4 @@
-"""The term of a minimum or maximum as a function of what it is taken over."""
+"""The objective of a minimum or maximum as a function of its variables."""
 
 from __future__ import annotations
 
@@ -25,8 +25,11 @@ from workbench.language.definitions import expand, replaced
 
 @dataclass(frozen=True)
 class Varied:
-    """letters: what varies, numbers and vectors.   body: the term, with all definitions written out.
-    inside: what it is the norm of, if it is one."""
+    """The objective.
+
+    letters: the variables, numbers and vectors.   body: the term, with all definitions expanded.
+    inside: the argument of the norm, if the body is a norm.
+    """
 
     letters: tuple[Symbol, ...]
     body: Term
@@ -34,7 +37,7 @@ class Varied:
 
     @staticmethod
     def of(said: Extremum, definitions: Lookup, assume: Sequence[Statement]) -> Varied:
-        """Raises NotExact where the term depends on a letter in a way that its places do not show."""
+        """Returns the objective. Raises NotExact if the term depends on a variable in a hidden way."""
         body = expand(said.body, definitions)
         for letter in said.letters:
             _require_visible(letter, body)
@@ -47,7 +50,7 @@ class Varied:
 
     @property
     def count(self) -> int:
-        """How many unknown numbers there are."""
+        """The number of unknown components."""
         return sum(letter.type.rows for letter in self.letters)
 
     @property
@@ -60,7 +63,7 @@ class Varied:
         ]
 
     def at(self, values: Mapping[int, int]) -> Term:
-        """The term where the unknown of each number has its value, and the others are 0."""
+        """Returns the term with these values of the unknowns, and 0 for the others."""
         return self._put(self.body, values)
 
     def inside_at(self, values: Mapping[int, int]) -> Term:
@@ -111,7 +114,7 @@ def _sides(statement: Statement) -> list[Term]:
 
 
 def at_zero_part(term: Term, is_zero: Callable[[Term], bool]) -> Term:
-    """The term with |a + ε b|, where a is 0, put to ε ‖b‖, which is what it is there."""
+    """Returns the term with |a + ε b| replaced by ε ‖b‖ where a is 0."""
     children = [at_zero_part(child, is_zero) for child in term.children]
     is_norm = isinstance(term, Apply) and term.head == "norm" and term.type.dual
     if is_norm and is_zero(apply("re", children[0])):

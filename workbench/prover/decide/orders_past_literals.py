@@ -1,5 +1,7 @@
-"""Beyond the first few members: what holds for n = 0, …, 4 may hold no longer behind the numbers of the
-formula, such as the 4 of Σ_{k=0}^{4}. A range without an end is looked at there, too, for what is refuted."""
+"""Orders past the literals of a formula: what holds for n = 0, …, 4 may fail past the 4 of Σ_{k=0}^{4}.
+
+Endless ranges are also tested there, to find refutations.
+"""
 
 from __future__ import annotations
 
@@ -12,17 +14,19 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.terms import BigSum, Counting, Derivative, Integer, Power, Symbol, Term
 from workbench.language.definitions import Definitions
 
-#: Larger numbers than this are no places where a formula could change.
+#: Larger literals are not tested.
 _LARGEST = 12
 
-#: How many members of a family are looked at one by one, where a proof is for all of them.
+#: Number of members of a family that are tested one by one when a proof covers all of them.
 FIRST = 3
 
 
 class OrderRanges(Protocol):
-    """The values of a family's integer variables, such as `papers.Orders`. `generic`: those that may be
-    any, since no range is stated for them; their values are but examples.   `endless`: those that have no
-    last value, and whose first few nobody chose."""
+    """The values of a family's integer variables, such as `context.index_values.Orders`.
+
+    generic: variables without a stated range; their values are only examples.
+    endless: variables without a last value, whose first few values nobody chose.
+    """
 
     @property
     def generic(self) -> tuple[str, ...]: ...
@@ -35,8 +39,8 @@ class OrderRanges(Protocol):
 
 @dataclass(frozen=True)
 class FirstMembers:
-    """The first few values of each integer: what `Judge` takes for the orders of a family.   endless: the
-    integers of which these are examples only."""
+    """The first few values of each integer, used as the orders of a family.   endless: the integers for which
+    these are examples only."""
 
     least: Mapping[str, int]
     generic: tuple[str, ...] = ()  # a range is stated for each
@@ -55,7 +59,7 @@ class FirstMembers:
 def beyond(
     terms: Iterable[Term], definitions: Definitions, orders: OrderRanges
 ) -> Iterator[Mapping[str, int]]:
-    """Values at and behind the largest number in the terms and in what defines their symbols."""
+    """Yields values at and past the largest number in the terms and in the definitions of their symbols."""
     first, *others = orders.assignments()
     last = others[-1] if others else first
     largest = max((n for n in _numbers(terms, definitions) if n <= _LARGEST), default=0)
@@ -68,7 +72,7 @@ def beyond(
 
 
 def behind(terms: Iterable[Term], definitions: Definitions) -> int | None:
-    """An integer behind all that stand there; None where that would be a large one."""
+    """Returns an integer past all literals of the terms; None if it would be large."""
     largest = max(_numbers(terms, definitions), default=0)
     return largest + 1 if largest <= _LARGEST else None
 

@@ -1,9 +1,9 @@
-"""What follows from premises beyond the ideal that they span.
+"""Consequences of premises beyond the ideal that they span.
 
-    x = t ⇒ P(x)    says the same as    P(t)
+    x = t ⇒ P(x)    is equivalent to    P(t)
 
-for an x that t does not hold and of which no derivative is taken: so x = t may be a definition of x. And
-equal angles have equal sines and cosines.
+for an x that does not occur in t and is not differentiated: x = t may be a definition of x. Also, equal
+angles have equal sines and cosines.
 """
 
 from __future__ import annotations
@@ -24,8 +24,11 @@ from workbench.engines.inventory.inventory import take_inventory
 def put_in(
     claim: Relation, assume: Sequence[Statement], definitions: Lookup, bound: Collection[Name]
 ) -> tuple[Relation, list[Relation], Lookup] | None:
-    """The first premise x = t that can define x, the others, and the definitions with it. bound: the names
-    of symbols that are not free."""
+    """Returns the claim with the first premise x = t that can define x, the other premises, and the
+    definitions.
+
+    bound: the names of symbols that are not free.
+    """
     premises = Assumptions(assume).relations
     for place, premise in enumerate(premises):
         others = [*premises[:place], *premises[place + 1 :]]
@@ -35,14 +38,14 @@ def put_in(
             if own.type != value.type or not _is_total(value, definitions):
                 continue
             sides = [side for r in (claim, *others) for side in (r.left, r.right)]
-            orders = take_inventory(sides, definitions).orders  # of the free ones
+            orders = take_inventory(sides, definitions).orders  # orders of the free symbols
             if orders.get(own) == 0 and own not in take_inventory([value], definitions).orders:
                 return premise, others, With(definitions, {own: value})
     return None
 
 
 def equal_turns(claim: Relation, assume: Sequence[Statement], definitions: Lookup) -> list[Relation]:
-    """The sines and cosines of both sides of the premises that equate what the claim takes sines of."""
+    """Returns the equal sines and cosines of both sides of premises that equate angles of the claim."""
     premises = [premise for premise in Assumptions(assume).equations if premise.left.type == SCALAR]
     angles = set(take_inventory((claim.left, claim.right), definitions).angles)
     found = []
@@ -57,7 +60,7 @@ def equal_turns(claim: Relation, assume: Sequence[Statement], definitions: Looku
 
 
 def _said(premise: Relation) -> Iterator[tuple[Term, Term]]:
-    """What may be a symbol, and what it is then: of a vector of length 1 that it is a unit vector."""
+    """Yields pairs of a possible symbol and its value; a vector of length 1 is given as a unit vector."""
     sides = premise.left, premise.right
     yield from (sides, sides[::-1])
     for part in dict.fromkeys((*premise.left.walk(), *premise.right.walk())):
@@ -69,7 +72,7 @@ def _said(premise: Relation) -> Iterator[tuple[Term, Term]]:
 
 
 def _is_any(term: Term, bound: Collection[Name]) -> bool:
-    """Whether it is a symbol of which nothing else is known."""
+    """True for a symbol without further properties."""
     if not isinstance(term, Symbol):
         return False
     said = term.declaration
@@ -77,7 +80,8 @@ def _is_any(term: Term, bound: Collection[Name]) -> bool:
 
 
 def _is_total(value: Term, definitions: Lookup) -> bool:
-    """Whether it has a value whatever its symbols are. Only the derivatives of a norm may have none."""
+    """True if the value is defined for all values of its symbols. Only the derivatives of a norm may be
+    undefined."""
     parts = list(reached(value, definitions))
     is_still = not any(isinstance(part, Derivative | TimeOperator) for part in parts)
     return all(never_divides(p) or (is_still and isinstance(p, Apply) and p.head == "norm") for p in parts)

@@ -1,4 +1,4 @@
-"""Quadratic forms: the coefficients of what varies, as terms, and where a form is least.
+"""Quadratic forms: their coefficients as terms, and their stationary points.
 
 With the unknown components y the form is c + 2 b·y + y·A y. The sums cₖ of the principal minors of A are the
 elementary symmetric functions of its eigenvalues. If A has the rank r, and c_r is not 0, then by Cayley and
@@ -22,14 +22,14 @@ from workbench.prover.decide.objective import Varied
 
 @dataclass
 class Quadratic:
-    """f, or f² of a norm; −f if the greatest value is asked for."""
+    """The form: f, or f² for a norm; −f for a greatest value."""
 
     varied: Varied
     least_asked: bool
 
     @cached_property
     def coefficients(self) -> tuple[list[list[Term]], list[Term], Term]:
-        """A, b and c."""
+        """The coefficients A, b and c."""
         count = range(self.varied.count)
         if self.varied.inside is not None:
             rest, columns = self.columns
@@ -52,7 +52,7 @@ class Quadratic:
 
     @cached_property
     def columns(self) -> tuple[Term, list[Term]]:
-        """Of a norm: p, and the columns of L."""
+        """For a norm, p and the columns of L."""
         at = self.varied.inside_at
         return at({}), [minus(at({i: 1}), at({})) for i in range(self.varied.count)]
 
@@ -65,7 +65,7 @@ class Quadratic:
 
     @cached_property
     def invariants(self) -> list[Term]:
-        """c₀ = 1, c₁ = tr A, …: the sums of the principal minors."""
+        """The sums of the principal minors: c₀ = 1, c₁ = tr A, …."""
         matrix = self.coefficients[0]
         found: list[Term] = [number(1)]
         for size in range(1, self.varied.count + 1):
@@ -80,13 +80,13 @@ class Quadratic:
 
     @cached_property
     def vanishing(self) -> tuple[Relation, ...]:
-        """A = 0; of a norm, its columns are 0."""
+        """The equations A = 0; for a norm, its columns are 0."""
         if self.varied.inside is not None:
             return tuple(relation("=", column, zero(column.type)) for column in self.columns[1])
         return tuple(relation("=", a, zero()) for row in self.coefficients[0] for a in row)
 
     def value_at_rank(self, rank: int) -> Term:
-        """c + b·y*."""
+        """Returns the value c + b·y*."""
         _, slopes, rest = self.coefficients
         if not rank:
             return rest
@@ -94,7 +94,7 @@ class Quadratic:
         return total([rest, apply("div", change, self.invariants[rank])])
 
     def stationary(self, rank: int) -> list[Term]:
-        """c_r y*, for a rank r of 1 or more."""
+        """Returns c_r y*, for a rank r of 1 or more."""
         matrix, slopes, _ = self.coefficients
         powers = [slopes]
         for _ in range(rank - 1):
@@ -126,7 +126,7 @@ def _product(one: Term, other: Term) -> Term:
 
 
 def solved(rows: list[list[Fraction]]) -> list[Fraction] | None:
-    """x with A x = b for the rows (A | b), free unknowns put to 0; None if there is none."""
+    """Returns x with A x = b for the rows (A | b), free unknowns set to 0; None if there is none."""
     rows, pivots = [list(row) for row in rows], list[int]()
     for column in range(len(rows)):
         place = next((i for i in range(len(pivots), len(rows)) if rows[i][column]), None)

@@ -1,8 +1,8 @@
-"""From which n on the definitions for all n are in force, where a proof for all n has used them.
+"""Range of recurrences: the n from which a definition for all n applies.
 
-A definition of one member (Φ₁) goes before that of all (Φₙ₊₁). The base of a recurrence is such a member, and
-so may be Φ₃ := …; there the definition for all n need not hold, and a proof that rewrote Φₙ₊₁ by it speaks
-only of the n behind that member.
+A definition of one member (Φ₁) takes precedence over that of all members (Φₙ₊₁). The base of a recurrence is
+such a member, and so may be Φ₃ := …, which need not satisfy the definition for all n. A proof that rewrote
+Φₙ₊₁ by it then covers only the n past that member.
 """
 
 from __future__ import annotations
@@ -39,16 +39,20 @@ class InstanceJudge(Protocol):
 
 @dataclass(frozen=True)
 class Exceptions:
-    """apart: family → its members for which the definition for all n does not hold, or is not seen to.
-    first: family → its lowest member, where a recurrence makes all others from its base: 1 for Φ₁, Φₙ₊₁.
-    tangled: whether some family of several indices has such members; of these no proof for all n is tried."""
+    """Exceptions from definitions for all n.
+
+    apart: family → its members for which the definition for all n fails or is not known to hold.
+    first: family → its lowest member, if a recurrence derives all others from its base: 1 for Φ₁, Φₙ₊₁.
+    tangled: True if a family of several indices has such members; then no proof for all n is tried.
+    """
 
     apart: Mapping[Name, frozenset[int]]
     first: Mapping[Name, int]
     tangled: bool
 
     def start(self, members: Iterable[Symbol]) -> dict[str, int]:
-        """variable → the least value, from 0, at which none of these symbolic members is apart."""
+        """Returns variable → the least value, from 0, at which none of these symbolic members is an
+        exception."""
         return _least(
             (index, max((k + 1 for k in self.apart.get(member.declaration.name, ())), default=0))
             for member in members
@@ -56,7 +60,7 @@ class Exceptions:
         )
 
     def begin(self, members: Iterable[Symbol]) -> dict[str, int]:
-        """variable → the least value, from 0, at which all these members are of their families."""
+        """Returns variable → the least value, from 0, at which all these members belong to their families."""
         return _least(
             (index, self.first.get(member.declaration.name, 0))
             for member in members
@@ -65,7 +69,7 @@ class Exceptions:
 
 
 def _least(bounds: Iterable[tuple[Linear, int]]) -> dict[str, int]:
-    """variable → the least value, from 0, at which each index n + c reaches its bound."""
+    """Returns variable → the least value, from 0, at which each index n + c reaches its bound."""
     least: dict[str, int] = {}
     for index, bound in bounds:
         for name in index.variables:
@@ -74,7 +78,7 @@ def _least(bounds: Iterable[tuple[Linear, int]]) -> dict[str, int]:
 
 
 def exceptions(judge: InstanceJudge) -> Exceptions:
-    """Those of the judge's definitions."""
+    """Returns the exceptions from the judge's definitions."""
     definitions = judge.definitions
     if definitions not in _KNOWN:
         _KNOWN[definitions] = _exceptions(judge)
@@ -107,7 +111,7 @@ def _exceptions(judge: InstanceJudge) -> Exceptions:
 
 
 def _first(general: Definition, base: set[int]) -> int:
-    """The lowest member of the base if the recurrence goes to none below it; else 0: any may be meant."""
+    """Returns the lowest member of the base if the recurrence refers to none below it; else 0."""
     mentioned = [
         int(place - general.index[0])
         for part in general.body.walk()
@@ -123,7 +127,7 @@ def _first(general: Definition, base: set[int]) -> int:
 
 
 def _some_overlap(definitions: Definitions) -> bool:
-    """Whether two definitions for several members each, such as K_{0,n} and K_{m,n}, share one."""
+    """True if two definitions for several members each, such as K_{0,n} and K_{m,n}, share one."""
     many = [d for d in definitions if any(not place.is_number for place in d.index)]
     return any(
         a.declaration == b.declaration and all(map(_meet, a.index, b.index)) for a, b in combinations(many, 2)
@@ -138,7 +142,7 @@ def _meet(a: Linear, b: Linear) -> bool:
 
 
 def _members_by_themselves(definitions: Definitions, general: Definition) -> Iterator[Index]:
-    """The indices of the family's members that have definitions of their own."""
+    """Yields the indices of the family's members that have their own definitions."""
     for single in definitions:
         if all(place.is_number for place in single.index):
             if single.declaration == general.declaration:
@@ -148,7 +152,7 @@ def _members_by_themselves(definitions: Definitions, general: Definition) -> Ite
 
 
 def _agrees(judge: InstanceJudge, general: Definition, index: Index, values: Mapping[str, Linear]) -> bool:
-    """Whether the member is what the definition for all n makes of it."""
+    """True if the member equals the value of the definition for all n."""
     formals = [symbol(formal) for formal in general.parameters]
     try:
         member = symbol(general.declaration, index, formals)
@@ -166,7 +170,7 @@ def _holds(judge: InstanceJudge, said: Relation) -> bool:
 
 
 def rewritten(terms: Iterable[Term], definitions: Definitions) -> Iterator[Symbol]:
-    """The symbolic members, such as Φₙ₊₁, that definitions replace in the terms, all the way down."""
+    """Yields the symbolic members, such as Φₙ₊₁, that definitions replace in the terms, recursively."""
     pending: list[Term] = list(terms)
     seen: set[Term] = set()
     while pending:
@@ -182,6 +186,6 @@ def rewritten(terms: Iterable[Term], definitions: Definitions) -> Iterator[Symbo
 
 
 def symbolic_members(terms: Sequence[Term]) -> list[Symbol]:
-    """The members of families, as they stand in the terms, whose index holds an integer variable."""
+    """Returns the members of families in the terms whose index contains an integer variable."""
     parts = (part for term in terms for part in term.walk() if isinstance(part, Symbol))
     return [part for part in parts if any(not place.is_number for place in part.index)]

@@ -1,8 +1,8 @@
 """Derivatives of symbolic order, such as R⁽ⁿ⁾ with an unbound n, as free functions.
 
-What holds with any function at the place of x⁽ⁿ⁾ holds for the n-th derivative, whatever n is; and x⁽ⁿ⁺ᶜ⁾
-is the c-th derivative of that function. Before that dⁿ/dtⁿ is brought to the factors that are not constant:
-it is linear, so that (ρ_Q + R r)⁽ⁿ⁾ = ρ_Q⁽ⁿ⁾ + R⁽ⁿ⁾ r for a constant r.
+A statement that holds with any function in place of x⁽ⁿ⁾ holds for the n-th derivative, for any n; x⁽ⁿ⁺ᶜ⁾ is
+the c-th derivative of that function. First dⁿ/dtⁿ moves to the factors that are not constant: it is linear,
+so that (ρ_Q + R r)⁽ⁿ⁾ = ρ_Q⁽ⁿ⁾ + R⁽ⁿ⁾ r for a constant r.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from workbench.language.printing.printer import to_latex
 
 
 def symbolic_orders(terms: Iterable[Term]) -> list[Linear]:
-    """The orders of derivatives, not numbers, that occur in the terms. Raises NotExact for any but n + c, and
-    sums of several such as k + m + c with c ≥ 0."""
+    """Returns the symbolic orders of derivatives in the terms. Raises NotExact for orders other than n + c,
+    and sums such as k + m + c with c ≥ 0."""
     orders = []
     for term in terms:
         for part in term.walk():
@@ -35,9 +35,11 @@ def symbolic_orders(terms: Iterable[Term]) -> list[Linear]:
 
 
 def with_free_derivatives(term: Term) -> Term:
-    """The term with x⁽ⁿ⁺ᶜ⁾ as the c-th derivative of a free function, c ≥ 0. Defined symbols must have been
-    replaced by what they stand for. Raises NotExact for the n-th derivative of a constant, which is 0 for
-    n ≥ 1 only."""
+    """Returns the term with x⁽ⁿ⁺ᶜ⁾ as the c-th derivative of a free function, c ≥ 0.
+
+    Definitions must have been expanded. Raises NotExact for the n-th derivative of a constant, which is 0 for
+    n ≥ 1 only.
+    """
     if isinstance(term, Derivative) and not term.order.is_number:
         if isinstance(inner := term.body, Derivative):
             return with_free_derivatives(derivative(inner.body, inner.order + term.order))
@@ -46,8 +48,10 @@ def with_free_derivatives(term: Term) -> Term:
 
 
 def freed(relation: Relation) -> Relation:
-    """The relation with free derivatives on both sides; as a difference that is 0 where linearity alone has
-    made them one term."""
+    """Returns the relation with free derivatives on both sides.
+
+    If linearity alone makes the sides equal, it is returned as a difference that is 0.
+    """
     left, right = with_free_derivatives(relation.left), with_free_derivatives(relation.right)
     if left != right or relation.left == relation.right:
         return equated(relation.operator, left, right)
@@ -78,7 +82,8 @@ def _differentiated(term: Term, order: Linear) -> Term:
 
 
 def _free(term: Term, order: Linear) -> Symbol:
-    """The derivative of symbolic order of any function: of another function another one."""
+    """Returns the free function for a derivative of symbolic order; different functions give different
+    symbols."""
     if term.type.kind == "operator":
         raise NotExact(f"a {term.type} differentiated {order} times")
     weight = None if term.weight is None else term.weight + order
@@ -88,7 +93,7 @@ def _free(term: Term, order: Linear) -> Symbol:
 
 
 def _constant(term: Term) -> bool:
-    """Whether nothing in the term depends on time, as far as its declarations say."""
+    """True if nothing in the term depends on time, according to its declarations."""
     return not any(
         isinstance(part, TimeOperator) or (isinstance(part, Symbol) and not part.declaration.constant)
         for part in term.walk()

@@ -1,4 +1,4 @@
-"""Indices that nothing states a range for, and sums to an n that may be any."""
+"""Indices without a stated range, and sums up to an arbitrary n."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from workbench.prover.decide.recurrence_range import InstanceJudge
 
 @dataclass(frozen=True)
 class Distinct:
-    """Values that refute: no two indices are the same.
+    """Index values for refutations: all indices are distinct.
 
-    lasts: where the sums end whose last is any.
+    lasts: the upper bounds of sums that are otherwise arbitrary.
     """
 
     orders: OrderRanges
@@ -39,9 +39,12 @@ class Distinct:
 def ranges_apart(
     orders: OrderRanges, statement: Statement, terms: Sequence[Term], definitions: Definitions
 ) -> list[Distinct]:
-    """Ranges that must all refute: with sums of two addends up to such as end behind all numbers of the
-    formula: the text may say somewhere how many there are. None at all where these would be too long, and
-    for M c = Σ m_i x_i or Σ a_i = 0, which may say what stands there."""
+    """Returns ranges that must all refute: with sums of two addends, and up to sums past all literals of the
+    formula.
+
+    The text may state the number of addends elsewhere. Returns [] if the sums would be too long, and for M c
+    = Σ m_i x_i or Σ a_i = 0, which may be definitions.
+    """
     sums = [part for term in terms for part in term.walk() if isinstance(part, BigSum)]
     lasts = [name for name in orders.generic if any(name in each.upper.variables for each in sums)]
     if not lasts:
@@ -54,7 +57,7 @@ def ranges_apart(
 
 
 def _for_each(statement: Relation, definitions: Definitions) -> Relation | None:
-    """The equation of free members, where what is defined is defined for each index alike."""
+    """Returns the equation of free members, if all definitions are uniform in the index; else None."""
     parts = (part for side in (statement.left, statement.right) for part in definitions.reached(side))
     members = {part for part in parts if isinstance(part, Symbol) and part.index}
     known = {each for member in members for each in definitions.about(member)}
@@ -71,7 +74,8 @@ def _is_for_each(definition: Definition) -> bool:
 
 
 def judge_addends(judge: InstanceJudge, statement: Statement) -> Verdict | None:
-    """`proved` for an equation of sums that holds addend by addend for a free one; None for any other."""
+    """Returns `proved` for an equation of sums that holds addend by addend for a free one; None for other
+    statements."""
     if not isinstance(statement, Relation) or statement.operator != "=":
         return None
     try:

@@ -1,4 +1,4 @@
-"""Zeros of polynomials: factors that must not vanish, and what equations imply."""
+"""Zero sets of polynomials: factors that must not vanish, and consequences of equations."""
 
 from __future__ import annotations
 
@@ -14,8 +14,11 @@ from workbench.prover.decide.ideals import Ideal, has_even_powers, is_nowhere_ze
 
 
 def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
-    """Irreducible polynomials, without reciprocals, one of which vanishes where p does and all that p is made
-    of is defined: a norm vanishes where its square does."""
+    """Returns irreducible polynomials without reciprocals, one of which vanishes where p does and p is
+    defined.
+
+    A norm vanishes where its square does.
+    """
     factors = []
     for factor, _ in engine.ring.reduce(engine.ring.clear(p)).factor()[1]:
         square = engine.ring.square_of(factor)
@@ -28,23 +31,23 @@ def _places(p: Polynomial) -> set[int]:
 
 
 class Pivot(NamedTuple):
-    """A generator, its place in the ring, and what it is where the equations hold."""
+    """A generator, its position in the ring, and its value where the equations hold."""
 
     place: int
     generator: Polynomial
     value: Polynomial
 
 
-#: How often what may vanish is squared, and how many terms the square may have.
+#: Number of squarings of a polynomial that may vanish, and the largest number of terms of the square.
 _SQUARINGS, _LONGEST = 4, 400
 
 
 class Equations:
     """The zeros of some polynomials at which others, `nonzero`, do not vanish.
 
-    Of a polynomial c·x + r with a number c and no x in r they are where x = −r/c, so x is replaced by that
-    everywhere (`solved`). A polynomial vanishes with the rest if it, or a power of it, is in their ideal, or
-    its product with something that is not 0 there.
+    A polynomial c·x + r with a number c and no x in r vanishes where x = −r/c, so x is replaced by that
+    everywhere (`solved`). A polynomial vanishes with the others if it, or a power of it, is in their ideal,
+    or its product with a non-vanishing polynomial is.
     """
 
     def __init__(
@@ -55,17 +58,20 @@ class Equations:
         self._rest, self._nonzero = rest, nonzero
 
     def gaps(self) -> list[Polynomial]:
-        """The irreducible factors of the denominators that are not kept from vanishing."""
+        """The irreducible factors of the denominators that may vanish."""
         return self._not_excluded(self._ring.denominators)
 
     def limits(self) -> list[Polynomial]:
-        """The same of denominators at whose zeros the quotients are limits, as sin x / x is at 0. Where
-        equations hold that speak of x, what is seen beside such a place says nothing of it."""
+        """The factors of denominators at whose zeros the quotients are limits, as sin x / x is at 0.
+
+        Only denominators with generators that the equations constrain count: for these, values near such a
+        point do not determine the value at it.
+        """
         bound = self._bound()
         return self._not_excluded([p for p in self._ring.limits if not bound.isdisjoint(_places(p))])
 
     def _bound(self) -> set[int]:
-        """The generators that the equations speak of, and those that relations tie to them."""
+        """Returns the generators that the equations constrain, and those that relations connect with them."""
         said = [{pivot.place, *_places(pivot.value)} for pivot in self.solved]
         bound = set().union(*said, *map(_places, self._rest))
         tied = [_places(relation) for relation in self._ring.relations]
@@ -74,8 +80,12 @@ class Equations:
         return bound
 
     def _not_excluded(self, denominators: Sequence[Polynomial]) -> list[Polynomial]:
-        """p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
-        squares of monomials has no real zero, nor has one with the square of what does not vanish."""
+        """Returns the factors of the denominators that may vanish.
+
+        p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
+        squares of monomials has no real zero; the number may be replaced by the square of a non-vanishing
+        generator.
+        """
         engine = self._engine
         apart = {place for p in self._apart if len(p) == 1 for place in _places(p)}
         gaps = [
@@ -89,8 +99,8 @@ class Equations:
         return [factor for factor in gaps if not supposed or not self._excludes(factor)]
 
     def _by_sines(self, p: Polynomial) -> Iterator[Polynomial]:
-        """The polynomial, and what it is where in one circle or in all x² is written for 1 − y² instead: the
-        m + k − k c² of a cosine is m + k s²."""
+        """Yields the polynomial, and its forms with x² for 1 − y² in one circle or in all: m + k − k c² is m
+        + k s²."""
         yield p
         every = p
         for relation in self._ring.relations:
@@ -106,17 +116,17 @@ class Equations:
 
     @cached_property
     def _apart(self) -> list[Polynomial]:
-        """The irreducible factors of what does not vanish."""
+        """The irreducible factors of the non-vanishing polynomials."""
         return [factor for p in self._nonzero for factor in _factors(self._engine, p)]
 
     def imply(self, residuals: Sequence[Polynomial]) -> bool:
-        """Whether all are seen to vanish where the equations hold; as the components of a vector do where
-        its square does."""
+        """True if all residuals vanish where the equations hold; components of a vector vanish where its
+        square does."""
         left = [p for p in residuals if not self._vanishes(p)]
         return not left or (len(left) > 1 and self._vanishes(sum((p * p for p in left), self._ring.zero)))
 
     def _excludes(self, p: Polynomial) -> bool:
-        """Whether it is seen that p is nowhere 0 where the equations hold."""
+        """True if p is nowhere 0 where the equations hold."""
         together = Ideal(self._ring.names, [*self._rest, *self._ring.relations, self._without_solved(p)])
         return any(together.holds(self._without_solved(q)) for q in (self._ring.one, *self._nonzero))
 
@@ -138,7 +148,7 @@ class Equations:
         return False
 
     def _sizes(self, p: Polynomial) -> Iterator[Polynomial]:
-        """x + y of p = x − y where neither is negative: it is 0 only where p is."""
+        """Yields x + y for p = x − y if neither is negative: it is 0 only where p is."""
         if has_even_powers(p, self._engine.norm_places):
             yield p.context().from_dict({exponents: abs(c) for exponents, c in p.terms()})
 
@@ -154,7 +164,7 @@ class Equations:
 
 
 def _with_square(p: Polynomial, place: int, square: Polynomial) -> Polynomial:
-    """p with the square of the generator at that place replaced."""
+    """Returns p with the square of the generator at that position replaced."""
     context, found = p.context(), p.context().constant(0)
     for exponents, coefficient in p.terms():
         half, odd = divmod(exponents[place], 2)
@@ -164,7 +174,8 @@ def _with_square(p: Polynomial, place: int, square: Polynomial) -> Polynomial:
 
 
 class _Spread:
-    """A polynomial and the places of the generators in it: most are put into polynomials without them."""
+    """A polynomial and the positions of its generators. Most are substituted into polynomials without
+    them."""
 
     def __init__(self, polynomial: Polynomial) -> None:
         self.polynomial = polynomial
@@ -180,7 +191,7 @@ class _Spread:
 
 
 def solve(engine: ExactEngine, equations: Sequence[Relation], nonzero: list[Polynomial]) -> Equations:
-    """The equations' residuals, solved one after the other as far as possible."""
+    """Returns the equations' residuals, solved one after the other as far as possible."""
     pending = [_Spread(_square_free(p)) for e in equations for p in engine.residuals(e) if p != 0]
     solved: list[Pivot] = []
     rest: list[_Spread] = []
@@ -198,12 +209,13 @@ def solve(engine: ExactEngine, equations: Sequence[Relation], nonzero: list[Poly
 
 
 def _square_free(p: Polynomial) -> Polynomial:
-    """The product of its factors: it vanishes where p does."""
+    """Returns the product of the distinct factors, which vanishes where p does."""
     return prod((factor for factor, _ in p.factor_squarefree()[1]), start=p.context().constant(1))
 
 
 def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:
-    """The first generator x of p = c x + …, c a number, that nothing squares and no other term holds."""
+    """Returns the first generator x of p = c x + …, c a number, that has no square relation and occurs in no
+    other term; else None."""
     for place, name in enumerate(engine.ring.names):
         slope = p.derivative(place)
         if slope.is_constant() and slope != 0 and name not in engine.ring.squared:

@@ -1,1 +1,2 @@
-"""Decides a claim under its facts: declared, stated, hinted, guessed. `explain` is the one entry."""
+"""Explanation: decides a claim under its declared, stated, hinted and guessed facts. `explain` is the
+entry."""

@@ -1,5 +1,5 @@
-"""The verdict on a display that can be read in two ways: by how its rows are joined, and by whether the
-equations beside a formula are its conditions."""
+"""Verdicts on displays with two readings: how rows are joined, and whether equations next to a formula are
+its conditions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from workbench.engines.inventory.assumptions import lasting
 from workbench.engines.inventory.inventory import NotExact
 from workbench.prover.explain.decide_under_facts import conditional
 
-#: The verdict on a claim under what it supposes.
+#: Function that returns the verdict on a claim under its hypotheses.
 Judged: TypeAlias = Callable[[Claim], Verdict]
 
 _TRUE = frozenset({Outcome.PROVED, Outcome.DEFINITION})
@@ -30,10 +30,11 @@ _METHOD = "two readings"
 
 
 def in_both_readings(claim: Claim, printed: Verdict, judged: Judged) -> Verdict:
-    """Returns the verdict that holds however the rows of the display are joined, or else its question.
+    """Returns the verdict that holds for both readings of the display's rows, or else its question.
 
     printed: the verdict on the first reading.   judged: gives the verdict on a claim. The formulas of
-    `otherwise` are one reading together: all of them must hold, and one that is false makes it false."""
+    `otherwise` form one reading: all of them must hold, and one false formula makes it false.
+    """
     if claim.question is None:
         return printed
     asked = Verdict(
@@ -56,16 +57,17 @@ def in_both_readings(claim: Claim, printed: Verdict, judged: Judged) -> Verdict:
 
 
 def _as_printed(claim: Claim, formula: Formula) -> Claim:
-    """The claim as if the formula stood there."""
+    """Returns the claim with this formula as its printed formula."""
     said = formula.statement
     act = (Act.ASSERT, None) if said is None or claim.alone else act_of(formula, claim.notation)
     return replace(claim, printed=formula, act=act, otherwise=(), question=None)
 
 
 def served_by(claim: Claim, bare: Verdict, judged: Judged) -> Formula | None:
-    """Returns a refuted formula beside which a refuted claim stands, perhaps as its condition.
+    """Returns a refuted formula that a refuted claim may be a condition of, else None.
 
-    Where all formulas before the claim hold without it, it is no condition of them, and stays refuted."""
+    If all formulas before the claim hold without it, it is not a condition of them, and stays refuted.
+    """
     if bare.outcome is not Outcome.REFUTED or claim.alone or claim.corrected is not None:
         return None
     readable = [formula for formula in claim.serves if formula.statement is not None]
@@ -74,10 +76,11 @@ def served_by(claim: Claim, bare: Verdict, judged: Judged) -> Formula | None:
 
 
 def with_what_stands_beside(claim: Claim, bare: Verdict, judged: Judged) -> tuple[Claim, Verdict]:
-    """Returns the claim and the verdict on it where the equations beside it may be its conditions.
+    """Returns the claim and its verdict if the equations next to it may be its conditions.
 
-    They matter only where it is refuted without them. The claim that is returned supposes what its verdict
-    does."""
+    They matter only if it is refuted without them. The returned claim contains the conditions that the
+    verdict depends on.
+    """
     if bare.outcome is not Outcome.REFUTED or not claim.perhaps or claim.alone or claim.corrected is not None:
         return claim, bare
     readable = [formula for formula in claim.perhaps if formula.statement is not None]
@@ -97,7 +100,7 @@ def with_what_stands_beside(claim: Claim, bare: Verdict, judged: Judged) -> tupl
 
 
 def _suppositions(claim: Claim, beside: Sequence[Formula]) -> Iterator[tuple[Claim, Sequence[Formula]]]:
-    """The claim under each equation alone and under all, at the instant and then at all times."""
+    """Yields the claim under each equation alone and under all, at the instant and then at all times."""
     groups = [[each] for each in beside] + [list(beside)] * (len(beside) > 1)
     for group in groups:
         yield replace(claim, assume=(*claim.assume, *group)), group
@@ -114,7 +117,8 @@ def _conditional(verdict: Verdict, conditions: Sequence[Formula], bare: Verdict)
 
 
 def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, judged: Judged) -> bool:
-    """Whether the conditions, and their rates as far as the claim takes them, hold at the counterexample."""
+    """True if the conditions, and those of their rates that the claim contains, hold at the
+    counterexample."""
     if refuted.counterexample is None:
         return False
     said = [formula.statement for formula in conditions]
@@ -128,7 +132,7 @@ def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, judged
 
 
 def _point(values: Mapping[str, tuple[str, ...]], claim: Claim) -> Iterator[Formula]:
-    """The equations that give the symbols their values. Raises ValueError for one that cannot be written."""
+    """Yields the equations that give the symbols their values. Raises ValueError if one cannot be written."""
     for name, entries in values.items():
         latex = f"{name} = {_written(entries)}"
         yield Formula(latex, _equation(latex, claim))
@@ -140,7 +144,7 @@ def _equation(latex: str, claim: Claim) -> Statement:
 
 
 def _written(entries: tuple[str, ...]) -> str:
-    """A number, a column or a square matrix as LaTeX."""
+    """Returns a number, a column or a square matrix as LaTeX."""
     if len(entries) == 1:
         return entries[0]
     size = isqrt(len(entries))

@@ -1,4 +1,4 @@
-"""All that a part of a claim or of a notation says, as a text that is the same in each process."""
+"""Canonical text of a part of a claim or of a notation; it is the same in each process."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from workbench.core.names import Name
 from workbench.core.terms import Definition, Symbol, Term
 from workbench.core.types import Declaration, Type
 
-#: What stands in many places.
+#: Types that occur in many places, whose texts are cached.
 _OFTEN = (Term, Declaration, Definition, Type, Linear, Name)
-#: What its own text says.
+#: Types whose `repr` is canonical.
 _PLAIN = (type(None), str, int, float, Fraction, range, Path, PosixPath, WindowsPath)
 
 
 class Told(NamedTuple):
-    """text: all that is said.   names: those of the symbols in it."""
+    """text: the canonical text.   names: the names of the symbols in it."""
 
     text: str
     names: frozenset[Name]
@@ -31,7 +31,7 @@ _NONE = frozenset()
 
 
 def told(part: Any) -> Told:
-    """What the part says. Raises TypeError where that is not known."""
+    """Returns the canonical text of the part. Raises TypeError for an unknown type."""
     return _teller(type(part))(part)
 
 
@@ -64,7 +64,7 @@ def _remembered(kind: type) -> Callable[[Any], Told]:
 
 
 def by_fields(kind: type) -> Callable[[Any], Told]:
-    """The teller of a dataclass: by its type and all fields that its values are compared by."""
+    """Returns the function for a dataclass: its type and all fields that are compared."""
     names, head = [each.name for each in fields(kind) if each.compare], f"{kind.__name__}("
     return lambda part: _together(head, (told(getattr(part, name)) for name in names), ")")
 

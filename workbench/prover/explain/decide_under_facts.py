@@ -1,4 +1,4 @@
-"""Decides a claim under a set of facts, by the engines that judge everything else."""
+"""Decides a claim under a set of facts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 _TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outcome.PROBABLE})
 
-#: An explanation asks the engines no more often.
+#: Limit on the decisions of one explanation.
 MOST_DECISIONS = 40
 
 _FLAGS = tuple(row.flag for row in PROPERTIES.values() if row.flag)
@@ -37,13 +37,13 @@ _Terms: TypeAlias = dict[Name | Symbol, Term]
 
 
 def is_true(verdict: Verdict) -> bool:
-    """Returns whether the claim is true by the verdict, or is so if its premise lasts."""
+    """True if the verdict means that the claim is true, or true if its premise lasts."""
     is_same = verdict.code is VerdictCode.SAME_TERM
     return verdict.outcome in _TRUE or is_same or verdict.code in UNLESS_IT_LASTS
 
 
 class OutOfDecisions(Exception):
-    """The explanation of a verdict has asked the engines as often as it may."""
+    """The explanation of a verdict has used up its decisions."""
 
 
 class Decider:
@@ -59,14 +59,14 @@ class Decider:
     def holds(
         self, facts: Sequence[Fact], statement: Statement | None = None, approximately: bool = False
     ) -> bool:
-        """Returns whether the first engine proves it; a random point is tried before."""
+        """True if the polynomial engine proves it; a random point is tried first."""
         return is_true(self.decide(facts, statement, approximately, by_both=False))
 
     def is_refuted(self, facts: Sequence[Fact]) -> bool:
         return self.decide(facts, by_both=False).outcome is Outcome.REFUTED
 
     def is_consistent(self, facts: Sequence[Fact]) -> bool:
-        """Returns whether the claim is decided under the facts, which do not contradict each other then."""
+        """True if the claim is decided under the facts, which are consistent then."""
         return self.decide(facts).outcome is not Outcome.UNCHECKED
 
     def decide(
@@ -76,9 +76,10 @@ class Decider:
         approximately: bool = False,
         by_both: bool = True,
     ) -> Verdict:
-        """Returns the verdict; `unchecked` where the facts contradict each other or what is declared.
+        """Returns the verdict; `unchecked` if the facts contradict each other or the declarations.
 
-        Raises OutOfDecisions."""
+        Raises OutOfDecisions.
+        """
         key = (tuple(facts), statement, approximately, by_both)
         if key not in self._known:
             try:
@@ -120,7 +121,7 @@ class Decider:
         return Judge(known, bound=frozenset(s.declaration.name for s in notation.motion), **self._options)
 
     def _fails_at_random(self, judge: Judge, goal: Statement, supposed: Sequence[Statement]) -> bool:
-        """Returns whether it is an equation whose residual is not 0 at a random point modulo a prime."""
+        """True for an equation whose residual is not 0 at a random point modulo a prime."""
         from workbench.prover.decide.equation import Equation
 
         if self.claim.orders or not isinstance(goal, Relation) or goal.operator != "=":
@@ -131,7 +132,7 @@ class Decider:
 
 
 class _Put:
-    """Facts sorted by how they are put into a claim."""
+    """Facts sorted by how they enter a claim."""
 
     def __init__(self, facts: Sequence[Fact]) -> None:
         self.terms: _Terms = {}
@@ -155,14 +156,14 @@ class _Put:
                 (self.always if fact.duration is Duration.ALWAYS else self.instant).append(said)
 
     def _add_term(self, name: Name | Symbol, term: Term) -> None:
-        """A member of a family that is another term is one by a definition, so that sums reach it."""
+        """Adds the term of a symbol. A member of a family gets a definition, so that sums reach it."""
         if isinstance(name, Symbol) and not isinstance(term, Symbol):
             self.definitions.append(Definition(name.declaration, name.index, (), term))
         else:
             self.terms[name] = _both(self.terms[name], term) if name in self.terms else term
 
     def meaning(self, term: Term) -> Term:
-        """Returns the term with what the symbols are."""
+        """Returns the term with symbols replaced by their terms."""
         return replaced(term, self._of) if self.terms else term
 
     def _of(self, own: Symbol) -> Term | None:
@@ -195,7 +196,7 @@ def _both(one: Term, other: Term) -> Term:
 
 
 def judged_alone(claim: Claim, judge_of: JudgeOf) -> Verdict:
-    """Returns the verdict under what the claim supposes; `unchecked` if nothing satisfies that."""
+    """Returns the verdict under the claim's hypotheses; `unchecked` if they are unsatisfiable."""
     assert claim.printed.statement is not None
     statement = claim.printed.statement
     with suppress(Unsatisfiable):
@@ -205,7 +206,7 @@ def judged_alone(claim: Claim, judge_of: JudgeOf) -> Verdict:
 
 
 def is_impossible(claim: Claim, judge_of: JudgeOf) -> bool:
-    """Returns whether no values of its symbols make the claim true, whatever its text says of them."""
+    """True if no values of its symbols make the claim true, under any facts."""
     said = claim.printed.statement
     assert said is not None
     try:
@@ -216,7 +217,7 @@ def is_impossible(claim: Claim, judge_of: JudgeOf) -> bool:
 
 
 def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare: Verdict) -> Verdict:
-    """Returns the verdict on what is proved under hypotheses and refuted without them."""
+    """Returns the verdict on a claim that is proved under hypotheses and refuted without them."""
     return replace(
         under,
         outcome=Outcome.CONDITIONAL,
@@ -228,8 +229,11 @@ def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare:
 
 
 def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
-    """The verdict; where the engines disagree or find no end, a defect of the workbench that must not stop
-    the other claims, it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
+    """Returns the verdict; `unchecked` if the engines disagree or do not finish.
+
+    These are defects of the workbench that must not stop the other claims; the reason reports them. The
+    verdict is also `unchecked` if a theorem has no second engine.
+    """
     try:
         return judge()
     except NotExact as outside:

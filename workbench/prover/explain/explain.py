@@ -1,7 +1,7 @@
-"""Explains a verdict by the context of its claim: one ladder of strengths, one minimisation.
+"""Explains a verdict by the context of its claim: facts in order of strength, and a minimal set of them.
 
-A claim that is false on what is declared is tried under the stated facts, then under the hints, then under
-each guess. A hint that rescues it makes it `conditional`; a guess or an opaque fact is a doubt, and it stays
+A claim that is false under the declarations is tried under the stated facts, then under the hints, then under
+each guess. A hint that makes it true gives `conditional`; a guess or an opaque fact is a doubt, and it stays
 refuted.
 """
 
@@ -36,7 +36,7 @@ from workbench.prover.explain.other_readings import other_reading
 _SURE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
 _GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
 _TESTED = frozenset({Act.DEFINE, Act.POSTULATE, Act.CONSTRAIN})
-#: Of the facts that the engines could not use, so many are named.
+#: Number of unusable facts that a message names.
 _NAMED = 2
 
 
@@ -47,7 +47,7 @@ class Explainer:
         self._judge_of, self._options = judge_of, options
 
     def verdict(self, claim: Claim, base: Verdict) -> Verdict:
-        """Returns the verdict on a claim in its context; base: that on what is declared."""
+        """Returns the verdict on a claim in its context; base: the verdict under the declarations."""
         verdict = base
         if base.outcome is Outcome.PROVED and claim.span is not None:
             verdict = under_premises(claim, base, self._judge_of, self._explained)
@@ -61,7 +61,7 @@ class Explainer:
         if claim.corrected is not None:
             return base
         act, own = claim.act if claim.span is not None else _act_by_sign(claim)
-        if is_all_given(claim):  # which says all that is to be known of the symbols
+        if is_all_given(claim):  # the given formulas determine all symbols
             act = Act.ASSERT
         if act is Act.ASSIGN:
             return _only_said(base, act, own)
@@ -79,11 +79,12 @@ class Explainer:
 
 @dataclass
 class _Explanation:
-    """One claim that is false, or open, on what is declared.
+    """One claim that is false or open under the declarations.
 
-    known: the largest layer of stated facts under which it is refuted too.   against: that refutation.
-    pending: the facts that no refutation meets, as the engines could not use them, or only the first could.
-    hints: the hints that can hold together with what is known."""
+    known: the largest layer of stated facts under which it is refuted, too.   against: that refutation.
+    pending: the facts that no refutation includes, because no engine, or only the first, could use them.
+    hints: the hints that are consistent with the known facts.
+    """
 
     claim: Claim
     subject: Subject
@@ -115,7 +116,7 @@ class _Explanation:
         return self._by_hints(context) or self._refuted(context)
 
     def unfinished(self) -> Verdict:
-        """Returns the verdict where the engines have been asked too often: what is refuted stays so."""
+        """Returns the verdict if the limit on decisions is reached; a refuted claim stays refuted."""
         if self.base.outcome is not Outcome.REFUTED:
             return self.base
         if self.act is not Act.ASSERT:
@@ -123,7 +124,7 @@ class _Explanation:
         return replace(self.base, unless=("something holds that was not tried: too much is known of it",))
 
     def _by_what_is_stated(self) -> Verdict | None:
-        """Returns the verdict if it is proved under some layer; else keeps what the layers say."""
+        """Returns the verdict if it is proved under some layer; else records the results for the layers."""
         layers = list(layers_of(self.claim, self.subject))
         met: set[Fact] = set()
         for layer in layers:
@@ -141,8 +142,10 @@ class _Explanation:
         return None
 
     def _count_again(self) -> None:
-        """Counts the act with the definitions unfolded that the refutation meets: x = … is a claim about a
-        known x, or says something of another symbol."""
+        """Determines the act again, with the definitions expanded that the refutation includes.
+
+        x = … is a claim about a known x, or constrains another symbol.
+        """
         said = self._definitions()
         if said and self.act in _TESTED:
             self.act, self.own = subject_of(self.claim, said).act
@@ -150,7 +153,7 @@ class _Explanation:
             self.act = Act.ASSERT
 
     def _follows_from(self, law: object) -> bool:
-        """Returns whether a law says a lower rate of the symbol, from which this one follows."""
+        """True if a law states a lower rate of the symbol, from which this one follows."""
         own, order = self._rate_in(self.claim.printed.statement)
         other, lower = self._rate_in(law)
         return own is not None and own == other and 0 < lower < order
@@ -165,13 +168,13 @@ class _Explanation:
         return [fact.content for fact in self.known if isinstance(fact.content, Definition)]
 
     def _given(self) -> Fact | None:
-        """Returns a condition that the refutation meets and that says what the symbol of the act is."""
+        """Returns a condition in the refutation that determines the symbol of the act, else None."""
         own = self.own
         says = (fact for fact in self.known if own is not None and _says_what_is(own, fact.content))
         return next(says, None)
 
     def _context(self) -> Context:
-        """Returns the facts that the refutation is to meet, and the guesses."""
+        """Returns the facts that the refutation must include, and the guesses."""
         claim = self.claim
         others = [f for f in claim.facts if f.is_opaque or f.bound is not None]
         if claim.span is None or claim.alone:
@@ -197,7 +200,7 @@ class _Explanation:
         return None
 
     def _joint(self, hints: Sequence[Fact]) -> list[Fact]:
-        """Returns the hints that can hold together with what is known, without those that contradict it."""
+        """Returns the hints that are jointly consistent with the known facts."""
         if hints and self.decider.is_consistent([*self.known, *hints]):
             return list(hints)
         usable: list[Fact] = []
@@ -210,7 +213,7 @@ class _Explanation:
         return self.decider.holds(facts, approximately=_is_small(facts))
 
     def _refuted(self, context: Context) -> Verdict:
-        """Returns the refutation with its doubts; for an equation that says what a symbol is, its act."""
+        """Returns the refutation with its doubts; for an equation that constrains a symbol, its act."""
         given = self._given() if self.act is Act.CONSTRAIN else None
         if self.act is Act.CONSTRAIN and given is None:
             return _only_said(self.base, self.act, self.own)
@@ -229,11 +232,13 @@ class _Explanation:
         broken = [fact for fact in context.facts if fact.bound and not fact.bound.allows(values)]
         unless += [f"decided only where not {fact}" for fact in broken]
         basis = min((fact.strength for fact in self.known), default=Strength.DECLARED)
-        doubt = "; ".join(dict.fromkeys(unless))  # what a text says around a formula is one doubt
+        doubt = "; ".join(
+            dict.fromkeys(unless)
+        )  # the context counts as one doubt
         return replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
 
     def _rescuing(self, context: Context) -> list[str]:
-        """Returns the first guess under which it holds, on top of what is known and hinted."""
+        """Returns the first guess that makes it true, in addition to the known facts and hints."""
         for group in context.alternatives:
             if self._holds([*self.known, *self.hints, *group]) or (
                 self.hints and self._holds([*self.known, *group])
@@ -243,7 +248,7 @@ class _Explanation:
 
 
 def _says_what_is(own: Symbol, content: object) -> bool:
-    """Returns whether an equation has the symbol alone on a side, or speaks of nothing else."""
+    """True if an equation has the symbol alone on a side, or contains no other symbol."""
     if not isinstance(content, Relation) or content.operator != "=":
         return False
     is_alone = (content.left == own) != (content.right == own)
@@ -251,8 +256,7 @@ def _says_what_is(own: Symbol, content: object) -> bool:
 
 
 def minimise(facts: Sequence[Fact], holds: Callable[[Sequence[Fact]], bool]) -> list[Fact]:
-    """Returns a part of the facts with which it holds still and none of which can be left out; the weakest go
-    first."""
+    """Returns a minimal subset of the facts under which it still holds; weak facts are removed first."""
     needed = list(facts)
     for fact in sorted(facts, key=lambda each: each.strength):
         fewer = [each for each in needed if each is not fact]
@@ -262,20 +266,20 @@ def minimise(facts: Sequence[Fact], holds: Callable[[Sequence[Fact]], bool]) -> 
 
 
 def _act_by_sign(claim: Claim) -> tuple[Act, Symbol | None]:
-    """Returns the act of a formula that stands in no text: it asserts, unless a sign says otherwise."""
+    """Returns the act of a formula outside a text: an assertion, unless a sign indicates another act."""
     is_signed = assigns(claim.printed) or introduces(claim.printed, claim.notation)
     return act_of(claim.printed, claim.notation) if is_signed else (Act.ASSERT, None)
 
 
 def _is_small(facts: Sequence[Fact]) -> bool:
-    """Returns whether the facts make a symbol small, so that the claim is meant to first order."""
+    """True if the facts make a symbol small, so that the claim is meant to first order."""
     suppositions = (fact.content for fact in facts if isinstance(fact.content, Supposition))
     terms = (term for each in suppositions for _, term in each.terms)
     return any(isinstance(term, Symbol) and term.declaration.small for term in terms)
 
 
 def _under(found: Verdict, core: Sequence[Fact], base: Verdict) -> Verdict:
-    """Returns the verdict on what is proved under facts and refuted without them."""
+    """Returns the verdict on a claim that is proved under facts and refuted without them."""
     said = "; ".join(dict.fromkeys(map(str, core)))
     return replace(
         found,

@@ -1,7 +1,7 @@
-"""The stated facts of a claim in layers, in which they are tried.
+"""Layers of the stated facts of a claim, in the order in which they are tried.
 
-Each layer is tried by itself, since the engines find it the harder to suppose something the more it is:
-definitions, conditions, two more equations, the laws of what the claim moves, nearest first.
+Each layer is tried separately, since large sets of hypotheses are expensive for the engines: definitions,
+conditions, two more equations, the laws of the quantities that the claim moves, nearest first.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from workbench.core.terms import Definition, IllFormed, sides_of
 from workbench.engines.inventory.inventory import NotExact, take_inventory
 from workbench.prover.explain.laws_of_motion import is_all_given, laws_of
 
-#: More equations that define nothing are not supposed together.
+#: Number of further equations that are assumed together.
 _MOST = 2
 _BESIDE = (Provider.CONDITION, Provider.UNREAD)
 
@@ -50,7 +50,7 @@ def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
 
 
 def _first(formulas: Sequence[Fact]) -> list[Fact]:
-    """Returns the definitions; of several for one symbol the first, as a later one is a claim about it."""
+    """Returns the definitions, only the first one per symbol: later ones are claims about it."""
     found: dict[object, Fact] = {}
     for fact in formulas:
         if isinstance(fact.content, Definition):
@@ -59,7 +59,7 @@ def _first(formulas: Sequence[Fact]) -> list[Fact]:
 
 
 def _is_reached(fact: Fact, subject: Subject) -> bool:
-    """Returns whether the claim takes some rate of a symbol of the fact as high as the fact does."""
+    """True if the claim contains some rate of a symbol of the fact of at least the fact's order."""
     if fact.content is None or isinstance(fact.content, Definition | Supposition):
         return True
     with suppress(NotExact, IllFormed):

@@ -1,4 +1,4 @@
-"""Proofs under a premise that is false, of the symbols that the model defines or by itself."""
+"""Proofs under a premise that is false, by itself or because of the model's definitions."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from workbench.prover.explain.decide_under_facts import JudgeOf, conditional, ju
 def under_premises(
     claim: Claim, proved: Verdict, judge_of: JudgeOf, explained: Callable[[Claim, Verdict], Verdict]
 ) -> Verdict:
-    """Returns the verdict; `conditional` on a premise that contradicts what defines its symbols, or on a
-    given formula that is reported as false. explained: the verdict on a refuted claim."""
+    """Returns the verdict; `conditional` on a premise that contradicts the definitions of its symbols, or on
+    a given formula that is reported as false. explained: the verdict on a refuted claim."""
     bare = {"given": (), "assume": (), "orders": None, "hypothesis": None, "facts": ()}
     for premise, is_given in _premises(claim):
         contradicts = says_of_defined(premise, claim.notation.definitions)
@@ -38,7 +38,7 @@ def under_premises(
 
 
 def _premises(claim: Claim) -> Iterator[tuple[Statement, bool]]:
-    """Yields what the claim supposes, and whether it is given."""
+    """Yields the hypotheses of the claim, with True for those that are given formulas."""
     said = claim.printed.statement
     if isinstance(said, Implication):
         yield said.left, False

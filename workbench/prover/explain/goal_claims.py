@@ -1,4 +1,4 @@
-"""The verdict on a claim with a goal, by its proof; and on a formula for every n."""
+"""Verdicts on claims with a goal, by its proof, and on formulas for every n."""
 
 from __future__ import annotations
 
@@ -25,8 +25,10 @@ class TheoremJudge:
         self._lemmas: dict[int, Lemmas] = {}  # by definitions
 
     def verdict(self, claim: Claim) -> Verdict:
-        """By the goal's proof; without one, by the judge of formulas alone. What joins the goal to an argued
-        claim is prose."""
+        """Returns the verdict by the goal's proof; without one, by the judge of formulas alone.
+
+        An argued claim is joined to its goal by prose only.
+        """
         proven = Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
         if claim.theorem is not None:
             proven = self._theorems[claim.theorem]
@@ -51,8 +53,11 @@ class TheoremJudge:
         )
 
     def for_every_n(self, claim: Claim, form: Formula, seen: Verdict) -> Verdict:
-        """The verdict on what holds for some n, with all n for its scope where a proof shows that: the one
-        that the claim names, or the judge of formulas alone."""
+        """Returns the verdict on a formula that holds for some n, with the scope "all n" if a proof shows
+        that.
+
+        The proof is the one that the claim names, or the judge of formulas alone.
+        """
         least = None if claim.orders is None else _least(claim.orders)
         if least is None or not _is_equations(form.statement):
             return seen
@@ -63,7 +68,7 @@ class TheoremJudge:
             goal = Implies(Atom(supposed), goal)
         named = claim.every_n is not None and form is claim.right
         if not named and not _is_total(form.statement, claim.notation):
-            return seen  # of what divides, each member would be judged once more
+            return seen  # each member of a formula with divisions would be judged again
         proven = self._theorems[claim.every_n] if named else Proven(Kernel())
         shown = self._shown(claim, goal, proven)
         if shown.outcome is not Outcome.PROVED:
@@ -72,7 +77,7 @@ class TheoremJudge:
 
 
 def _least(orders: Orders) -> dict[str, int] | None:
-    """The least value of each integer; None where some have a last one, or one that hangs on another."""
+    """Returns the least value of each integer; None if one has a last value or depends on another."""
     stated = {each.variable: each for each in orders.stated}
     if any(each.generic or each.upper is not None or not each.lower.is_number for each in stated.values()):
         return None

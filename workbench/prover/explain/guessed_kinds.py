@@ -1,4 +1,4 @@
-"""Guessed kinds as facts: a falsehood that rests on them is one if the kinds are as guessed."""
+"""Guessed kinds as facts: a refutation that depends on them is conditional on the guesses."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ _NAMED = 5
 
 
 def on_guessed_kinds(claim: Claim, verdict: Verdict) -> Verdict:
-    """Returns the verdict with its basis, and a reason that names the kinds on which a falsehood rests."""
+    """Returns the verdict with its basis, and a reason that names the kinds that a refutation depends on."""
     if not claim.guessed:
         return verdict
-    if "[[scope]]" in claim.guessed and verdict.outcome in _FALSE:  # what its symbols mean is not known
+    if "[[scope]]" in claim.guessed and verdict.outcome in _FALSE:  # the meaning of its symbols is unknown
         reason = ContextCode.SCOPE_UNKNOWN(outcome=verdict.outcome)
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
     reason, unless = verdict.reason, verdict.unless

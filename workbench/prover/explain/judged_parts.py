@@ -1,5 +1,5 @@
-"""The part of a claim that its judges see. The key of a verdict is made of this part, so that no verdict can
-depend on anything that its key leaves out."""
+"""The part of a claim that its judges see. The key of a verdict is computed from this part, so that a verdict
+can depend only on what its key contains."""
 
 from __future__ import annotations
 
@@ -16,38 +16,42 @@ from workbench.core.terms import Apply, Definition, Derivative, Symbol, sides_of
 from workbench.language.definitions import Definitions
 from workbench.prover.explain.canonical_text import told
 
-#: What names a claim, places it or comments on it. The judges see the default of each.
+#: Fields that name, locate or comment on a claim. The judges see their defaults.
 UNSEEN = (
     "id", "equation", "section", "note", "inherits", "statement", "fault", "mend", "unread", "file", "line",
     "chain",
 )  # fmt: skip
 _SEEN = tuple(each.name for each in fields(Claim) if each.name not in (*UNSEEN, "notation"))
 _UNNAMED = ""
-#: The judges see that a claim stands in a text, and not where.
+#: The judges see that a claim stands in a text, but not where.
 _SOMEWHERE = Span(Path(), 0, 0, 0, 0)
 
 
 class JudgedParts:
-    """The judged parts of claims. Equal parts of one notation are the same object, and so are their
-    definitions: the judges keep by identity what they found."""
+    """The judged parts of claims.
+
+    Equal parts of one notation are the same object, and so are their definitions: the judges cache by
+    identity.
+    """
 
     def __init__(self) -> None:
         self._reaches: dict[int, _Reach] = {}
         self._definitions: dict[tuple[int, ...], Definitions] = {}
 
     def of(self, claim: Claim) -> Claim:
-        """The claim without its names, places and comments, with the part of its notation that it reaches."""
+        """Returns the claim without names, positions and comments, with the part of its notation that it
+        reaches."""
         seen, reach = seen_of(claim), self._reach_of(claim.notation)
         own = _without_place(claim.notation.on_motions.get(claim.id))
         part = reach.whole if _needs_all(claim) else reach.part(told([*seen.values(), own]).names)
         return Claim(_UNNAMED, notation=part if own is None else _with_hand(part, {_UNNAMED: own}), **seen)
 
     def for_proposals(self, claim: Claim) -> Claim:
-        """The same with all of its notation: any symbol may stand in what is proposed."""
+        """Returns the same with its whole notation: a proposal may use any symbol."""
         return Claim(_UNNAMED, notation=self._reach_of(claim.notation).whole, **seen_of(claim))
 
     def bound(self, notation: Notation) -> Notation:
-        """The part of a notation that its bindings to motions reach."""
+        """Returns the part of a notation that its bindings to motions reach."""
         return self._reach_of(notation).part(frozenset())
 
     def _reach_of(self, notation: Notation) -> _Reach:
@@ -57,7 +61,7 @@ class JudgedParts:
 
 
 class _Reach:
-    """What the symbols of a notation lead to, by their names. `shared`: definitions that are in use."""
+    """The names that the symbols of a notation lead to. `shared`: definitions that are in use."""
 
     def __init__(self, notation: Notation, shared: dict[tuple[int, ...], Definitions]) -> None:
         self._notation, self._shared = notation, shared
@@ -75,7 +79,7 @@ class _Reach:
         return _with_hand(self._notation, {})
 
     def part(self, names: frozenset[Name]) -> Notation:
-        """The notation as far as it speaks of these names and of what they lead to."""
+        """Returns the notation restricted to these names and the names that they lead to."""
         reached = self._closed(names | self._always)
         if reached not in self._parts:
             found = [d for d in self._notation.definitions if d.declaration.name in reached]
@@ -98,7 +102,7 @@ class _Reach:
         return frozenset(reached)
 
     def _led_to(self, name: Name) -> frozenset[Name]:
-        """The members of the family that are defined by themselves, and the names in its definitions."""
+        """Returns the members of the family with their own definitions, and the names in its definitions."""
         if name not in self._next:
             members = {other for other in self._of if name.index_of(other) is not None}
             said = [told(definition).names for definition in self._of.get(name, ())]
@@ -107,14 +111,15 @@ class _Reach:
 
 
 def _needs_all(claim: Claim) -> bool:
-    """Whether all symbols of the notation may be asked for: a proof names any of them, and so does a formula
-    that is printed in the spellings of its author, or that is read again."""
+    """True if all symbols of the notation may be used: by a proof, or by a formula that is printed in the
+    author's spellings or parsed again."""
     has_proof = claim.goal is not None or claim.every_n is not None
     return has_proof or not claim.notation.hand.is_plain or differentiates_product(claim.printed)
 
 
 def differentiates_product(formula: Formula) -> bool:
-    """Whether it holds a derivative of more than a symbol, which may mean that of the first factor."""
+    """True if it contains a derivative of more than a symbol, which may mean that of the first factor
+    only."""
     if formula.statement is None:
         return False
     parts = (part for side in sides_of(formula.statement) for part in side.walk())
@@ -126,7 +131,7 @@ def differentiates_product(formula: Formula) -> bool:
 
 
 def seen_of(claim: Claim) -> dict[str, Any]:
-    """The fields that the judges see, apart from the notation."""
+    """Returns the fields that the judges see, except the notation."""
     return {name: _without_place(getattr(claim, name)) for name in _SEEN}
 
 
@@ -143,7 +148,8 @@ def _without_place(value: Any) -> Any:
 
 
 def _with_hand(notation: Notation, on_motions: dict[str, Any]) -> Notation:
-    """The notation with other formulas for motions, and the same hand, which is costly to make."""
+    """Returns the notation with other formulas for motions, and the same printer, which is expensive to
+    build."""
     made = replace(notation, on_motions=on_motions)
     vars(made)["hand"] = notation.hand
     return made

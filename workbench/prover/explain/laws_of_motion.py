@@ -1,4 +1,4 @@
-"""The laws of motion that a text states elsewhere, of what a claim of it takes rates of."""
+"""Laws of motion that a text states for the rates in a claim."""
 
 from __future__ import annotations
 
@@ -17,10 +17,15 @@ from workbench.prover.decide.law_statements import is_constant, law_for
 
 
 def laws_of(claim: Claim, followed: bool = True) -> list[Fact]:
-    """For each rate that the claim reaches, or, followed, a law for such a rate does, the last one before it,
-    in a formula or in a sentence. One that multiplies the rate by constants alone comes before others: from
-    it is found what else is said of the rate, as x ẋ + y ẏ = r v is. None of those by which hardly anything
-    is ever found to follow: with the inverse of a matrix, for less than the highest rate of a rotation."""
+    """Returns a law for each rate that the claim reaches: the last one before it, in a formula or in a
+    sentence.
+
+    followed: laws for the rates in these laws are included. A law that multiplies the rate by constants only
+    is
+    preferred: other equations for the rate, such as x ẋ + y ẏ = r v, follow from it. Laws from which almost
+    nothing can be derived are left out: those with the inverse of a matrix, and those for less than the
+    highest rate of a rotation.
+    """
     definitions = claim.notation.definitions
     reached = dict(_inventory(claim.printed.statement, definitions).orders)
     known = [(law, law.content, _rates(law.content, definitions)) for law in _before(claim)]
@@ -52,24 +57,24 @@ def _before(claim: Claim) -> Iterator[Fact]:
 
 
 def _given(claim: Claim) -> dict[Symbol, int]:
-    """Of a symbol: the order from which on the laws that are given say its rates."""
+    """Returns for each symbol the lowest order of its rates in the given laws."""
     rates = [_rates(law.statement, claim.notation.definitions) for law in claim.given if law.statement]
     return {symbol: min(own[symbol] for own in rates if symbol in own) for own in rates for symbol in own}
 
 
 def _is_new(rates: Mapping[Symbol, int], lowest: Mapping[Symbol, int]) -> bool:
-    """Whether a law for the rates says more than those that say them from the lowest orders on."""
+    """True if a law for the rates adds information to laws for rates from the lowest orders on."""
     return all(order < lowest.get(each, order + 1) for each, order in rates.items())
 
 
 def is_law(claim: Claim) -> bool:
-    """Whether it is an equation for a rate that nothing defines."""
+    """True for an equation for a rate that nothing defines."""
     is_equation = isinstance(claim.printed.statement, Relation)
     return is_equation and bool(_rates(claim.printed.statement, claim.notation.definitions))
 
 
 def is_all_given(claim: Claim) -> bool:
-    """Whether what is given speaks of every free symbol of the claim, so that it says what is to be known."""
+    """True if the given formulas contain every free symbol of the claim, so that they determine it."""
     definitions = claim.notation.definitions
     given = [term for law in claim.given if law.statement for term in terms_of(law.statement)]
     return bool(given) and free_in(terms_of(claim.printed.statement), definitions) <= free_in(
@@ -78,7 +83,7 @@ def is_all_given(claim: Claim) -> bool:
 
 
 def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:
-    """Whether the rates that are written in it have no factors but constants."""
+    """True if the rates in it, as written, have no factors except constants."""
     written = [derivative(symbol, order) for symbol, order in rates.items()]
     return all(_is_alone(side, rate, definitions) for side in sides_of(law) for rate in written)
 
@@ -110,7 +115,7 @@ def _reaches(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool
 
 @lru_cache(maxsize=1024)
 def _rates(said: Relation, definitions: Definitions) -> dict[Symbol, int]:
-    """The symbols for a rate of which the equation is a law, and its order; empty where it is none."""
+    """Returns the symbols for a rate of which the equation is a law, and its order; {} if it is not a law."""
     inventory, rate = _inventory(said, definitions), None
     with suppress(NotExact, IllFormed):
         rate = law_for(said, inventory, definitions)

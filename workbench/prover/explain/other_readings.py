@@ -1,4 +1,4 @@
-"""Other readings of a formula that is false as it is read: about relations, so that no fact says them."""
+"""Other readings of a false formula. They change relations, so that no fact can express them."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _DECIMAL = re.compile(r"\d*\.(\d+)")
 
 
 def other_reading(claim: Claim, refuted: Verdict, decider: Decider) -> Reason | None:
-    """Returns why the formula may hold as its author reads it."""
+    """Returns why the formula may hold as its author reads it, else None."""
     if refuted.counterexample is not None and is_rounded(claim.printed.latex, refuted.counterexample):
         return ContextCode.ROUNDED()
     statement = claim.printed.statement
@@ -47,8 +47,11 @@ def other_reading(claim: Claim, refuted: Verdict, decider: Decider) -> Reason | 
 
 
 def is_rounded(latex: str, against: Counterexample) -> bool:
-    """Returns whether the sides differ there by no more than half a unit of the last place of each decimal,
-    put together, as a part of what is largest. Of roots it may be so."""
+    """True if the sides differ by at most the combined rounding of all decimals, relative to the largest
+    entry.
+
+    Half a unit of the last digit is allowed for each decimal. For roots this is a heuristic.
+    """
     parts = []
     for found in _DECIMAL.finditer(latex):
         value, half = Fraction(found[0]), Fraction(1, 2 * 10 ** len(found[1]))
@@ -64,7 +67,8 @@ def is_rounded(latex: str, against: Counterexample) -> bool:
 
 
 def _of_two_indices(claim: Claim) -> str | None:
-    """Returns R_{12} of a family R_n, which nothing defines: its twelfth member, or that of 1 and 2?"""
+    """Returns R_{12} of a family R_n without a definition: it may be the twelfth member, or that of 1 and
+    2."""
     assert claim.printed.statement is not None
     for symbol in terms_of(claim.printed.statement):
         if not isinstance(symbol, Symbol):
@@ -77,7 +81,7 @@ def _of_two_indices(claim: Claim) -> str | None:
 
 
 def _is_of_pi(claim: Claim) -> bool:
-    """Returns whether π stands where no more of it is known than the cosine and sine of its half."""
+    """True if π occurs where only the cosine and sine of its half are known."""
     definitions = claim.notation.definitions
     assert claim.printed.statement is not None
     bodies = [fact.content.body for fact in claim.facts if isinstance(fact.content, Definition)]
@@ -89,8 +93,7 @@ def _is_of_pi(claim: Claim) -> bool:
 
 
 def _has_known_turns(term: Term, definitions: Definitions) -> bool:
-    """Returns whether π stands only where a sine or the like takes a multiple of its half, and multiplies no
-    other angle."""
+    """True if π occurs only in sines and the like of multiples of its half, and multiplies no other angle."""
 
     def is_pi(part: Term) -> bool:
         return isinstance(part, Symbol) and definitions.is_pi(part.declaration)
@@ -107,7 +110,7 @@ def _has_known_turns(term: Term, definitions: Definitions) -> bool:
 
 
 def _holds_nearby(claim: Claim, decider: Decider) -> bool:
-    """Returns whether it holds if d/dt reaches the next factor only."""
+    """True if the claim holds when d/dt applies to the next factor only."""
     if not differentiates_product(claim.printed):
         return False
     symbols = claim.notation.symbols
@@ -120,7 +123,7 @@ def _holds_nearby(claim: Claim, decider: Decider) -> bool:
 
 
 def _holds_for_quaternions(claim: Claim, decider: Decider) -> bool:
-    """Returns whether it holds if vectors are quaternions without a scalar part, of which u² = −1."""
+    """True if the claim holds when vectors are quaternions without a scalar part, with u² = −1."""
     said = claim.printed.statement
     if said is None or not claim.notation.symbols.has_quaternions:
         return False

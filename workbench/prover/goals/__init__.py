@@ -1,1 +1,1 @@
-"""Proofs of statements with quantifiers: each rule, and what it leaves for `decide`."""
+"""Proofs of statements with quantifiers: the rules, and the obligations that they leave for `decide`."""

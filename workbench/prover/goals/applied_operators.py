@@ -1,5 +1,5 @@
-"""Operators in D applied to what stands behind them. What an unknown operator or an unknown map makes of a
-term is a free function, the same one of the same term, once no sum is left that could bind a letter in it."""
+"""Application of operators in D to the terms that follow them. An unknown operator or map applied to a term
+is a free function, the same one for the same term, once no sum is left that could bind a letter in it."""
 
 from __future__ import annotations
 
@@ -27,15 +27,18 @@ from workbench.language.printing.printer import to_latex
 
 
 def with_operators_applied(equation: Relation, definitions: Definitions) -> Relation:
-    """D x is the derivative, (P Q) x is P (Q x), (P + Q) x is P x + Q x; defined operators are written
-    out."""
+    """Returns the equation with D x as the derivative, (P Q) x as P (Q x), (P + Q) x as P x + Q x, and
+    defined operators expanded."""
     left, right = (_applied(side, definitions) for side in (equation.left, equation.right))
     return Relation(equation.operator, left, right)
 
 
 def with_free_values(equation: Relation, definitions: Definitions) -> Relation:
-    """The equation, without sums and with operators applied, with a free function for each P x and f(x) of
-    which nothing more is known, and a free number for each integer and C(n, k)."""
+    """Returns the equation with a free function for each unknown P x and f(x), and a free number for each
+    integer and C(n, k).
+
+    The equation must have no sums, and its operators must be applied.
+    """
     left, right = (_freed(side, definitions) for side in (equation.left, equation.right))
     return Relation(equation.operator, left, right)
 

@@ -1,4 +1,4 @@
-"""What a goal says that numbers can be put into: its equations, each for all that it is said of."""
+"""The equations in a goal that can be evaluated at numbers, with their premises and integers."""
 
 from __future__ import annotations
 
@@ -9,32 +9,32 @@ from itertools import product
 from workbench.core.terms import Conjunction, Equivalence, Statement
 from workbench.language.goals.goals import All, AllFrom, Atom, Both, Goal, Iff, Implies
 
-#: Values of each integer that are looked at, from the least one on.
+#: Number of values of each integer that are tested, from the least one on.
 MEMBERS = 3
 
 
 @dataclass(frozen=True)
 class Said:
-    """A statement, what it supposes at the same instant, and the integers that it holds for, each with its
-    least value."""
+    """A statement, its premises at the same instant, and its integers with their least values."""
 
     statement: Statement
     premises: tuple[Statement, ...] = ()
     integers: tuple[tuple[str, int], ...] = ()
 
     def assignments(self) -> Iterator[dict[str, int]]:
-        """The lowest values of the integers, no two alike; {} alone without any."""
+        """Yields the lowest values of the integers, all distinct; {} without integers."""
         names = [name for name, _ in self.integers]
         for values in product(*(range(least, least + MEMBERS) for _, least in self.integers)):
             yield dict(zip(names, values, strict=True))
 
 
-#: Of no goal yet.
+#: The initial value, before any part of a goal.
 _NOTHING = Conjunction(())
 
 
 def said(goal: Goal, under: Said | None = None) -> Iterator[Said]:
-    """The equations of a goal that stand behind no ∃ and no ⟹, whose premises are equations too."""
+    """Yields the equations of a goal that are not under ∃, and under ⟹ only if the premises are equations,
+    too."""
     here = under or Said(_NOTHING)
     match goal:
         case Atom(statement):
@@ -53,7 +53,7 @@ def said(goal: Goal, under: Said | None = None) -> Iterator[Said]:
 
 
 def _plain(premise: Goal) -> tuple[Statement, ...] | None:
-    """The equations and inequations that the premise is made of, if it has nothing else."""
+    """Returns the equations and disequations that the premise consists of, else None."""
     match premise:
         case Atom(statement):
             return (statement,)

@@ -1,4 +1,4 @@
-"""Members of sets that a proof names: witnesses, and values of what a premise says of all."""
+"""Members of sets that a proof names: witnesses, and instances of premises with ∀."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def read_members(
 
 
 def _member(scope: Scope, variable: Variable, latex: str) -> Term:
-    """What is given for a letter; for a map, an expression in its argument, which is written X."""
+    """Returns the term given for a letter; for a map, an expression in its argument, which is written X."""
     if variable.argument is None:
         return scope.term(latex)
     argument = replace(variable.argument, name=Name("X"))
@@ -66,13 +66,14 @@ def members_belong(
     members: Mapping[str, str],
     using: tuple[int, ...] | None = None,
 ) -> Iterator[Obligation]:
-    """That what is given for rotations and unit vectors are such: at all times, if they may move."""
+    """Yields the obligations that the terms for rotations and unit vectors are such, at all times if they may
+    move."""
     for variable, term in read_members(sequent.scope, variables, members).items():
         yield from belongs(rule, sequent, variable, term, using)
 
 
 def angle(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
-    """What ∃ a ∈ ℝ : cos a = c ∧ sin a = s asks for."""
+    """Returns the obligation of ∃ a ∈ ℝ : cos a = c ∧ sin a = s."""
     own, parts = variable.declaration, body.parts if isinstance(body, Both) else (body,)
     said = [one for part in parts if isinstance(part, Atom) for one in equations(part.statement)]
     heads = [apply(head, symbol(own)) for head in ("cos", "sin")]
@@ -88,7 +89,7 @@ def angle(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
 
 
 def jet(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
-    """What ∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b asks for: nothing, if b is a letter."""
+    """Returns the obligation of ∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b: none, if b is a letter."""
     own = variable.declaration
     free = not (own.constant or own.rotation or own.unit)
     match body:

@@ -1,5 +1,5 @@
-"""One form for products: brackets to the right, scalars in front, no factor I, (A B)ᵀ = Bᵀ Aᵀ, det A B =
-det A det B. So sums to a symbolic n, of which only the text is compared, are seen to be equal."""
+"""Normal form of products: brackets to the right, scalars in front, no factor I, (A B)ᵀ = Bᵀ Aᵀ, det A B =
+det A det B. It makes equal sums to a symbolic n textually equal."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def tidy(equation: Relation) -> Relation:
 
 
 def is_same_sum(equation: Relation) -> bool:
-    """Whether both sides have the same addends, in any order; of two opposite ones neither is left."""
+    """True if both sides have the same addends in any order; opposite addends cancel."""
     left: Counter[Term] = Counter()
     for sign, addend in (*_addends(equation.left, 1), *_addends(equation.right, -1)):
         left[addend] += sign
@@ -84,7 +84,7 @@ def _product(left: Term, right: Term) -> Term:
 
 
 def _associates(*factors: Term) -> bool:
-    """Tensors, or matrices that fit, with scalars before them and perhaps a vector behind."""
+    """True for tensors, or matrices that match, perhaps with scalars before and a vector after them."""
     types = [factor.type for factor in factors]
     rest = list(dropwhile(lambda type_: type_.kind == "scalar", types))
     if not rest or any(type_.kind not in ("tensor", "matrix") for type_ in rest[:-1]):

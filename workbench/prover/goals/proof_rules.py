@@ -1,8 +1,7 @@
-"""From a goal and its proof to what the judge of formulas must show: each rule, what it derives, and for
-which n.
+"""Proof rules: from a goal and its proof to the obligations for the judge of formulas.
 
-A rule is applied only to a goal of its form; what it derives is again a goal, down to equations, which the
-judge proves with both of its engines. So a wrong witness, a wrong instance, or a proof of another goal fails.
+A rule applies only to a goal of its form. It derives further goals, down to equations, which the judge proves
+with both of its engines. A wrong witness, a wrong instance, or a proof of another goal therefore fails.
 """
 
 from __future__ import annotations
@@ -77,7 +76,7 @@ from workbench.prover.goals.sum_rules import pascal, termwise
 
 
 def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
-    """Raises NotShown where the proof does not fit the goal."""
+    """Yields the obligations of a proof. Raises NotShown if the proof does not match the goal."""
     goal, scope = sequent.goal, sequent.scope
     match goal, proof:
         case _, Given(then) if not isinstance(goal, All | AllFrom | Implies):
@@ -178,11 +177,12 @@ def _unique(
     yield from obligations(inner.of(same[0] if len(same) == 1 else Both(tuple(same))), proof.only)
 
 
-# the other rules
+# The other rules.
 
 
 def _obtained(sequent: Sequent, place: int) -> Sequent:
-    """The letters of an ∃ among the premises, and its body: at one instant, of constants."""
+    """Returns the sequent with the letters of an ∃ among the premises, and its body: at one instant, for
+    constants."""
     known = _premise(sequent, place).goal
     if not isinstance(known, Exists):
         raise NotShown(f"premise {place} is {kind_of(known)}, and no ∃")
@@ -218,7 +218,8 @@ def _cases(sequent: Sequent, text: str, equal: Proof, unequal: Proof) -> Iterato
 
 
 def _defined(sequent: Sequent, said: Relation) -> Iterator[Obligation]:
-    """That both sides are defined, where they divide: as a premise, the statement would say so by itself."""
+    """Yields the obligation that both sides are defined, if they divide: as a premise, the statement would
+    imply it."""
     scope = sequent.scope
     sides = said.left, said.right
     if not all(is_defined_everywhere(side, scope.definitions) for side in sides):
@@ -296,8 +297,10 @@ def _is_unequal(statement: Statement) -> bool:
 
 
 def _instance(sequent: Sequent, use: Use):
-    """The equation that a premise says for these values, and whether it lasts; yields what its own premises
-    and its sets ask for: at all times, where it speaks of all times."""
+    """Returns the equation that a premise gives for these values, and whether it lasts.
+
+    Yields the obligations of its own premises and sets: at all times, if it holds at all times.
+    """
     premise = _premise(sequent, use.premise)
     goal, scope, given = premise.goal, sequent.scope, dict(use.at)
     lasting = premise.lasting
@@ -350,7 +353,7 @@ def _instance(sequent: Sequent, use: Use):
 
 
 def _says(known: Goal, wanted: Goal, scope: Scope) -> bool:
-    """Whether what is known is what is wanted, or says it of more integers."""
+    """True if the known goal is the wanted one, or covers more integers."""
     if not (isinstance(known, AllBelow) and isinstance(wanted, AllBelow)):
         return known == wanted
     same = (known.integer, known.body) == (wanted.integer, wanted.body) and known.least <= wanted.least
@@ -364,7 +367,7 @@ def _premise(sequent: Sequent, place: int) -> Premise:
 
 
 def _integer(text: str | None, name: str, least: int, scope: Scope) -> Linear:
-    """An integer that the bounds of its letters keep at `least` or above."""
+    """Returns an integer that the bounds of its letters keep at `least` or above. Raises NotShown."""
     if text is None:
         raise NotShown(f"no value is given for {name}")
     value = linear(parse(text).lines[0][0], list(scope.integers))
@@ -376,6 +379,6 @@ def _integer(text: str | None, name: str, least: int, scope: Scope) -> Linear:
 
 
 def _is_at_least(value: Linear, least: int, scope: Scope) -> bool:
-    """Whether it is so much for all integers that there are."""
+    """True if the value is at least that large for all integers in scope."""
     lowest = value.substitute(scope.integers)
     return all(c > 0 for _, c in value.coefficients) and lowest.is_number and int(lowest) >= least

@@ -1,4 +1,4 @@
-"""The verdict on a goal: what its proof asks for, judged by the kernel; or what stands against it."""
+"""Verdicts on goals: judges the obligations of the proof, or finds a counterexample."""
 
 from __future__ import annotations
 
@@ -61,8 +61,7 @@ from workbench.prover.goals.sequents import (
 from workbench.prover.goals.simplified_equations import Form, forms
 from workbench.prover.goals.substitution import Substitution, at_integer
 
-#: Verdicts of one judge on equations, by what is claimed, what is supposed and the integers with their least
-#: values.
+#: Verdicts of one judge on equations, by statement, hypotheses, and integers with their least values.
 Lemmas: TypeAlias = "dict[tuple[Statement, tuple[Statement, ...], tuple[tuple[str, int], ...]], Verdict]"
 
 _SHOWN = (Outcome.PROVED, Outcome.DEFINITION)
@@ -77,11 +76,12 @@ def prove(
     bare: Goal | None = None,
     lemmas: Lemmas | None = None,
 ) -> Verdict:
-    """`proved`, or `refuted`; `unchecked`, with the rule and the reason, where the proof does not show the
-    goal.
+    """Returns `proved` or `refuted`; or `unchecked` with the rule and the reason if the proof does not show
+    the goal.
 
     bare: the goal without a hypothesis that the text does not state; if that is refuted, the verdict is
-    `conditional`. lemmas: what other proofs asked of the same judge, and this one adds to."""
+    `conditional`. lemmas: obligations of other proofs for the same judge; this one adds to them.
+    """
     given = tuple(Premise(Atom(statement), False) for statement in assume)
     prover = _Prover(judge, {} if lemmas is None else lemmas)
     try:
@@ -108,7 +108,7 @@ def prove(
     )
 
 
-#: Of members to a symbolic n no engine has a normal form: the terms themselves are compared.
+#: No engine has a normal form for members to a symbolic n: the terms themselves are compared.
 SAME_ADDENDS = Evidence("operators applied, sums shifted and split", "both sides have the same addends")
 
 
@@ -119,12 +119,12 @@ class _Prover:
 
     @property
     def definitions(self) -> Definitions:
-        """Those of the paper, which no premise adds to."""
+        """The definitions of the paper; premises add none."""
         return cast(Definitions, self.judge.definitions)
 
     def holds(self, sequent: Sequent, proof: Proof) -> Verdict:
-        """As `show`, for what another verdict rests on: `proved`, or else `unchecked`. Here it is no matter
-        if both sides are the same term."""
+        """Returns `proved` or `unchecked`, as `show` does, for a part of another verdict. Both sides may be
+        one term."""
         verdict = self.show(sequent, proof, part=True)
         return verdict if verdict.outcome == Outcome.PROVED else replace(verdict, outcome=Outcome.UNCHECKED)
 
@@ -149,8 +149,10 @@ class _Prover:
         return Verdict(Outcome.PROVED, scope=_scope_of(sequent.goal), evidence=tuple(found))
 
     def _defined(self, obligation: Obligation) -> Verdict:
-        """Whether what the judge of formulas does not look into is defined: the same term on both sides, and
-        what maps are taken of."""
+        """Returns the verdict on the definedness of terms that the judge of formulas does not evaluate.
+
+        These are the common term of both sides, and the arguments of maps.
+        """
         said, known = obligation.statement, self.definitions
         asked = list(taken_by_maps(said, known)) if isinstance(said, Relation) else []
         if (
@@ -187,7 +189,7 @@ class _Prover:
             return Verdict(Outcome.UNCHECKED, reason=reason)
 
     def _first_hold(self, obligation: Obligation, used: Mapping[str, int]) -> bool:
-        """Whether the first members, which there may be none of on both sides, hold at a random point."""
+        """True if the first members, which may be missing on both sides, hold at a random point."""
         for more in (0, 2):
             values = {name: least + more for name, least in used.items()}
             said, *assume = (instantiate(s, values) for s in (obligation.statement, *obligation.assume))
@@ -204,8 +206,10 @@ class _Prover:
         return self.lemmas[asked]
 
     def _one_of(self, simpler: Sequence[Form], obligation: Obligation, used: Mapping) -> Verdict | None:
-        """The proof, if there is one, of a form that is left when operators and sums are taken away. What is
-        before the form's first integers has been looked at one by one."""
+        """Returns the proof of a simpler form without operators and sums, or None.
+
+        The integers before the form's first ones have been tested one by one.
+        """
         same = obligation.rule != FORMULA and any(form.is_same_sum for form in simpler)
         if same and self._first_hold(obligation, used):
             return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
@@ -285,7 +289,7 @@ class _Prover:
 
 
 def _obligation(sequent: Sequent, statement: Statement) -> Obligation:
-    """The statement under all premises: what fails where one of them is left out is no counterexample."""
+    """Returns the statement under all premises: a failure without one of them is not a counterexample."""
     every = tuple(range(len(sequent.premises)))
     return Obligation(FORMULA, statement, sequent.scope, tuple(supposed(sequent, every)))
 
@@ -295,7 +299,7 @@ def _with(verdict: Verdict, *others: Verdict) -> Verdict:
 
 
 def _at(sequent: Sequent, values: dict[str, str]) -> Sequent:
-    """The goal for values of all that its leading ∀ bind; what is not given a value stays as it is."""
+    """Returns the goal at values of the letters that its leading ∀ bind; letters without a value stay."""
     goal, scope = sequent.goal, sequent.scope
     while values and isinstance(goal, All | AllFrom):
         if isinstance(goal, AllFrom):
@@ -328,14 +332,14 @@ def _only_for_all(goal: Goal) -> bool:
 
 
 def _integers(obligation: Obligation) -> dict[str, int]:
-    """The integer variables that the obligation speaks of, each with its least value."""
+    """Returns the integer variables of the obligation with their least values."""
     said = [r for s in (obligation.statement, *obligation.assume) for r in relations_of(s)]
     names = set().union(*(free_integers(side) for r in said for side in (r.left, r.right)))
     return {name: least for name, least in obligation.scope.integers.items() if name in names}
 
 
 def _scope_of(goal: Goal) -> str | None:
-    """For which integers the goal says it."""
+    """Returns the range of integers that the goal covers, else None."""
     said = list(_ranges(goal))
     return "all " + ", ".join(said) if said else None
 

@@ -1,4 +1,4 @@
-"""What is to be shown, from which premises, and what of it is left to the judge of formulas."""
+"""Sequents: a goal with its scope and premises; obligations: equations for the judge of formulas."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ FORMULA = "formula"
 
 
 class NotShown(Exception):
-    """A proof does not show its goal: which rule, and why."""
+    """A proof does not show its goal; the message gives the rule and the reason."""
 
 
 @dataclass(frozen=True)
 class Premise:
-    """`lasting`: it holds at all times, so that its sides may be differentiated."""
+    """A premise. `lasting`: it holds at all times, so that its sides may be differentiated."""
 
     goal: Goal
     lasting: bool
@@ -41,7 +41,7 @@ class Premise:
 
 @dataclass(frozen=True)
 class Sequent:
-    """What is to be shown, in what letters, from which premises."""
+    """A goal with its letters and premises."""
 
     goal: Goal
     scope: Scope
@@ -55,15 +55,15 @@ class Sequent:
 
     @property
     def lasts(self) -> bool:
-        """Whether what follows from the premises holds at all times: if all of them do."""
+        """True if consequences of the premises hold at all times: if all premises do."""
         return all(premise.lasting for premise in self.premises)
 
     def at_all_times(self) -> Sequent:
-        """With those premises alone that hold at all times."""
+        """Returns the sequent with only the premises that hold at all times."""
         return replace(self, premises=tuple(premise for premise in self.premises if premise.lasting))
 
     def with_integer(self, name: str, least: int) -> Sequent:
-        """Any integer from `least` on, of which no premise speaks. Raises NotShown for a letter in use."""
+        """Returns the sequent with an integer from `least` on. Raises NotShown for a letter in use."""
         if name in self.scope.integers:
             raise NotShown(f"{name} is an integer already; bind another letter")
         return replace(self, scope=self.scope.with_integer(name, least))
@@ -71,7 +71,7 @@ class Sequent:
 
 @dataclass(frozen=True)
 class Obligation:
-    """What the judge of formulas must show: `statement` under `assume`, for all the integers."""
+    """An obligation for the judge of formulas: `statement` under `assume`, for all the integers."""
 
     rule: str
     statement: Statement
@@ -91,7 +91,7 @@ def kind_of(goal: Goal) -> str:
 
 
 def atoms_of(goal: Both) -> tuple[Atom, ...] | None:
-    """Its parts, if all of them are atoms."""
+    """Returns the parts if all of them are atoms, else None."""
     atoms = tuple(part for part in goal.parts if isinstance(part, Atom))
     return atoms if len(atoms) == len(goal.parts) else None
 
@@ -109,7 +109,7 @@ def supposed(sequent: Sequent, using: tuple[int, ...] | None) -> Iterator[Statem
 
 
 def refuse_used(sequent: Sequent, variables: tuple[Variable, ...]) -> None:
-    """A letter that a premise speaks of is not any member of its set any more."""
+    """Raises NotShown if a premise contains one of the letters, which would no longer be arbitrary."""
     names = {variable.name for variable in variables}
     for premise in sequent.premises:
         free = _free_names(premise.goal, sequent.scope)
@@ -134,7 +134,7 @@ def _free_names(goal: Goal, scope: Scope) -> set[Name]:
 
 
 def integers_of(goal: Goal) -> set[str]:
-    """The integers that the goal speaks of, but for those that it binds."""
+    """Returns the free integers of the goal."""
     match goal:
         case Atom(statement):
             return {n for r in relations_of(statement) for s in (r.left, r.right) for n in free_integers(s)}
@@ -164,7 +164,8 @@ def relations_of(statement: Statement) -> Iterator[Relation]:
 
 
 def names_of(term: Term, scope: Scope) -> set[Name]:
-    """What the term depends on; a member of a family depends on what its definitions use."""
+    """Returns the names that the term depends on; a member of a family depends on the names in its
+    definitions."""
     names: set[Name] = set()
     waiting: list[tuple[Term, frozenset[Name]]] = [(term, frozenset())]
     while waiting:

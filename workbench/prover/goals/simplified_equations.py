@@ -1,4 +1,4 @@
-"""Simpler forms of an equation for all n: without sums, operators applied, definitions written out."""
+"""Simpler forms of an equation for all n: without sums, operators applied, definitions expanded."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from workbench.prover.goals.symbolic_sums import without_sums
 
 @dataclass(frozen=True)
 class Form:
-    """An equation that says the same for all integers from `since` on, where its definitions are in force."""
+    """An equivalent equation for all integers from `since` on, where its definitions apply."""
 
     equation: Relation
     since: Mapping[str, int]
@@ -29,16 +29,19 @@ class Form:
         return is_same_sum(self.equation)
 
     def holds_from(self, least: Mapping[str, int], looked_at: int = 0) -> bool:
-        """Whether for all integers from `least` on; but for so many of one integer, looked at one by one."""
+        """True if it covers all integers from `least` on, except for so many of one integer, tested one by
+        one."""
         looked_at = looked_at if len(least) == 1 else 0
         return all(self.since.get(name, 0) <= value + looked_at for name, value in least.items())
 
 
 def forms(statement: Statement, judge: InstanceJudge, least: Mapping[str, int]) -> Iterator[Form]:
-    """The equation with sums taken away; then with operators applied too, and definitions written out. None
-    where something divides: a sum that is taken away could hide that.
+    """Yields the equation without sums; then with operators applied and definitions expanded, too.
 
-    least: the least value of each integer."""
+    Yields nothing if something divides: removing a sum could hide that.
+
+    least: the least value of each integer.
+    """
     if not isinstance(statement, Relation) or statement.operator != "=":
         return
     definitions = judge.definitions
@@ -58,8 +61,8 @@ def forms(statement: Statement, judge: InstanceJudge, least: Mapping[str, int]) 
 
 
 def _since(equation: Relation, judge: InstanceJudge) -> Mapping[str, int] | None:
-    """From which integers on what is written out is what the definitions say; None where an addend of a sum
-    is apart."""
+    """Returns the integers from which the expansion matches the definitions; None if an addend of a sum is an
+    exception."""
     sides = (equation.left, equation.right)
     start = exceptions(judge).start(rewritten(sides, judge.definitions))
     free = frozenset().union(*map(free_integers, sides))
@@ -70,7 +73,7 @@ def _since(equation: Relation, judge: InstanceJudge) -> Mapping[str, int] | None
 
 
 def _lower_bounds(terms: tuple[Term, ...], definitions: Definitions) -> dict[str, int]:
-    """The letters of all sums, all the way down, with the least of the values that each takes."""
+    """Returns the letters of all sums, recursively, with their least values."""
     waiting: list[Term] = list(terms)
     seen: set[Term] = set()
     lowest: dict[str, int] = {}

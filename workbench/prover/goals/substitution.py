@@ -1,4 +1,4 @@
-"""Terms put in the place of letters, with what makes that sound."""
+"""Substitution of terms for letters, with the conditions that make it sound."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ from workbench.language.goals.goals import (
 
 
 def is_constant(term: Term, definitions: Definitions) -> bool:
-    """Whether nothing in the term depends on time."""
+    """True if nothing in the term depends on time."""
     return not any(
         isinstance(part, Symbol) and not part.declaration.constant
         for part in expand(term, definitions).walk()
@@ -53,12 +53,12 @@ def is_constant(term: Term, definitions: Definitions) -> bool:
 
 
 def is_function(term: Term, definitions: Definitions) -> bool:
-    """Whether it is a function that the paper defines: its definition may differentiate its argument."""
+    """True for a function that the paper defines: its definition may differentiate its argument."""
     return isinstance(term, Symbol) and bool(term.arguments) and bool(definitions.about(term))
 
 
 def differentiates(term: Term, name: Name, definitions: Definitions, below: bool = False) -> bool:
-    """Whether the letter stands, or could stand, under a derivative by time."""
+    """True if the letter is, or could be, under a time derivative."""
     if isinstance(term, Symbol) and term.declaration.name == name:
         return below
     below = below or isinstance(term, Derivative | TimeOperator) or is_function(term, definitions)
@@ -67,7 +67,7 @@ def differentiates(term: Term, name: Name, definitions: Definitions, below: bool
 
 
 def _differentiates_by_place(term: Term, definitions: Definitions) -> bool:
-    """Whether it is a div, a curl or a ∂, or a function that the paper defines by one."""
+    """True for a div, a curl or a ∂, or for a function that the paper defines by one."""
     if not is_function(term, definitions):
         return _is_by_place(term)
     return any(map(_is_by_place, definitions.reached(term)))
@@ -80,10 +80,10 @@ def _is_by_place(term: Term) -> bool:
 class Substitution:
     """Terms for the bound letters of one quantifier.
 
-    What stands for a constant letter under a derivative, or where something is supposed for all times, must
-    be constant too: at an instant a constant has the value of the term there, and not its derivatives. Under
-    div, curl and ∂ nothing is put in: a letter has the value of the term at one place, and what is known of
-    it is known there. Definitions that use a letter of the paper are written out.
+    A term for a constant letter under a derivative, or in a statement about all times, must be constant, too:
+    at one instant a constant has the value of the term, but not its derivatives. Nothing is substituted under
+    div, curl and ∂: a letter has the value of the term at one position only. Definitions that use a letter of
+    the paper are expanded.
     """
 
     def __init__(self, terms: Mapping[Variable, Term], definitions: Definitions) -> None:
@@ -103,8 +103,11 @@ class Substitution:
         self.integers = frozenset().union(*map(free_integers, terms.values()))
 
     def goal(self, goal: Goal, lasting: bool = False) -> Goal:
-        """Raises GoalError where a letter would be bound or differentiated that must not be. lasting: the
-        goal is said of all times."""
+        """Returns the goal after substitution. Raises GoalError if a letter would be captured or
+        differentiated illegally.
+
+        lasting: the goal holds at all times.
+        """
         match goal:
             case Atom(statement):
                 return Atom(self.statement(statement, lasting))
@@ -154,18 +157,18 @@ class Substitution:
         return self._term(whole, lasting)
 
     def as_written(self, term: Term) -> Term:
-        """The term with its letters replaced where they stand in it; definitions are left as they are."""
+        """Returns the term with its letters replaced where they occur; definitions are not expanded."""
         return self._term(term, False)
 
     def _stands_in(self, term: Term) -> bool:
         return any(isinstance(p, Symbol) and p.declaration.name in self.terms for p in term.walk())
 
     def _left_over(self, part: Symbol) -> bool:
-        """Whether a member of a family, which stays as it is, depends on one of the letters."""
+        """True if a member of a family, which stays as it is, depends on one of the letters."""
         return any(self._is_reached_by(definition, set()) for definition in self.definitions.about(part))
 
     def _is_reached_by(self, definition: Definition, seen: set[Name]) -> bool:
-        """Whether the definition uses one of the letters, and not as a formal argument of its own."""
+        """True if the definition uses one of the letters, other than as a formal argument."""
         formals = {parameter.name for parameter in definition.parameters}
         for part in definition.body.walk():
             if not isinstance(part, Symbol) or part.declaration.name in seen | formals:
@@ -206,13 +209,13 @@ class Substitution:
 
 
 def _without_zeros(term: Term) -> Term:
-    """0 for what is linear in a 0: also of an operator that is not known."""
+    """Returns 0 for a linear operation on a 0, also for an unknown operator."""
     is_linear = isinstance(term, Apply) and term.head in COMPONENTWISE
     return zero(term.type) if is_linear and any(isinstance(c, Zero) for c in term.children) else term
 
 
 def at_integer(goal: Goal, name: str, value: Linear | int) -> Goal:
-    """The goal with an integer put in. Raises IllFormed for a member that there is not."""
+    """Returns the goal with an integer substituted. Raises IllFormed for a member that does not exist."""
     values = {name: value}
     match goal:
         case Atom(statement):

@@ -1,4 +1,4 @@
-"""What rules about sums to a symbolic n ask for: goals, each with its proof."""
+"""Rules about sums to a symbolic n: the goals that they require, each with its proof."""
 
 from __future__ import annotations
 
@@ -21,8 +21,11 @@ Asked = Iterator[tuple[Sequent, Proof]]
 
 
 def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
-    """∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k), by induction on n with Pascal's rule: if G₀ = F(0, 0),
-    Gₙ₊₁ = L Gₙ, L F(j, k) = F(j+1, k) + F(j, k+1) and L is additive."""
+    """Returns the goals for ∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k), by induction on n with Pascal's
+    rule.
+
+    They are G₀ = F(0, 0), Gₙ₊₁ = L Gₙ, L F(j, k) = F(j+1, k) + F(j, k+1), and L is additive.
+    """
     n, scope = goal.integer, sequent.scope
     left, total = _sum_on_the_right(goal)
     if goal.least != 0 or total.lower != Linear(0) or total.upper != Linear.variable(n):
@@ -56,7 +59,7 @@ def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
 
 
 class _Step:
-    """L, an expression in Y."""
+    """The operator L, an expression in Y."""
 
     def __init__(self, latex: str, like: Term, scope: Scope) -> None:
         if any(letter in scope.table for letter in ("Y", "Z")):
@@ -75,8 +78,10 @@ class _Step:
 
 
 def termwise(sequent: Sequent, said: Relation, proof: Termwise) -> Asked:
-    """Σ_{k=a}^{n+c} f(n, k) = Σ_{k=a}^{n+c} g(n, k), if f(k+j−c, k) = g(k+j−c, k) for all k ≥ a and j ≥ 0 for
-    which the premises hold with n = k+j−c."""
+    """Returns the goals for Σ_{k=a}^{n+c} f(n, k) = Σ_{k=a}^{n+c} g(n, k).
+
+    They are f(k+j−c, k) = g(k+j−c, k) for all k ≥ a and j ≥ 0 for which the premises hold with n = k+j−c.
+    """
     one, other = said.left, said.right
     if not (isinstance(one, BigSum) and isinstance(other, BigSum)):
         raise NotShown("expected one sum on either side")
@@ -100,7 +105,7 @@ def termwise(sequent: Sequent, said: Relation, proof: Termwise) -> Asked:
 
 
 def _sum_on_the_right(goal: AllFrom) -> tuple[Term, BigSum]:
-    """The left side of the equation, and the sum."""
+    """Returns the left side of the equation, and the sum on the right. Raises NotShown."""
     match goal.body:
         case Atom(Relation("=", left, BigSum() as total)):
             return left, total

@@ -1,10 +1,10 @@
-"""Sums to a symbolic n, taken away from an equation: by Leibniz' rule, by shifting, by splitting off ends.
+"""Elimination of sums to a symbolic n: by Leibniz' rule, by shifting, by splitting off ends.
 
     Σ_{k=0}^{n} C(n, k) x⁽ᵏ⁾ × y⁽ⁿ⁻ᵏ⁾ = (x × y)⁽ⁿ⁾
     Σ_{k=1}^{n} f(k+1) = Σ_{k=2}^{n+1} f(k) = Σ_{k=1}^{n+1} f(k) − f(1)
 
-What is left of a sum becomes a free symbol, the same one for equal sums. So what is proved of the rest holds
-with the sums. Derivatives, and all that is linear, are brought to the addends before.
+Each remaining sum becomes a free symbol, the same one for equal sums, so that a proof of the rest holds with
+the sums. Derivatives and linear operations are moved to the addends first.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ _SHIFTS = (0, 1, -1, 2, -2)
 
 
 def without_sums(equation: Relation, least: Mapping[str, int]) -> Relation:
-    """The equation with derivatives and free symbols for its sums. least: the least value of each integer."""
+    """Returns the equation with derivatives and free symbols for its sums. least: the least value of each
+    integer."""
     return _Sums(dict(least)).equation(equation)
 
 
@@ -72,7 +73,8 @@ class _Sums:
         return symbol(Declaration(Name(rf"\left({to_latex(total)}\right)", of=(total,)), total.type))
 
     def _matched(self, total: BigSum, known: BigSum) -> Term | None:
-        """The sum as a known one, shifted, with what it has more or less at its ends."""
+        """Returns the sum as a known one, shifted, plus or minus the addends at its ends; None if no shift
+        matches."""
         (k,), (j,) = total.variables, known.variables
         (total_first, total_last), (first, last) = _bounds(total), _bounds(known)
         for shift in _SHIFTS:
@@ -95,12 +97,13 @@ class _Sums:
         return None
 
     def _at_least(self, value: Linear, least: int) -> bool:
-        """Whether the value is so much for all integers that there are."""
+        """True if the value is at least that large for all integers in scope."""
         lowest = value.substitute({name: self.least.get(name, 0) for name in value.variables})
         return all(c > 0 for _, c in value.coefficients) and int(lowest) >= least
 
     def _leibniz(self, total: BigSum) -> Term | None:
-        """(x y)⁽ᵐ⁾ for Σ_{k=0}^{m} C(m, k) x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, and what the sum lacks of k = 0 … m at its ends."""
+        """Returns (x y)⁽ᵐ⁾ for Σ_{k=0}^{m} C(m, k) x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, minus the addends that the sum lacks at its
+        ends."""
         (k,) = total.variables
         factors = list(_factors(total.body))
         found = [f for f in factors if isinstance(f, Counting) and f.name == "binomial"]
@@ -128,13 +131,13 @@ class _Sums:
 
 
 def _bounds(total: BigSum) -> tuple[Linear, Linear]:
-    """The bounds of a sum over a range."""
+    """Returns the bounds of a sum over a range."""
     assert total.lower is not None and total.upper is not None, "a sum over a range"
     return total.lower, total.upper
 
 
 def _evaluated(body: Term, k: str, value: Linear) -> Term:
-    """The addend at a value, where C(m, 0) and C(m, m) are 1."""
+    """Returns the addend at a value; C(m, 0) and C(m, m) are 1."""
     at = instantiate(body, {k: value})
     return _ones(at)
 
@@ -153,7 +156,8 @@ def _ones(term: Term) -> Term:
 
 
 def _ends(known: BigSum, j: str, end: Linear, more: int, below: bool) -> Iterator[tuple[bool, Term]]:
-    """What a sum that ends elsewhere has more (or, negative, less) than the known one."""
+    """Yields the addends by which a sum with another end exceeds the known one (negative if it lacks
+    them)."""
     first, last = _bounds(known)
     for step in range(abs(more)):
         if below:
@@ -172,7 +176,7 @@ def _factors(term: Term) -> Iterator[Term]:
 
 
 def _divided(term: Term, factor: Term) -> Term | None:
-    """The product without one of its factors; None if it is none of them."""
+    """Returns the product without one of its factors; None if it does not contain the factor."""
     if not (isinstance(term, Apply) and term.head in PRODUCTS):
         return None
     left, right = term.arguments
@@ -186,7 +190,7 @@ def _divided(term: Term, factor: Term) -> Term | None:
 
 
 def _product(body: Term, k: str, top: Linear, offset: Linear) -> Term | None:
-    """(x y)⁽ᵐ⁾ for x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, between factors that do not depend on k; else None."""
+    """Returns (x y)⁽ᵐ⁾ for x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, between factors that do not depend on k; else None."""
     orders = {Linear.variable(k) + offset, top - Linear.variable(k) - offset}
     match body:
         case Apply(head=head, arguments=(inner,)) if head in COMPONENTWISE:
@@ -206,7 +210,7 @@ def _product(body: Term, k: str, top: Linear, offset: Linear) -> Term | None:
 
 
 def _base(term: Term, k: str, orders: set[Linear]) -> tuple[Term, Linear] | None:
-    """x and the order of x⁽ᵏ⁾, under what is linear and does not depend on time."""
+    """Returns x and the order of x⁽ᵏ⁾, inside time-independent linear operations; else None."""
     match term:
         case Derivative(body=body, order=order) if order in orders and not _depends(body, k):
             return body, order

@@ -1,3 +1,2 @@
-"""Statements on Drake's motions: numbers that can veto a proof and show the size of an error. Nothing here
-proves.
-"""
+"""Statements on Drake's motions: numerical evidence that can veto a proof and show the size of an error. It
+proves nothing."""

@@ -1,4 +1,4 @@
-"""Whether what a paper's [motion] says of a defined symbol is what its definition says."""
+"""Consistency check: the [motion] binding of a defined symbol must match its definition."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.motions.motion_check import Motion, Subject, witness
 from workbench.prover.motions.motion_source import Bindings, BoundFirst
 
-#: The members that stand for a family.
+#: The members that represent a family.
 MEMBERS = (1, 2, 3)
 
 
@@ -26,7 +26,7 @@ class BindingError(ValueError):
 def require_consistent(
     definitions: Definitions, choices: Sequence[Bindings], motions: tuple[Motion, ...]
 ) -> None:
-    """Raises BindingError for the first binding of a defined symbol whose definition makes something else."""
+    """Raises BindingError for the first binding of a defined symbol that contradicts its definition."""
     for bindings in choices:
         for definition in definitions:
             for member in _members(definition):
@@ -37,7 +37,7 @@ def require_consistent(
 
 @dataclass(frozen=True)
 class _Once:
-    """The integers of a definition, at the members that are looked at."""
+    """The integers of a definition, at the members that are tested."""
 
     variables: tuple[str, ...]
 
@@ -77,7 +77,7 @@ def _tested(
 
 
 def _all_bound(body: Term, definitions: Definitions, bindings: Bindings) -> bool:
-    """Whether the body has nothing free: what is neither bound nor defined could be anything."""
+    """True if the body has no free symbols: an unbound and undefined symbol could have any value."""
     variables = {v for t in body.walk() if isinstance(t, Symbol) for i in t.index for v in i.variables}
     try:
         body = instantiate(body, dict.fromkeys(variables, 1))

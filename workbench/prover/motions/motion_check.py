@@ -1,4 +1,4 @@
-"""A statement on the motions that Drake made: numbers that can veto a proof, and show what an error costs."""
+"""Evaluation of a statement on Drake's motions: it can veto a proof, and shows the effect of an error."""
 
 from __future__ import annotations
 
@@ -35,10 +35,11 @@ from workbench.prover.motions.statements_on_motions import Evaluation, Truth
 METHOD = "Drake reference motions"
 HOLDS, PARTS = "residual within the error", "the sides part"
 
-#: Derivatives in all, those of the bindings counted: beyond it Drake's Expressions and errors grow too large.
+#: Limit on the order of derivatives, including those of the bindings: beyond it expressions and errors grow
+#: too large.
 HIGHEST_ORDER = 5
 
-#: Members of a family that are looked at, the lowest ones.
+#: Number of members of a family that are evaluated, the lowest ones.
 INSTANCES = 3
 
 
@@ -48,7 +49,7 @@ class Ranges(Protocol):
 
 @dataclass(frozen=True)
 class Subject:
-    """A statement with what it supposes, its integers' ranges, and what its symbols mean."""
+    """A statement with its premises, the ranges of its integers, and the bindings of its symbols."""
 
     statement: Statement
     premises: tuple[Statement, ...]
@@ -60,7 +61,7 @@ class Subject:
 
 @dataclass(frozen=True)
 class Witness:
-    """What the motions say. `evidence`: None where nothing was tested, for the `reason`.   vetoed: an
+    """The result on the motions. `evidence`: None if nothing was tested, with the `reason`.   vetoed: an
     instance does not hold."""
 
     evidence: Evidence | None
@@ -69,9 +70,9 @@ class Witness:
 
 
 def witness(*subjects: Subject, course: bool = False) -> Witness:
-    """Evaluates the instances of the statements on all motions that have what they are about.
+    """Evaluates the instances of the statements on all motions that have their quantities.
 
-    course: also tell the residual over time, on the first of the motions.
+    course: also record the residual over time, on the first of the motions.
     """
     reasons: list[Reason] = []
     seen: list[_Seen] = []
@@ -87,7 +88,7 @@ def witness(*subjects: Subject, course: bool = False) -> Witness:
 
 
 def _instances(subject: Subject) -> Iterator[_Seen | Reason]:
-    """The lowest instances that can be told, or why one cannot."""
+    """Yields the lowest instances that can be evaluated, or the reason why one cannot."""
     told = failed = 0
     try:
         for values in _spread(subject.orders):
@@ -102,14 +103,14 @@ def _instances(subject: Subject) -> Iterator[_Seen | Reason]:
 
 
 def _spread(orders: Ranges | None) -> list[dict[str, int]]:
-    """The values of the integers, first those where all of them grow together, m = n = 1, 2, 3."""
+    """Returns the values of the integers, beginning with those that grow together, m = n = 1, 2, 3."""
     if orders is None:
         return [{}]
     rows = list(orders.assignments())
     values = {name: sorted({row[name] for row in rows}) for name in rows[0]}
 
     def apart(row: dict[str, int]) -> bool:
-        """Whether an integer is not as far up its range as the others, nor at its end."""
+        """True if an integer is not as far up its range as the others, nor at its end."""
         places = [values[name].index(value) for name, value in row.items()]
         top = max(places, default=0)
         return any(p != min(top, len(values[n]) - 1) for n, p in zip(row, places, strict=True))
@@ -134,7 +135,7 @@ class _Seen:
 
 @dataclass(frozen=True)
 class _Case:
-    """One instance, its premises, and what its symbols are."""
+    """One instance with its premises and the meaning of its symbols."""
 
     statement: Statement
     premises: tuple[Statement, ...]
@@ -143,7 +144,7 @@ class _Case:
     bindings: Bindings
 
     def on(self, stage: Stage) -> tuple[Truth, np.ndarray]:
-        """The statement's truth, and where its premises hold and it can be told."""
+        """Returns the statement's truth, and where its premises hold and it can be evaluated."""
         evaluation = Evaluation(stage, self.bindings, self.lookup, self.inventory)
         held = evaluation.suppose(self.premises)
         truth = evaluation.truth(self.statement)
@@ -151,7 +152,7 @@ class _Case:
 
 
 def _instance(subject: Subject, values: dict[str, int]) -> _Seen | Reason:
-    """What the motions say of one instance, or why they say nothing."""
+    """Returns the result of one instance on the motions, or the reason why there is none."""
     try:
         statement, *premises = (instantiate(s, values) for s in (subject.statement, *subject.premises))
     except (NotExact, IllFormed) as outside:
@@ -180,7 +181,7 @@ def _instance(subject: Subject, values: dict[str, int]) -> _Seen | Reason:
 
 
 def _split(statement: Statement) -> tuple[tuple[Statement, ...], Statement]:
-    """The premise of an implication apart from its conclusion."""
+    """Returns the premise and the conclusion of an implication; no premise for other statements."""
     if isinstance(statement, Implication):
         return (statement.left,), statement.right
     return (), statement
@@ -199,7 +200,7 @@ def _case(
 
 
 def _is_field(name: Name, sides: Sequence[Term], definitions: Lookup) -> bool:
-    """Whether a symbol of this name is defined with the coordinate."""
+    """True if a symbol of this name is defined by means of the coordinate."""
     pending: list[Term] = [
         t for side in sides for t in side.walk() if isinstance(t, Symbol) and t.declaration.name == name
     ]
@@ -231,7 +232,7 @@ def relations(statement: Statement) -> Iterator[Relation]:
 
 
 def _same(case: _Case) -> bool:
-    """Whether an equation only says what its own definition says, of a symbol that is not bound."""
+    """True for an equation that repeats the definition of an unbound symbol."""
     match case.statement:
         case Relation(operator="=", left=Symbol() as left, right=right):
             body = case.lookup.lookup(left)
@@ -294,13 +295,13 @@ def _told(seen: Sequence[_Seen], course: bool) -> Witness:
 
 
 def _motions(seen: Sequence[_Seen]) -> list[str]:
-    """The motions on which anything could be told."""
+    """Returns the names of the motions on which anything was evaluated."""
     names = (m.name for s in seen for (m, _), used in zip(s.stage.places, s.used, strict=True) if used)
     return list(dict.fromkeys(names))
 
 
 def _by_motion(seen: Sequence[_Seen]) -> tuple[list[float], list[float]]:
-    """The largest residual over size on each of the motions, and the largest that errors explain."""
+    """Returns the largest relative residual on each motion, and the largest that errors explain."""
     worst = {name: [0.0, 0.0] for name in _motions(seen)}
     for instance in seen:
         truth = instance.truth
@@ -316,7 +317,7 @@ def _by_motion(seen: Sequence[_Seen]) -> tuple[list[float], list[float]]:
 
 
 def _over_time(seen: _Seen) -> dict[str, Any] | None:
-    """Residual over size on the first motion; None at times where it cannot be told."""
+    """Returns the relative residual on the first motion; None at times without a value."""
     motion = next(m for (m, _), used in zip(seen.stage.places, seen.used, strict=True) if used)
     stage = _course(cast(Hashable, motion))
     truth, used = seen.case.on(stage)
@@ -326,8 +327,8 @@ def _over_time(seen: _Seen) -> dict[str, Any] | None:
 
 
 def figure(value: float, decade: bool = False) -> float:
-    """Two digits; or the next power of ten, at least 1e-16: the digits below are noise and differ between
-    machines."""
+    """Returns two digits; or, for a decade, the next power of ten, at least 1e-16, since further digits are
+    noise."""
     if decade:
         return float(f"1e{max(-16, int(np.ceil(np.log10(value))))}") if value > 0 else 1e-16
     return float(f"{value:.2g}")

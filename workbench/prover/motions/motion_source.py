@@ -1,4 +1,4 @@
-"""What the symbols of a claim are on several motions at several times, all at once."""
+"""Values of the symbols of a claim on several motions at several times, all at once."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from workbench.engines.jet.components import Value
 from workbench.engines.jet.rings import PointSource
 from workbench.language.definitions import solve
 
-#: Each time is looked at with the references as they are, and this often with each moved by its error.
+#: Number of disturbed copies of each time, with each reference moved by its error.
 DISTURBED = 2
 COPIES = 1 + DISTURBED
 
 
 @dataclass(frozen=True)
 class Bindings:
-    """Which symbols are bound: symbols or patterns such as Φ_n → what they are."""
+    """Bound symbols: symbols or patterns such as Φ_n → their bindings."""
 
     of: Mapping[Symbol, Bound]
     _known: dict[Symbol, tuple[Bound, int] | None] = field(default_factory=dict, compare=False, repr=False)
 
     def find(self, symbol: Symbol) -> tuple[Bound, int] | None:
-        """The binding and the value of its index (0 where it has none)."""
+        """Returns the binding and the value of its index (0 if it has none), or None."""
         if symbol not in self._known:
             self._known[symbol] = self._find(symbol)
         return self._known[symbol]
@@ -51,7 +51,7 @@ class Bindings:
 
 
 def bindings_of(motion: Mapping[Symbol, str]) -> tuple[Bindings, ...]:
-    """What the texts of a paper's [motion] say; the k-th of several where symbols have alternatives."""
+    """Returns the bindings of a paper's [motion]: the k-th of several if symbols have alternatives."""
     choices = {symbol: alternatives(text) for symbol, text in motion.items()}
     count = max(map(len, choices.values()), default=0)
     return tuple(
@@ -62,7 +62,7 @@ def bindings_of(motion: Mapping[Symbol, str]) -> tuple[Bindings, ...]:
 
 @dataclass(frozen=True)
 class BoundFirst:
-    """The definitions, but for what is bound: that is what Drake says, its definition is one more claim."""
+    """A lookup that hides the definitions of bound symbols: their values come from Drake."""
 
     definitions: Lookup
     bindings: Bindings
@@ -96,7 +96,7 @@ class Stage:
         return LaneRing(len(self), COPIES)
 
     def jet(self, bound: Bound, index: int, depth: int) -> list[np.ndarray]:
-        """Derivatives 0 … depth, each an array of the quantity's shape with Lanes for entries."""
+        """Returns derivatives 0 … depth, each an array of the quantity's shape with Lanes for entries."""
         key = (bound.text, index)
         known = self._jets.get(key)
         if known is None or len(known) <= depth:
@@ -128,7 +128,7 @@ def _as_lanes(values: np.ndarray) -> np.ndarray:
 
 
 class MotionSource:
-    """Bound symbols from a stage, the others free."""
+    """A source with bound symbols from a stage, and the others free."""
 
     def __init__(
         self, stage: Stage, bindings: Bindings, free: PointSource, moved_along: int | None = None

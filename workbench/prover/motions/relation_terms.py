@@ -10,7 +10,7 @@ from workbench.drake.relations import Term as Data
 
 
 def term_of(data: Data, symbol: Callable[[str], Term]) -> Term:
-    """The term that `relations.DEFINED` gives, with `symbol` for the bindings in it."""
+    """Returns the term for an entry of `relations.DEFINED`; `symbol` gives the term of a binding."""
     if isinstance(data, str):
         return symbol(data)
     operation, *parts = data

@@ -1,4 +1,4 @@
-"""Which statements hold on a stage: residuals against what the errors of the references can explain."""
+"""Evaluation of statements on a stage: residuals compared with the errors of the references."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource, sample
 from workbench.prover.motions.motion_source import COPIES, Bindings, BoundFirst, MotionSource, Stage
 
-#: The errors of many references add up; two disturbances see a part of that.
+#: Safety factor: the errors of many references add up, and two disturbances see a part of that.
 SAFETY = 16.0
 EPSILON = float(np.finfo(float).eps)
 
-#: An error this large, over the size of the sides, leaves nothing to be seen.
+#: Relative error above which nothing can be concluded.
 USELESS = 1e-3
 
-#: What a premise changes by when an unknown changes by 1, and which is rounding alone.
+#: Change of a premise per unit of an unknown that is due to rounding alone.
 NOTHING = 1e-9
 
 Array = np.ndarray
@@ -42,9 +42,9 @@ Array = np.ndarray
 class Truth:
     """One statement on a stage, sample by sample, shape (samples,).
 
-    residual, error, size: the largest component of left − right, what the errors of the references explain
-    of it, and the largest component of either side (of equations; 0 elsewhere).
-    holds: true as far as the errors can tell.   told: whether it can be told.
+    residual, error, size: the largest component of left − right, the part of it that the errors of the
+    references explain, and the largest component of either side (of equations; 0 elsewhere).
+    holds: true as far as the errors allow a decision.   told: True if there is a decision.
     """
 
     residual: Array
@@ -65,7 +65,7 @@ class Truth:
 
     @property
     def relative(self) -> Array:
-        """residual over the size of the sides; over 1 where both vanish as far as can be told."""
+        """The residual over the size of the sides; over 1 if both vanish within the errors."""
         return self.residual / self.scale
 
     @property
@@ -74,7 +74,7 @@ class Truth:
 
 
 class Evaluation:
-    """Evaluates statements on a stage; `Evaluation.truth` is the only question."""
+    """Evaluates statements on a stage; use `Evaluation.truth`."""
 
     def __init__(self, stage: Stage, bindings: Bindings, lookup: BoundFirst, inventory: Inventory) -> None:
         self._stage, self._bindings, self._lookup, self._inventory = stage, bindings, lookup, inventory
@@ -82,13 +82,14 @@ class Evaluation:
         self._engine = self._engine_at(self._point)
 
     def truth(self, statement: Statement) -> Truth:
-        """Raises NotExact for what has no numbers: an undefined operator, an exponential of anything."""
+        """Returns the truth of the statement. Raises NotExact if it has no numerical value, as an undefined
+        operator."""
         with np.errstate(all="ignore"):
             return self._truth(statement)
 
     def suppose(self, premises: Sequence[Statement]) -> Array:
-        """Puts free symbols to values with which the premises hold, where that is a linear matter; returns
-        where they hold."""
+        """Sets free symbols to values that satisfy the premises, if these are linear; returns where they
+        hold."""
         equations = [r for p in premises for r in _equations(p)]
         unknowns = [p for s in self._inventory.orders for p in self._unknowns(s, equations)]
         with np.errstate(all="ignore"):
@@ -125,7 +126,7 @@ class Evaluation:
         raise TypeError(f"no truth of a {type(statement).__name__}")
 
     def _bound(self, more: Term, less: Term) -> Truth:
-        """more ≥ less, at the place that varies in a minimum or maximum."""
+        """Returns the truth of more ≥ less, at the varying point of a minimum or maximum."""
         truth = self._relation(Relation("=", more, less))
         over, under = (self._lanes(self._engine.components(side))[0, :, 0] for side in (more, less))
         beaten = np.maximum(under - over, 0.0)
@@ -147,7 +148,7 @@ class Evaluation:
         return Truth(nothing, nothing, nothing, apart, seen & apart)
 
     def _lanes(self, components: Sequence[Lanes | float]) -> Array:
-        """Shape (components, samples, copies)."""
+        """Returns an array of shape (components, samples, copies)."""
         count = len(self._stage) * COPIES
         values = [c.values if isinstance(c, Lanes) else c for c in components]
         return np.array([np.broadcast_to(v, count) for v in values], dtype=float).reshape(
@@ -159,7 +160,7 @@ class Evaluation:
         return JetEngine(MotionSource(self._stage, self._bindings, free), self._lookup)
 
     def _unknowns(self, symbol: Symbol, equations: Sequence[Relation]) -> list[Parameter]:
-        """The parameters of a free symbol that stands in the equations, if it is not differentiated."""
+        """Returns the parameters of an undifferentiated free symbol in the equations, else []."""
         if self._bindings.find(symbol) is not None or self._inventory.orders[symbol]:
             return []
         if symbol.declaration.coordinate or symbol in self._inventory.angles:
@@ -183,8 +184,8 @@ class Evaluation:
         return leaves
 
     def _solve(self, equations: Sequence[Relation], unknowns: Sequence[Parameter]) -> None:
-        """One step of Newton's method from a random point: it ends at a solution of equations that are affine
-        in the unknowns, the nearest one."""
+        """Performs one step of Newton's method from a random point. For equations that are affine in the
+        unknowns it ends at the nearest solution."""
         here = self._residuals(self._point, equations)
         columns = []
         for unknown in unknowns:
@@ -201,7 +202,7 @@ class Evaluation:
         self._engine = self._engine_at(self._point)
 
     def _residuals(self, point: dict[Parameter, Lanes], equations: Sequence[Relation]) -> Array:
-        """left − right of all equations, shape (lanes, components)."""
+        """Returns left − right of all equations, shape (lanes, components)."""
         engine = self._engine_at(point)
         found = [self._lanes(engine.differences(r.left, r.right)) for r in equations]
         total = np.concatenate(found)

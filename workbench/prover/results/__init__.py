@@ -1,1 +1,1 @@
-"""The result on a claim: the verdict on each of its forms, evidence, proposals and motions."""
+"""Results on claims: the verdict on each form, evidence, proposals and motions."""

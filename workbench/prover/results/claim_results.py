@@ -1,4 +1,4 @@
-"""The result on a claim: the verdict on each of its forms, and what follows from them."""
+"""The result on a claim: the verdict on each of its forms, and the conclusions from them."""
 
 from __future__ import annotations
 
@@ -15,17 +15,19 @@ from workbench.prover.results.proposed_form import Proposed
 from workbench.source.documents.source_edits import SourceEdit
 from workbench.source.typeset.differences import difference
 
-#: Outcomes that count as true: what a definition says is true by its being one.
+#: Outcomes that count as true; a definition is true because it is one.
 HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
 
-#: The forms of a claim that get a verdict each.
+#: The forms of a claim, each with its own verdict.
 FORMS = ("printed", "reading", "corrected")
 
 
 @dataclass(frozen=True)
 class Certification:
-    """What Coq is remembered to say of one form of a claim, or of the steps of its theorem; `word`: all of it
-    in words. Nothing in it depends on the machine's speed."""
+    """The recorded result of Coq for one form of a claim, or for the steps of its theorem.
+
+    `word`: the whole result in words. Nothing in it depends on the machine's speed.
+    """
 
     form: str
     checked_by: str | None
@@ -41,9 +43,10 @@ class Certification:
 class ClaimResult:
     """The verdict on a claim as printed, on its reading and on its correction.
 
-    proposed, certificates: what the machine proposes for it and what Coq says of it; None where nobody
-    asked.   edits: of the author's characters, which make his formula the first that is proposed.   known:
-    whether a baseline says already that it is wrong."""
+    proposed, certificates: the proposals of the search and the results of Coq; None if not requested.
+    edits: of the author's characters, which turn the formula into the first proposal.
+    known: whether a baseline already lists the claim as wrong.
+    """
 
     claim: Claim
     verdict: Verdict
@@ -64,8 +67,11 @@ class ClaimResult:
 
     @cached_property
     def shown(self) -> Grade:
-        """The grade under which the claim is reported. A verdict that its keys announce is no fault of the
-        file, and one that they do not is an error, whatever it is. What is known to be wrong is a note."""
+        """The grade under which the claim is reported.
+
+        A verdict that the claim's keys announce is not an error of the file; any other unexpected verdict is.
+        A claim that a baseline already lists as wrong is a note.
+        """
         if self.known:
             return Grade.NOTE
         if self.passed:
@@ -77,7 +83,7 @@ class ClaimResult:
 
     @cached_property
     def why_not(self) -> str:
-        """If the claim did not pass, which verdict was expected and which one came."""
+        """If the claim did not pass, the expected verdict and the actual one; else ""."""
         found = list(_unexpected(self))
         return (
             reduce(lambda first, second: ResultCode.SEVERAL(first=first, second=second), found)
@@ -87,13 +93,13 @@ class ClaimResult:
 
     @property
     def verdicts(self) -> dict[str, Verdict]:
-        """By the forms that have one."""
+        """The verdicts by form."""
         found = {"printed": self.verdict, "reading": self.reading, "corrected": self.corrected}
         return {form: verdict for form, verdict in found.items() if verdict is not None}
 
     @property
     def right(self) -> Formula | None:
-        """What stands right for what is printed, if anything does."""
+        """The correct formula in place of the printed one, if there is one."""
         return self.claim.corrected or self.claim.reading
 
     @property
@@ -103,23 +109,23 @@ class ClaimResult:
 
     @property
     def counterexample(self) -> Counterexample | None:
-        """Against what is printed, or, where that says nothing, against its reading."""
+        """The counterexample to the printed form, or else to its reading."""
         if self.verdict.counterexample or self.reading is None:
             return self.verdict.counterexample
         return self.reading.counterexample
 
     @cached_property
     def on_motions(self) -> Witnessed:
-        """What Drake's motions say of its forms."""
+        """The results of Drake's motions on its forms."""
         return witnessed(self.verdicts)
 
     @cached_property
     def fault(self) -> str | None:
-        """What its `fault` says, or what can be derived; None where it is right as printed or nothing is
-        known.
+        """The claim's `fault`, or the derived one; None if it is right as printed or nothing is known.
 
-        Derived: what needs a condition lacks a hypothesis; what is false as it was meant is an error; what is
-        right as it was meant is a loss of the transcription if only marks differ, else a misprint."""
+        Derived: a claim that needs a condition lacks a hypothesis; one that is false as meant is an error;
+        one that is right as meant is a loss of the transcription if only marks differ, else a misprint.
+        """
         claim, outcome = self.claim, self.verdict.outcome
         if claim.fault is not None or outcome in HOLDS | {Outcome.UNCHECKED, Outcome.PROBABLE}:
             return claim.fault
@@ -142,9 +148,9 @@ def _only_marks_differ(claim: Claim) -> bool:
 def _unexpected(result: ClaimResult) -> Iterator[Reason]:
     claim = result.claim
     is_idle = result.verdict.code is VerdictCode.SAME_TERM and result.expected is Outcome.PROVED
-    if claim.span is not None and is_idle:  # a step of a chain that says x = x
+    if claim.span is not None and is_idle:  # a step of a chain of the form x = x
         return
-    if claim.unread is None or result.verdict.outcome not in HOLDS:  # a verdict where none was expected yet
+    if claim.unread is None or result.verdict.outcome not in HOLDS:  # no verdict was expected yet
         yield from _differs("as printed", result.expected, result.verdict)
     if result.reading is not None:
         intended = Outcome.PROVED

@@ -1,4 +1,4 @@
-"""What Drake's motions say of a claim, in one line and in figures: read from the evidence on its forms."""
+"""Summary of the motion evidence on the forms of a claim: one line and figures."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from workbench.core.verdict import Evidence, Verdict
 METHOD = "Drake reference motions"
 ALGEBRA = MotionCode.ALGEBRA.template
 
-#: By the names of a claim's forms.
+#: Verdicts by the names of a claim's forms.
 Verdicts: TypeAlias = Mapping[str, Verdict]
 
 
 @dataclass(frozen=True)
 class Cost:
-    """The residuals over the size of the sides, on one motion at one time (s): where the false form is worst.
-    right: a bound, a power of ten."""
+    """The relative residuals on one motion at one time (s), where the false form is worst. right: a bound, a
+    power of ten."""
 
     motion: str
     time: float
@@ -29,7 +29,7 @@ class Cost:
 
 @dataclass(frozen=True)
 class Course:
-    """The residuals over time of one form on one motion; None where they cannot be told."""
+    """The relative residuals over time of one form on one motion; None at times without a value."""
 
     motion: str
     times: Sequence[float]
@@ -38,9 +38,14 @@ class Course:
 
 @dataclass(frozen=True)
 class Witnessed:
-    """witness: "Drake" where a form of the claim was evaluated, else "no motion: algebra" or "none".
-    because: why it was not.   error: what the false form costs beside the right one, None for a claim that
-    has not both on one motion, or where no motion tells them apart.   line: all of it in words."""
+    """The motion summary of a claim.
+
+    witness: "Drake" if a form of the claim was evaluated, else "no motion: algebra" or "none".
+    because: why it was not evaluated.
+    error: the residuals of the false and the right form; None if they share no motion or no motion separates
+    them.
+    line: the summary in words.
+    """
 
     witness: str
     because: str | None
@@ -73,7 +78,8 @@ def _cost(verdicts: Verdicts) -> Cost | None:
 
 
 def courses_of(verdicts: Verdicts) -> tuple[Course, Course] | None:
-    """Those of the false form and of the right one, on one motion at the same times."""
+    """Returns the courses of the false form and of the right one, on one motion at the same times; else
+    None."""
     false, right = (
         next((Course(**e.figures["course"]) for e in _evidence(verdicts) if _tells(e, outcome)), None)
         for outcome in ("the sides part", "residual within the error")
@@ -84,7 +90,7 @@ def courses_of(verdicts: Verdicts) -> tuple[Course, Course] | None:
 
 
 def percent(share: float) -> str:
-    """24 %, 2.4 %, 0.024 %; no more than two digits are told of a small share."""
+    """Returns 24 %, 2.4 %, 0.024 %; small shares have at most two digits."""
     return f"{100 * share:.0f} %" if share >= 0.1 else f"{100 * share:.2g} %"
 
 

@@ -1,4 +1,4 @@
-"""What the search proposes, for whoever shows or keeps it."""
+"""Proposals of the search, for the report and the cache."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.core.verdict import Outcome
 
 @dataclass(frozen=True)
 class Proposed:
-    """A right form that the machine proposes. difference: from the printed one, side by side
+    """A correct form that the search proposes. difference: from the printed one, side by side
     (`Difference.parts`)."""
 
     latex: str

@@ -16,7 +16,7 @@ class Lanes:
     """
 
     __slots__ = ("values",)
-    __hash__ = None  # equal objects may have different types
+    __hash__ = None  # type: ignore[assignment]  # equal objects may have different types
 
     def __init__(self, values: Any) -> None:
         self.values = values

@@ -53,7 +53,7 @@ class Algebraic:
     """An element of a number field."""
 
     __slots__ = ("coefficients", "field")
-    __hash__ = None  # equal objects may have different types
+    __hash__ = None  # type: ignore[assignment]  # equal objects may have different types
 
     def __init__(self, field: NumberField, coefficients: Sequence[Fraction]) -> None:
         self.field, self.coefficients = field, _trimmed(coefficients)

@@ -52,7 +52,7 @@ class Residue:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, (Residue, int)) and (self.value - _residue(other)) % PRIME == 0
 
-    __hash__ = None  # equal objects may have different types
+    __hash__ = None  # type: ignore[assignment]  # equal objects may have different types
 
     def __bool__(self) -> bool:
         return self.value != 0

@@ -84,7 +84,7 @@ class Ratio:
     def __eq__(self, other: object) -> bool:
         return not self - other
 
-    __hash__ = None  # equal objects may have different types
+    __hash__ = None  # type: ignore[assignment]  # equal objects may have different types
 
     def __bool__(self) -> bool:
         return bool(self.top)

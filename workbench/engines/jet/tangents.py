@@ -52,7 +52,7 @@ class Tangent:
         other = self.ring.lift(other)
         return bool(self.value == other.value) and bool(self.slope == other.slope)
 
-    __hash__ = None  # equal objects may have different types
+    __hash__ = None  # type: ignore[assignment]  # equal objects may have different types
 
     def __bool__(self) -> bool:
         return bool(self.value) or bool(self.slope)

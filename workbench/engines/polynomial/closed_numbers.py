@@ -246,7 +246,7 @@ class _Element:
     """A number of a cyclotomic field."""
 
     __slots__ = ("field", "polynomial")
-    __hash__ = None  # equal objects may have different types
+    __hash__ = None  # type: ignore[assignment]  # equal objects may have different types
 
     def __init__(self, field: Cyclotomic, polynomial: fmpq_poly) -> None:
         self.field, self.polynomial = field, polynomial

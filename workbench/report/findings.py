@@ -187,11 +187,12 @@ def sarif(found: Sequence[Finding], version: str) -> dict[str, Any]:
 
 
 def fingerprints(found: Sequence[Finding]) -> list[str]:
-    """A mark for each finding by what is displayed, whatever its line, and by which of the same it is."""
+    """Returns a mark for each finding: by what is displayed, not by its line; equal ones are numbered."""
     marks: list[str] = []
     seen: Counter[tuple[str, str, str]] = Counter()
     for each in found:
-        key = (each.span.file.name, each.code, " ".join((each.latex or each.message).split()))
+        shown = each.latex or each.message
+        key = (each.span.file.name, each.code, " ".join(shown.split()))
         seen[key] += 1
         marks.append(hashlib.sha256("\n".join((*key, str(seen[key]))).encode()).hexdigest()[:32])
     return marks

@@ -232,9 +232,7 @@ class _Explanation:
         broken = [fact for fact in context.facts if fact.bound and not fact.bound.allows(values)]
         unless += [f"decided only where not {fact}" for fact in broken]
         basis = min((fact.strength for fact in self.known), default=Strength.DECLARED)
-        doubt = "; ".join(
-            dict.fromkeys(unless)
-        )  # the context counts as one doubt
+        doubt = "; ".join(dict.fromkeys(unless))  # the context counts as one doubt
         return replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
 
     def _rescuing(self, context: Context) -> list[str]:

@@ -44,8 +44,7 @@ class Draft:
 
 
 def needs_draft(path: Path) -> bool:
-    """True if a file is a text that has no model beside it, and no comments that declare anything.
-    Raises PaperError."""
+    """True if a paper is a text without a model and without comments that declare anything."""
     return is_text(path) and model_beside(path) is None and not read_text(path).directives
 
 

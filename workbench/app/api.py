@@ -1,4 +1,4 @@
-"""The functions of the Python API beside `check`: load, judge, repair, report."""
+"""The functions of the Python API apart from `check`: load, judge, repair, report."""
 
 from __future__ import annotations
 

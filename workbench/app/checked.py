@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Checked:
-    """A formula and the verdict on it. `holds`, and so its truth: proved, or a definition."""
+    """A formula and the verdict on it. `holds`, its truth value, is True if it is proved or a definition."""
 
     result: ClaimResult
 
@@ -68,7 +68,7 @@ class Checked:
         return self.holds
 
     def repair(self, limits: Limits = STANDARD) -> Repair:
-        """What the right form is, where this one is refuted or ill-formed: only proved forms."""
+        """Returns the proved right forms of a refuted or ill-formed formula."""
         from workbench.repair.propose.repair import Repair, repair
 
         if self.outcome not in (Outcome.REFUTED, Outcome.ILL_FORMED):
@@ -131,7 +131,7 @@ def check(
     at: str | None,
     budget: Budget | None,
 ) -> Checked | CheckedLines:
-    """See `workbench.check`."""
+    """Returns the verdict on a formula: see `workbench.check`."""
     with standard(Memory) as memory:
         known = _defined(_notation(symbols, paper, notation, at, memory), definitions)
         claims = _claims(_texts("latex", latex), known, _texts("assume", assume), orders)
@@ -143,8 +143,10 @@ def check(
 def _claims(
     latex: Sequence[str], known: Notation, conditions: Sequence[str], orders: str | None
 ) -> list[Claim]:
-    """One for each line; a line that defines a symbol defines it for those after it, and where one says
-    something else of a symbol with a sign of definition, those after it are no falsehoods."""
+    """Returns one claim for each line; a line that defines a symbol defines it for the lines after it.
+
+    If a line with a definition sign states something else of a symbol, the later lines cannot be refuted.
+    """
     given = None if orders is None else Orders.parse(orders)
     lines = split_lines(*latex)
     claims: list[Claim] = []
@@ -174,7 +176,7 @@ def _claims(
 
 
 def _texts(name: str, given: str | Sequence[str]) -> tuple[str, ...]:
-    """One text or several."""
+    """Returns one text or several as a tuple."""
     texts = (given,) if isinstance(given, str) else given
     if not isinstance(texts, list | tuple) or not all(isinstance(text, str) for text in texts):
         raise ValueError(f"{name}: expected LaTeX, got {given!r}")
@@ -188,7 +190,7 @@ def _notation(
     at: str | None,
     store: Store,
 ) -> Notation:
-    """That of the file, of the paper or a claim of it, or an empty one; with the symbols after it."""
+    """Returns the notation of the file, of the paper or a claim of it, or an empty one, plus the symbols."""
     if not isinstance(symbols, Mapping | None):
         raise ValueError(f'symbols: expected LaTeX → kind, such as {{"u": "vector"}}, got {symbols!r}')
     if notation is not None and (paper is not None or at is not None):
@@ -215,7 +217,7 @@ def _notation_at(paper: Paper, at: str) -> Notation:
 
 
 def _defined(notation: Notation, definitions: Mapping[str, str] | Sequence[str]) -> Notation:
-    """The notation and the definitions, each checked by what stands before it."""
+    """Returns the notation with the definitions, each checked with the earlier ones."""
     if isinstance(definitions, Mapping):
         entries = list(definitions.items())
         _texts("definitions", [text for entry in entries for text in entry])
@@ -254,7 +256,7 @@ def _formula(
 def _read(
     latex: str, notation: Notation, orders: Orders | None, as_condition: bool
 ) -> tuple[Statement, tuple[Range, ...]]:
-    """What the formula says, with rows in brackets as matrices where that can be read."""
+    """Returns the statement of the formula, with rows in brackets as matrices if that can be read."""
     if (as_rows := with_rows(latex)) != latex:
         with suppress(ReadError):
             return read_statement(as_rows, notation, orders, as_condition)
@@ -262,5 +264,5 @@ def _read(
 
 
 def _as_text(text: str) -> str:
-    """Text with what Markdown would take for markup made plain."""
+    """Returns text with Markdown's markup characters escaped."""
     return "".join("\\" + c if c in "\\`*_{}[]<>#|$" else c for c in text)

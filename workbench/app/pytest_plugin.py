@@ -1,6 +1,6 @@
-"""Makes each claim of a paper file a test item of pytest: `file.toml::58.det`.
+"""pytest plugin: each claim of a paper file is a test item, `file.toml::58.det`.
 
-A TOML file without `[[claim]]` is no paper file and is left alone, unless it is named on the command line.
+A TOML file without `[[claim]]` is ignored, unless it is named on the command line.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class PaperFile(pytest.File):
 
 
 class NotAsExpected(Exception):
-    """A claim whose verdict is not the one that its keys announce."""
+    """The verdict of a claim is not the one that its keys expect."""
 
     def __init__(self, result: ClaimResult) -> None:
         super().__init__(result.why_not)
@@ -66,12 +66,14 @@ class NotAsExpected(Exception):
 
 
 class DoubtfulVerdict(UserWarning):
-    """A claim that is false, unless something holds that nobody has confirmed."""
+    """A claim is false, unless an unconfirmed fact holds."""
 
 
 class ClaimItem(pytest.Item):
-    """Passes if the verdicts on the claim are those that its keys announce. A claim of a text is skipped
-    where it is not judged, and warns where it is false under a doubt."""
+    """A test that passes if the claim has the verdicts that its keys expect.
+
+    A claim of a text is skipped if it is not judged, and warns if it is false under a doubt.
+    """
 
     def __init__(self, *, name: str, parent: pytest.Collector, claim: Claim, judge: PaperJudge) -> None:
         super().__init__(name, parent)

@@ -1,16 +1,16 @@
-"""The quantities of a reference motion that a paper's symbols can be bound to: one table.
+"""Table of the quantities of reference motions to which a paper's symbols can be bound.
 
-Names are Drake's monogram notation. W is the fixed frame, B the moving body (the last one of a
-chain), A the body between them on a chain (the chapter's C₀, C₁, C₂ are W, A, B). Bo is the body's
-origin, P and Q are two more points fixed in B. ``_W``, ``_A``, ``_B`` at the end say the frame that
-a vector is expressed in; without one it is W.
+Names are in Drake's monogram notation. W is the fixed frame, B the moving body (the last one of a chain), A
+the body between them on a chain (the chapter's C₀, C₁, C₂ are W, A, B). Bo is the body's origin; P and Q are
+two more points fixed in B. A suffix ``_W``, ``_A``, ``_B`` names the frame in which a vector is expressed;
+the default is W.
 
-A ``0`` in place of a point is the point of the body that passes the origin of W (or of the frame
-named) at that instant: v_WB0 is the chapter's v, Eq. (92). ``dual_`` quantities have the real part
-at index 0 and the dual part at index 1 of the first axis.
+A ``0`` in place of a point denotes the body point that is at the origin of W (or of the named frame) at that
+instant: v_WB0 is the chapter's v, Eq. (92). ``dual_`` quantities have the real part at index 0 and the dual
+part at index 1 of the first axis.
 
-A binding's name can be followed by ``^(k)``, its k-th time derivative in W (``p_WP^(n)`` is a_ρ^[n] of
-Eq. (13)), and the name of a family by ``[k]``, its k-th member (``Phi_WB[n]``): `bound` reads both.
+A binding's name can be followed by ``^(k)``, its k-th time derivative in W (``p_WP^(n)`` is a_ρ^[n] of Eq.
+(13)), and the name of a family by ``[k]``, its k-th member (``Phi_WB[n]``): `bound` reads both.
 """
 
 from __future__ import annotations
@@ -22,8 +22,13 @@ from difflib import get_close_matches
 
 @dataclass(frozen=True)
 class Binding:
-    """``weight``: the power of 1/second it carries (0 for angles and lengths); of a family's n-th member it
-    is n + ``weight``. ``made_of``: the bindings of whose jets it is made, where a motion does not have it."""
+    """A quantity to which symbols can be bound.
+
+    Attributes:
+        weight: Its power of 1/second (0 for angles and lengths); the n-th member of a family has n +
+            ``weight``.
+        made_of: The bindings from whose jets it is computed, if a motion does not have it.
+    """
 
     name: str
     shape: tuple[int, ...]
@@ -173,7 +178,7 @@ FAMILIES = (
     ),
 )
 
-#: The chapter looks at fields at the origin: the place of the body's point that is there at that instant.
+#: Fields of the chapter at the origin: the position of the body point that is there at that instant.
 DERIVED = (
     Binding(
         "p_W0", VECTOR, 0, "the point of B at Wo: 0, with the derivatives of that point", ("R_WB", "p_WBo")
@@ -182,7 +187,7 @@ DERIVED = (
 
 ALIASES = {"v_W0": "v_WB0", "u1": "u1_W", "u2": "u2_W"}
 
-#: Every binding by its name and by its aliases.
+#: Binding name or alias → binding.
 BINDINGS = {
     binding.name: binding
     for binding in (
@@ -215,7 +220,7 @@ class Count:
 
 @dataclass(frozen=True)
 class Bound:
-    """What a symbol is bound to: a binding, which member of it if it is a family, which derivative."""
+    """The target of a symbol: a binding, the member of a family, the derivative."""
 
     text: str
     binding: Binding
@@ -234,7 +239,7 @@ class Bound:
         return self.binding.made_of or (self.binding.name,)
 
     def order(self, index: int) -> int:
-        """How often the quantities are differentiated for the symbol of this index."""
+        """Returns the order of derivatives needed for the symbol of this index."""
         return sum(count.of(index) for count in (self.member, self.rate) if count is not None)
 
     @property
@@ -243,9 +248,11 @@ class Bound:
 
 
 def bound(text: str) -> Bound:
-    """Reads a name of `BINDINGS` or a member of `MEMBERS`, with ``^(k)`` or ``^(n+1)`` for a derivative.
+    """Returns the target of a name of `BINDINGS` or a member of `MEMBERS`, with ``^(k)`` or ``^(n+1)`` for a
+    derivative.
 
-    ValueError for what is neither: it names what is near.
+    Raises:
+        ValueError: The name is unknown; the message lists similar names.
     """
     match = _NAME.fullmatch(text.replace(" ", ""))
     member = _count(match["member"]) if match and match["member"] else None
@@ -259,7 +266,8 @@ def bound(text: str) -> Bound:
 
 
 def alternatives(text: str) -> tuple[Bound, ...]:
-    """Reads ``p_WP or p_W0``: of several the first with which the premises of a claim hold."""
+    """Returns the alternatives of ``p_WP or p_W0``; the first one that satisfies a claim's premises is
+    used."""
     return tuple(bound(part) for part in text.split(" or "))
 
 

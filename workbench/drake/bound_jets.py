@@ -1,7 +1,7 @@
-"""The jets of what a symbol is bound to: of a binding, of its derivatives, of the members of a family.
+"""Jets of bound symbols: of a binding, of its derivatives, of the members of a family.
 
-A member of a family is made of jets that Drake gave, by Leibniz' rule. Its error estimate counts the same
-products of absolute values, each factor moved by its own error.
+A member of a family is computed from Drake's jets by Leibniz' rule. Its error estimate uses the same products
+of absolute values, with each factor's own error.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Array = np.ndarray
 
 
 class Motion(Protocol):
-    """A `ReferenceMotion` or a `SampledMotion`."""
+    """The common interface of `ReferenceMotion` and `SampledMotion`."""
 
     name: str
     samples: tuple[float, ...]
@@ -49,7 +49,7 @@ class Estimated:
 
 
 def bound_jet(motion: Motion, bound: Bound, index: int, order: int, sample: float) -> Estimated:
-    """Of the symbol with this index (0 if it has none) and its derivatives up to ``order``."""
+    """Returns the symbol of this index (0 if it has none) and its derivatives up to ``order``."""
     first = 0 if bound.rate is None else bound.rate.of(index)
     n = 0 if bound.member is None else bound.member.of(index)
     jets = [_of(motion, name, n + first + order, sample) for name in bound.needs]
@@ -76,7 +76,7 @@ Multiply = Callable[[Array, Array], Array]
 
 
 def _product(multiply: Multiply, absolute: Multiply, a: Estimated, b: Estimated, order: int) -> Estimated:
-    """Leibniz' rule. ``absolute``: the product with all signs positive."""
+    """Returns a product by Leibniz' rule. ``absolute``: the product with all signs positive."""
     values, errors = [], []
     for k in range(order + 1):
         terms = [(comb(k, j), j, k - j) for j in range(k + 1)]
@@ -131,7 +131,7 @@ def _dual_tensor(n: int, order: int, R: Estimated) -> Estimated:
 
 
 def _vector_at_origin(n: int, order: int, R: Estimated, p: Estimated) -> Estimated:
-    """The body point at Wo has Rᵀ(−p) for its coordinates in B."""
+    """Returns the vector at the origin; the body point at Wo has the coordinates Rᵀ(−p) in B."""
     return _minus(_from(p, n, order), _matrix(_tensor(n, order, R), p, order))
 
 
@@ -146,7 +146,7 @@ def _pose_tensor(n: int, order: int, R: Estimated, p: Estimated) -> Estimated:
 
 
 def _field_rate(n: int, order: int, twist: Estimated, p: Estimated) -> Estimated:
-    """ω⁽ⁿ⁾ × p + v⁽ⁿ⁾: the n-th rate of the velocity of whatever is at a place that is fixed in W."""
+    """Returns ω⁽ⁿ⁾ × p + v⁽ⁿ⁾: the n-th rate of the velocity field at a point fixed in W."""
     rates = _from(twist, n, order)
     w, v = (Estimated(rates.values[:, i], rates.errors[:, i]) for i in range(2))
     return _plus(v, _product(cross, _absolute_cross, w, p, order))

@@ -29,7 +29,7 @@ class Derivative:
 
 @lru_cache(maxsize=1)
 def _nodes_and_transform() -> tuple[np.ndarray, np.ndarray]:
-    """Nodes cos θⱼ, and the matrix from values at them to Chebyshev coefficients."""
+    """Returns the nodes cos θⱼ, and the matrix from values at them to Chebyshev coefficients."""
     angles = np.pi * (np.arange(NODES) + 0.5) / NODES
     transform = 2 / NODES * np.cos(np.outer(np.arange(NODES), angles))
     transform[0] /= 2
@@ -38,7 +38,7 @@ def _nodes_and_transform() -> tuple[np.ndarray, np.ndarray]:
 
 @lru_cache(maxsize=32)
 def _derivatives_at_middle(order: int) -> np.ndarray:
-    """T_k^(order)(0) for k = 0 .. NODES - 1."""
+    """Returns T_k^(order)(0) for k = 0 .. NODES - 1."""
     differentiated = chebyshev.chebder(np.eye(NODES), order)
     return np.asarray(chebyshev.chebval(0.0, differentiated))
 
@@ -46,11 +46,11 @@ def _derivatives_at_middle(order: int) -> np.ndarray:
 def derivatives(
     function: Callable[[float], np.ndarray], half_widths: Sequence[float], highest: int
 ) -> list[Derivative]:
-    """The derivatives 1 .. ``highest`` at 0 of a smooth function with values of shape (n,).
+    """Returns the derivatives 1 .. ``highest`` at 0 of a smooth function with values of shape (n,).
 
-    Every half-width is tried. For each order the one that promises the least error is taken; the
-    error stated is what it promises and how far the next best one disagrees. At least two
-    different half-widths are needed.
+    Every half-width is tried. For each order the one with the least estimated error is used; the stated error
+    is that estimate plus the difference from the next best one. At least two different half-widths are
+    needed.
     """
     if len(set(half_widths)) < 2:
         raise ValueError("two different half-widths are needed to estimate an error")

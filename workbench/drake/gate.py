@@ -1,4 +1,4 @@
-"""Where Drake comes in: the one module that imports it. What the workbench uses of Drake stands in one table.
+"""The only module that imports Drake, with one table of the names used.
 
 Each name is imported at its first use, since all of Drake's multibody takes a second to load.
 """

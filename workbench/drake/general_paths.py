@@ -1,4 +1,4 @@
-"""Joint paths and joint axes of small numbers on which nothing that moves stands still."""
+"""General joint paths and joint axes of small numbers, on which no derivative vanishes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def _three(values: Iterable[float]) -> tuple[float, float, float]:
 
 
 def small_path(seed: int, joints: int) -> JointPath:
-    """q = c₀ + c₁ t + c₆ t⁶: few terms, yet no derivative up to the sixth is zero.
+    """Returns q = c₀ + c₁ t + c₆ t⁶: few terms, yet no derivative up to the sixth is zero.
 
     The coefficients are dyadic, hence exact in doubles.
     """
@@ -29,7 +29,7 @@ def small_path(seed: int, joints: int) -> JointPath:
 
 
 def small_axes(seed: int, count: int = 2) -> tuple[CylindricalAxis, ...]:
-    """Skew axes, at most four, whose directions are rational unit vectors."""
+    """Returns skew axes, at most four, whose directions are rational unit vectors."""
     draw = random.Random(seed)
     integer_lengths = (((1, 2, 2), 3), ((2, -3, 6), 7), ((1, 4, -8), 9), ((2, 6, 9), 11))
     return tuple(

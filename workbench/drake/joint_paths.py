@@ -1,4 +1,4 @@
-"""Joint paths q(t) with their derivatives to any order: the one input of every reference motion."""
+"""Joint paths q(t) with their derivatives to any order: the input of every reference motion."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from math import comb, factorial
 
 import numpy as np
 
-TAYLOR_DEGREE = 16  # of the polynomial that stands for a path which is none, over short times
+TAYLOR_DEGREE = 16  # of the polynomial that approximates other paths over short times
 
 
 class Path(ABC):
-    """q(t) of `joints` coordinates, in radians and metres, from the time `start` to `end` in seconds.
+    """A path q(t) of `joints` coordinates, in radians and metres, from `start` to `end` in seconds.
 
-    A derivative is asked at times of any shape (...) and has shape (order + 1, ..., joints), the order first.
+    Derivatives at times of any shape (...) have shape (order + 1, ..., joints), the order first.
     """
 
     joints: int
@@ -23,34 +23,35 @@ class Path(ABC):
 
     @abstractmethod
     def derivatives(self, t, order: int) -> np.ndarray:
-        """q, q', ..., q^(order) at the times t (...): (order + 1, ..., joints)."""
+        """Returns q, q', ..., q^(order) at the times t (...): (order + 1, ..., joints)."""
 
     @abstractmethod
     def magnitudes(self, t, order: int) -> np.ndarray:
-        """The sizes of the terms that the derivatives are summed from, same shape: their rounding is relative
-        to these, and not to what is left when the terms cancel."""
+        """Returns the sizes of the terms that the derivatives are summed from, same shape.
+
+        Rounding errors are relative to these sizes, not to the sum, which may be smaller by cancellation.
+        """
 
     def jet(self, t: float, order: int) -> np.ndarray:
-        """q, q', ..., q^(order) at time ``t``, shape (order + 1, joints)."""
+        """Returns q, q', ..., q^(order) at time ``t``, shape (order + 1, joints)."""
         return self.derivatives(float(t), order)
 
     def taylor(self, t: float, degree: int | None = None) -> JointPath:
-        """The Taylor polynomial at ``t``, its clock restarted there: s ↦ q(t + s) for small s."""
+        """Returns the Taylor polynomial at ``t``, with time starting there: s ↦ q(t + s) for small s."""
         return JointPath.from_derivatives(self.jet(t, TAYLOR_DEGREE if degree is None else degree))
 
     def shifted(self, t: float) -> Path:
-        """The same path with the clock restarted at ``t``: s ↦ q(t + s)."""
+        """Returns the same path with time starting at ``t``: s ↦ q(t + s)."""
         return ShiftedPath(self, t)
 
 
 class JointPath(Path):
     """A joint path q(t) = Σ_k c_k t^k, polynomial in time, with exact derivatives.
 
-    ``coefficients`` has shape (degree + 1, number of joints): row k holds c_k, so that
-    c_k = q^(k)(0) / k! are the Taylor coefficients of the path at t = 0. Units: radians or
-    metres per second^k.
+    ``coefficients`` has shape (degree + 1, number of joints): row k holds c_k, so that c_k = q^(k)(0) / k!
+    are the Taylor coefficients of the path at t = 0. Units: radians or metres per second^k.
 
-    Raises ValueError when the coefficients are not a finite table of at least one row.
+    Raises ValueError if the coefficients are not a finite table of at least one row.
     """
 
     def __init__(self, coefficients: Sequence[Sequence[float]] | np.ndarray):
@@ -67,7 +68,7 @@ class JointPath(Path):
 
     @classmethod
     def from_derivatives(cls, derivatives: Sequence[Sequence[float]] | np.ndarray) -> JointPath:
-        """The path whose k-th derivative at t = 0 is ``derivatives[k]``, shape (joints,)."""
+        """Returns the path whose k-th derivative at t = 0 is ``derivatives[k]``, shape (joints,)."""
         rows = np.array(derivatives, dtype=float)
         if rows.ndim != 2:
             raise ValueError(f"derivatives need shape (orders, joints), got shape {rows.shape}")
@@ -78,9 +79,9 @@ class JointPath(Path):
         return self.coefficients.shape[0] - 1
 
     def __call__(self, t, order: int = 0):
-        """The derivative of the given order at time ``t``, shape (joints,).
+        """Returns the derivative of the given order at time ``t``, shape (joints,).
 
-        ``t`` may be a float or any scalar with + and * (a Drake Expression, say).
+        ``t`` may be a float or any scalar with + and * (such as a Drake Expression).
         """
         if order < 0:
             raise ValueError(f"the order of a derivative is 0, 1, 2 ..., got {order}")
@@ -104,7 +105,7 @@ class JointPath(Path):
         return value
 
     def taylor(self, t: float, degree: int | None = None) -> JointPath:
-        """The same polynomial, to the degree asked for, with the clock restarted at ``t``."""
+        """Returns the same polynomial, up to the given degree, with time starting at ``t``."""
         powers = range(self.degree + 1)
         shift = np.array([[comb(k, j) * t ** (k - j) if k >= j else 0.0 for k in powers] for j in powers])
         return JointPath((shift @ self.coefficients)[: None if degree is None else degree + 1])
@@ -114,7 +115,7 @@ class JointPath(Path):
 
 
 class ShiftedPath(Path):
-    """s ↦ q(t + s) of another path, each value computed from that path's own terms."""
+    """The path s ↦ q(t + s) of another path, computed from that path's own terms."""
 
     def __init__(self, path: Path, t: float):
         self.path, self.t = path, t
@@ -131,7 +132,7 @@ class ShiftedPath(Path):
 
 
 class SinePath(Path):
-    """qᵢ(t) = sin(t + i) / 2 for i = 1, 2, …: a motion of every joint that has all its derivatives."""
+    """The path qᵢ(t) = sin(t + i) / 2 for i = 1, 2, …: all derivatives of every joint are nonzero."""
 
     def __init__(self, joints: int):
         self.joints = joints
@@ -146,7 +147,7 @@ class SinePath(Path):
 
 
 class LinearPath(Path):
-    """M q(t) + c of another path: what joints do that follow others, in another order."""
+    """The path M q(t) + c of another path, for dependent joints and other orders of joints."""
 
     def __init__(self, path: Path, matrix: np.ndarray, offset: np.ndarray):
         """matrix (joints, path.joints), offset (joints,)"""

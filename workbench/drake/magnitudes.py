@@ -1,11 +1,11 @@
-"""How large a body's motion can be, term by term: what rounding errors are measured against.
+"""Bounds on the terms of a body's motion, to which rounding errors are relative.
 
-On a chain of joints R_WB is a product of rotations by the joint angles qᵢ, each of which satisfies
-‖dⁿ/dtⁿ exp(qᵢ ũ)‖ ≤ n! [sⁿ] exp(Σ_k |qᵢ^(k)| s^k / k!). The product is thus bounded by the same
-with Σᵢ |qᵢ^(k)|, and p_WBo, a sum of such products times link lengths and displacements, by that
-series times the series of the lengths. The bound is that of a sum of absolute values of terms; the
-value itself may be smaller by cancellation, its rounding error not. The same holds of each qᵢ^(k):
-its error is measured against the terms of the path that it is summed from, and carried on.
+On a chain of joints R_WB is a product of rotations by the joint angles qᵢ, each of which satisfies ‖dⁿ/dtⁿ
+exp(qᵢ ũ)‖ ≤ n! [sⁿ] exp(Σ_k |qᵢ^(k)| s^k / k!). The product is thus bounded by the same series with Σᵢ
+|qᵢ^(k)|, and p_WBo, a sum of such products times link lengths and displacements, by that series times the
+series of the lengths. The bound is that of a sum of absolute values of terms. The value itself may be smaller
+by cancellation, its rounding error not. The same holds for each qᵢ^(k): its error is measured against the
+terms of the path that it is summed from, and propagated.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from workbench.drake.plants import body_named
 
 EPSILON = np.finfo(float).eps
 
-#: In rad/s: joints that turn slower do not widen the windows of `Reach.half_widths` beyond all bounds.
+#: In rad/s: slower joints do not widen the windows of `Reach.half_widths` any further.
 SLOWEST = 1e-3
 
 
@@ -39,16 +39,19 @@ class Reach:
         return len(set(self.rotations + self.translations))
 
     def turning(self, path: Path, t: float, order: int) -> np.ndarray:
-        """Σᵢ |qᵢ^(k)| / k! over the rotations, k = 0 .. order."""
+        """Returns Σᵢ |qᵢ^(k)| / k! over the rotations, k = 0 .. order."""
         return _taylor(np.abs(path.jet(t, order)), self.rotations)
 
     def bound(self, path: Path, t: float, order: int) -> float:
-        """A bound on the terms of the n-th derivatives of R_WB and p_WBp, n = order."""
+        """Returns a bound on the terms of the n-th derivatives of R_WB and p_WBp, n = order."""
         return self._bound(np.abs(path.jet(t, order)))
 
     def rounding_error(self, path: Path, t: float, order: int) -> float:
-        """Of Drake's n-th derivative: some roundings for every joint, on terms of this size, and those of the
-        path's own values, on the terms of the path."""
+        """Returns the rounding error of Drake's n-th derivative.
+
+        It consists of some roundings for every joint on terms of this size, and those of the path's own
+        values.
+        """
         sizes = np.abs(path.jet(t, order))
         noise = 8 * EPSILON * path.magnitudes(t, order)
         turned = noise[0, list(self.rotations)].sum()
@@ -64,8 +67,8 @@ class Reach:
         return factorial(order) * float(max(rotation[order], position))
 
     def half_widths(self, path: Path, turns: Sequence[float]) -> list[float]:
-        """Half-widths around t = 0, in s, in which the joints turn by no more than each of `turns`, in rad,
-        together."""
+        """Returns half-widths around t = 0, in s, in which the joints together turn by at most each of
+        `turns`, in rad."""
         near = path.taylor(0.0)
         turning = self.turning(near, 0.0, max(1, near.degree))
         turning[0] = 0.0
@@ -86,7 +89,7 @@ def _taylor(sizes: np.ndarray, joints: tuple[int, ...]) -> np.ndarray:
 
 
 def _exponential(series: np.ndarray) -> np.ndarray:
-    """exp of a power series, its constant term left out: a constant angle moves nothing."""
+    """Returns exp of a power series without its constant term, since a constant angle moves nothing."""
     result = np.zeros_like(series)
     result[0] = 1.0
     for n in range(1, len(series)):
@@ -95,7 +98,7 @@ def _exponential(series: np.ndarray) -> np.ndarray:
 
 
 def reach(plant: MultibodyPlant, body: str, p_BoBp_B: np.ndarray) -> Reach:
-    """The joints that carry the body's point Bp. A joint of another kind counts as both."""
+    """Returns the joints that carry the body's point Bp. A joint of another kind counts as both."""
     inboard: dict[int, Joint] = {}
     for index in plant.GetJointIndices():
         joint = plant.get_joint(index)

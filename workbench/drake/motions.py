@@ -1,7 +1,7 @@
-"""Reference motions: what a paper's symbols are on a motion that Drake made and differentiated.
+"""Reference motions: the values of a paper's symbols on a motion that Drake evaluates and differentiates.
 
-A motion is a MultibodyPlant whose joint path is a polynomial in t. Its kinematics is evaluated by
-Drake's plant on Expressions in t, and every time derivative is Drake's Expression.Differentiate.
+A motion is a MultibodyPlant whose joint path is a polynomial in t. Its kinematics is evaluated by Drake's
+plant on Expressions in t, and every time derivative is Drake's Expression.Differentiate.
 """
 
 from __future__ import annotations
@@ -35,8 +35,9 @@ COURSE = tuple(k / 8 for k in range(-8, 9))
 class ReferenceMotion:
     """Values and time derivatives of named quantities along one motion, in plain floats.
 
-    ``samples`` are the times (seconds) at which the motion is meant to be looked at, ``course`` those at
-    which something is shown over time.
+    Attributes:
+        samples: The times (seconds) at which the motion is evaluated.
+        course: The times of plots.
     """
 
     course = COURSE
@@ -63,7 +64,7 @@ class ReferenceMotion:
         return tuple(self._quantities)
 
     def binding(self, name: str) -> Binding:
-        """Shape, weight and meaning of a binding; ValueError lists those that exist."""
+        """Returns shape, weight and meaning of a binding. Raises ValueError with the existing ones."""
         name = ALIASES.get(name, name)
         if name not in self._quantities:
             raise ValueError(
@@ -72,10 +73,10 @@ class ReferenceMotion:
         return BINDINGS[name]
 
     def jet(self, binding: str, order: int, sample: float) -> np.ndarray:
-        """The quantity and its time derivatives up to ``order`` at the time ``sample``.
+        """Returns the quantity and its time derivatives up to ``order`` at the time ``sample``.
 
-        Returns shape (order + 1, *shape of the binding). Raises ValueError for a binding that
-        this motion does not have, or a negative order.
+        The shape is (order + 1, *shape of the binding). Raises ValueError for a binding that this motion does
+        not have, or a negative order.
         """
         name = self.binding(binding).name
         if order < 0:
@@ -85,7 +86,8 @@ class ReferenceMotion:
         return np.array(values).reshape(order + 1, *entries.shape)
 
     def errors(self, binding: str, order: int, sample: float) -> np.ndarray:
-        """The bound estimated on the entries of each of `jet`'s derivatives, shape (order + 1,): rounding."""
+        """Returns the rounding error estimated for the entries of each of `jet`'s derivatives, shape (order +
+        1,)."""
         weight = self.binding(binding).weight
         return np.array([self._rounding(sample, weight + k) for k in range(order + 1)])
 
@@ -98,7 +100,8 @@ def _body_quantities(motion: SymbolicMotion) -> Quantities:
 def _chain_quantities(
     motion: SymbolicMotion, second_joint: SymbolicMotion, axes: Sequence[CylindricalAxis]
 ) -> Quantities:
-    """``second_joint`` moves B alone, with A for its world: the relative motion, seen from A."""
+    """Returns the quantities of a chain. ``second_joint`` moves B alone, with A as its world: the relative
+    motion."""
     A, B, W = motion.frame("A"), motion.frame("B"), motion.plant.world_frame()
     X_WA, X_WB = motion.pose("A"), motion.pose("B")
     X_AB, V_AB_A = second_joint.pose("B"), second_joint.velocity("B")
@@ -112,7 +115,7 @@ def _chain_quantities(
 
 @expressions_are_not_nan
 def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) -> ReferenceMotion:
-    """Bodies A on W and B on A, each on a cylindrical joint; q = (d₁, θ₁, d₂, θ₂)."""
+    """Returns bodies A on W and B on A, each on a cylindrical joint; q = (d₁, θ₁, d₂, θ₂)."""
     t = Variable("t")
     motion = SymbolicMotion(cylindrical_chain(axes, ("A", "B")), path, t)
     second_path = JointPath(path.coefficients[:, 2:])
@@ -123,7 +126,7 @@ def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) ->
 
 @expressions_are_not_nan
 def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
-    """One free body B; q = (roll, pitch, yaw, x, y, z)."""
+    """Returns one free body B; q = (roll, pitch, yaw, x, y, z)."""
     t = Variable("t")
     motion = SymbolicMotion(free_body(), path, t)
     rates = motion.rate(motion.q)
@@ -137,7 +140,7 @@ def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
 
 @lru_cache(maxsize=1)
 def reference_motions() -> tuple[ReferenceMotion, ...]:
-    """The general motions: nothing that moves stands still, in any derivative up to the fifth."""
+    """Returns the general motions: no derivative up to the fifth of a moving quantity vanishes."""
     chains = (
         chain_motion(f"two cylindrical joints, seed {seed}", small_axes(seed), small_path(seed, joints=4))
         for seed in (1, 2)

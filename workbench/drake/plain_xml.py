@@ -1,4 +1,4 @@
-"""XML as URDF readers take it: a name with a prefix is a name with a colon in it, whatever namespaces say."""
+"""XML as URDF readers take it: prefixes are part of a name, regardless of namespaces."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ BAD_DECLARATION = re.compile(rb"^(\xef\xbb\xbf)?\s*<\?xml(?!\s+version\s*=)[^>]*
 
 
 def parse_plain(text: bytes) -> ET.Element:
-    """The outermost element of an XML text; tags such as "joint" and "drake:joint" are as they are written.
+    """Returns the outermost element of an XML text; tags such as "joint" and "drake:joint" are kept as
+    written.
 
     Namespaces need not be declared, and an XML declaration without a version is skipped. Raises ValueError
-    for what is no XML.
+    for text that is no XML.
     """
     builder, parser = ET.TreeBuilder(), expat.ParserCreate()
     parser.StartElementHandler = builder.start

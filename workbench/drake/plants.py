@@ -1,8 +1,8 @@
 """The plants of the reference motions, and Drake's own velocities and accelerations on them.
 
-Conventions are Drake's. A spatial velocity V_WB = [w_WB; v_WBo] stacks the angular velocity above
-the velocity of the body origin Bo; a spatial acceleration A_WB = [alpha_WB; a_WBo] stacks the
-angular acceleration above the (classical) acceleration of Bo. Everything is expressed in W.
+Conventions are Drake's. A spatial velocity V_WB = [w_WB; v_WBo] stacks the angular velocity above the
+velocity of the body origin Bo; a spatial acceleration A_WB = [alpha_WB; a_WBo] stacks the angular
+acceleration above the (classical) acceleration of Bo. Everything is expressed in W.
 """
 
 from __future__ import annotations
@@ -42,11 +42,12 @@ class PlantError(ValueError):
 
 @dataclass(frozen=True)
 class CylindricalAxis:
-    """A cylindrical joint: turn θ about, and slide d along, the same line. Raises PlantError for bad numbers.
+    """A cylindrical joint: rotation θ about, and translation d along, the same line. Raises PlantError for
+    bad numbers.
 
-    ``direction``: shape (3,), along the line; ``point``: shape (3,), metres, on the line; both in
-    the parent body's frame when θ = d = 0. There the two bodies' frames coincide, so that the
-    relative pose is the screw displacement exp((θ + εd) ũ) of the chapter's Eqs. (137)-(138).
+    ``direction``: shape (3,), along the line; ``point``: shape (3,), metres, on the line; both in the parent
+    body's frame when θ = d = 0. There the two bodies' frames coincide, so that the relative pose is the screw
+    displacement exp((θ + εd) ũ) of the chapter's Eqs. (137)-(138).
     """
 
     direction: tuple[float, float, float]
@@ -62,10 +63,10 @@ class CylindricalAxis:
 
 
 def cylindrical_chain(axes: Sequence[CylindricalAxis], body_names: Sequence[str]) -> MultibodyPlant:
-    """A serial chain of bodies on cylindrical joints, the first one on the world.
+    """Returns a serial chain of bodies on cylindrical joints, the first one on the world.
 
-    Each joint is a prismatic and a revolute joint on one axis with a slider between them. The
-    positions are, body by body, (d, θ); the joints are called ``<body>_d`` and ``<body>_theta``.
+    Each joint is a prismatic and a revolute joint on one axis with a slider between them. The positions are,
+    body by body, (d, θ); the joints are called ``<body>_d`` and ``<body>_theta``.
     """
     if len(axes) != len(body_names):
         raise PlantError(f"{len(axes)} axes do not fit {len(body_names)} bodies")
@@ -86,7 +87,7 @@ def cylindrical_chain(axes: Sequence[CylindricalAxis], body_names: Sequence[str]
 
 
 def free_body(name: str = "B") -> MultibodyPlant:
-    """One body free to move; positions are roll, pitch, yaw, x, y, z of Bo in W."""
+    """Returns one free body; positions are roll, pitch, yaw, x, y, z of Bo in W."""
     plant = MultibodyPlant(0.0)
     body = plant.AddRigidBody(name, _any_inertia())
     plant.AddJoint(RpyFloatingJoint(name, plant.world_frame(), body.body_frame()))
@@ -95,16 +96,16 @@ def free_body(name: str = "B") -> MultibodyPlant:
 
 
 def _any_inertia() -> SpatialInertia:
-    """Kinematics does not depend on it, but a plant wants a valid one."""
+    """Returns a valid inertia, which a plant requires, although kinematics does not depend on it."""
     return SpatialInertia.SolidSphereWithMass(1.0, 0.1)
 
 
 def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
-    """The plant of a URDF file; meshes are not read.
+    """Returns the plant of a URDF file; meshes are not read.
 
     base: "fixed" welds its root to the world; "floating" lets it move, by the positions base_x, base_y,
-    base_z, base_qz, base_qy, base_qx (in m; yaw, pitch, roll), and so does any floating joint of the file
-    by its own. A joint that mimics another has a position of its own. Raises PlantError, in one line, when
+    base_z, base_qz, base_qy, base_qx (in m; yaw, pitch, roll). Floating joints of the file get such positions
+    of their own. A joint that mimics another has a position of its own. Raises PlantError, in one line, if
     the file is missing or Drake cannot read it.
     """
     path = Path(path)
@@ -125,11 +126,13 @@ def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
 def load_models(
     path: str | Path, base: str = "fixed", packages: Mapping[str, str | Path] | None = None
 ) -> MultibodyPlant:
-    """The plant of all models of an SDF, MJCF, URDF or model-directives file, by Drake's parser.
+    """Returns the plant of all models of an SDF, MJCF, URDF or model-directives file, by Drake's parser.
 
-    base: "fixed" welds the root of each model that nothing holds to the world; "floating" lets it move.
-    packages: where the packages are that the file names in package:// paths. Raises PlantError, in one line,
-    when the file is missing or Drake cannot read it."""
+    base: "fixed" welds the root of each model that has no parent to the world; "floating" lets it move.
+    packages: folders of the packages that the file names in package:// paths.
+
+    Raises PlantError, in one line, if the file is missing or Drake cannot read it.
+    """
     path = Path(path)
     if not path.is_file():
         raise PlantError(f"no file at {path}")
@@ -161,7 +164,7 @@ def _weld_bases(plant: MultibodyPlant) -> None:
 
 
 def robot_data_directory() -> Path:
-    """Where the optional distribution ``example-robot-data`` keeps its robots."""
+    """Returns the directory of the robots of the optional distribution ``example-robot-data``."""
     try:
         files = metadata.distribution(ROBOT_DATA).files or []
     except metadata.PackageNotFoundError as error:
@@ -176,7 +179,7 @@ def robot_data_directory() -> Path:
 
 
 def robot_urdf(name: str) -> Path:
-    """The URDF of a robot of ``example-robot-data`` by its file name, e.g. "panda", "ur5_robot"."""
+    """Returns the URDF of a robot of ``example-robot-data`` by its file name, e.g. "panda", "ur5_robot"."""
     urdfs = {path.stem: path for path in sorted(robot_data_directory().rglob("*.urdf"))}
     if name not in urdfs:
         raise PlantError(f"no robot {name!r}; {ROBOT_DATA} has {', '.join(sorted(urdfs))}")
@@ -184,12 +187,12 @@ def robot_urdf(name: str) -> Path:
 
 
 def load_robot(name: str) -> MultibodyPlant:
-    """The plant of a robot of ``example-robot-data``, its base welded to the world."""
+    """Returns the plant of a robot of ``example-robot-data``, its base welded to the world."""
     return load_urdf(robot_urdf(name))
 
 
 def body_named(plant: MultibodyPlant, name: str) -> RigidBody:
-    """The body of that name; PlantError lists those that exist."""
+    """Returns the body of that name. Raises PlantError with the existing names."""
     if plant.NumBodiesWithName(name) == 1:
         return plant.GetBodyByName(name)
     names = [plant.get_body(BodyIndex(i)).name() for i in range(plant.num_bodies())]
@@ -201,8 +204,8 @@ def body_named(plant: MultibodyPlant, name: str) -> RigidBody:
 class BodyMotion:
     """A body B at one state, in Drake's doubles, expressed in W and taken at its point Bp.
 
-    ``R_WB`` (3, 3); ``p_WBp`` (3,) m; ``V_WBp`` (6,) = [w_WB rad/s; v_WBp m/s];
-    ``A_WBp`` (6,) = [alpha_WB rad/s²; a_WBp m/s²].
+    ``R_WB`` (3, 3); ``p_WBp`` (3,) m; ``V_WBp`` (6,) = [w_WB rad/s; v_WBp m/s]; ``A_WBp`` (6,) = [alpha_WB
+    rad/s²; a_WBp m/s²].
     """
 
     R_WB: np.ndarray
@@ -220,13 +223,12 @@ def body_motion(
     p_BoBp_B: Numbers = (0.0, 0.0, 0.0),
     context: Context | None = None,
 ) -> BodyMotion:
-    """Pose, velocity and acceleration of a body's point Bp, natively by Drake.
+    """Returns pose, velocity and acceleration of a body's point Bp, computed by Drake.
 
-    ``q`` (num_positions,), ``v`` and ``vdot`` (num_velocities,): position, velocity and
-    acceleration of the joints. ``p_BoBp_B``: Bp from Bo in the body's frame, metres.
-    ``context``: a context of this plant to work in, where many states are visited.
-    Works on the plant's own scalars: float, AutoDiffXd or Expression.
-    Raises PlantError for an unknown body or a shape that does not fit the plant.
+    ``q`` (num_positions,), ``v`` and ``vdot`` (num_velocities,): position, velocity and acceleration of the
+    joints. ``p_BoBp_B``: Bp from Bo in the body's frame, metres. ``context``: a context of this plant to work
+    in, for many states. Works on the plant's own scalars: float, AutoDiffXd or Expression. Raises PlantError
+    for an unknown body or a shape that does not fit the plant.
     """
     frame = body_named(plant, body).body_frame()
     context = context or plant.CreateDefaultContext()
@@ -245,7 +247,7 @@ def body_motion(
 
 
 def set_state(plant: MultibodyPlant, context: Context, q: Numbers, v: Numbers) -> None:
-    """Put joint positions and velocities into the context; PlantError if the counts differ."""
+    """Sets joint positions and velocities in the context. Raises PlantError if the counts differ."""
     plant.SetPositions(context, _of_length(q, plant.num_positions(), "q"))
     plant.SetVelocities(context, _of_length(v, plant.num_velocities(), "v"))
 

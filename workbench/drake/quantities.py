@@ -1,8 +1,8 @@
-"""The bound quantities at one instant, put together from Drake's poses, velocities and accelerations.
+"""The bound quantities at one instant, composed of Drake's poses, velocities and accelerations.
 
-One set of functions for Drake's doubles and Expressions. No formula of rigid body kinematics stands here: an
-error in one would then also stand in the judge. Points are changed by Drake's Shift. The exceptions are
-definitions: a dual quantity puts together a real and a dual part.
+One set of functions serves Drake's doubles and Expressions. No formula of rigid body kinematics is used here,
+since an error in one could also be in the engines. Points are changed by Drake's Shift. The exceptions are
+definitions: a dual quantity is composed of a real and a dual part.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ Quantities = dict[str, Any]
 
 
 def body_quantities(X_WB: Any, V_WB: Any, A_WB: Any) -> Quantities:
-    """Of B in W, from its RigidTransform, SpatialVelocity and SpatialAcceleration in W."""
+    """Returns the quantities of B in W, from its RigidTransform, SpatialVelocity and SpatialAcceleration in
+    W."""
     R_WB, p_WBo, w_WB = X_WB.rotation().matrix(), X_WB.translation(), V_WB.rotational()
     R_BW = X_WB.rotation().inverse()
     V_WB0, A_WB0 = V_WB.Shift(-p_WBo), A_WB.Shift(-p_WBo, w_WB)
@@ -62,7 +63,10 @@ def body_quantities(X_WB: Any, V_WB: Any, A_WB: Any) -> Quantities:
 
 
 def relative_quantities(X_WA: Any, V_WA: Any, X_AB: Any, V_AB_A: Any, X_WB: Any, V_AB_W: Any) -> Quantities:
-    """Of A in W and of B in A. V_AB_A and V_AB_W: the velocity of B in A, expressed in A and in W."""
+    """Returns the quantities of A in W and of B in A.
+
+    V_AB_A and V_AB_W: the velocity of B in A, expressed in A and in W.
+    """
     V_WA0 = V_WA.Shift(-X_WA.translation())
     V_AB0_W = V_AB_W.Shift(-X_WB.translation())
     V_AB0_A = V_AB_A.Shift(-X_AB.translation())
@@ -89,7 +93,8 @@ def relative_quantities(X_WA: Any, V_WA: Any, X_AB: Any, V_AB_A: Any, X_WB: Any,
 
 
 def cylinder_quantities(q: Numbers, axes: Sequence[CylindricalAxis], X_WA: Any, point2_W: Any) -> Quantities:
-    """Of the first two joints of a chain of cylindrical joints, q = (d₁, θ₁, d₂, θ₂, …)."""
+    """Returns the quantities of the first two joints of a chain of cylindrical joints, q = (d₁, θ₁, d₂, θ₂,
+    …)."""
     d1, theta1, d2, theta2 = q[:4]
     u1_W, u2_A = (np.array(axis.direction, dtype=float) for axis in axes[:2])
     point1_W, point2_A = (np.array(axis.point, dtype=float) for axis in axes[:2])
@@ -115,20 +120,22 @@ def cylinder_quantities(q: Numbers, axes: Sequence[CylindricalAxis], X_WA: Any, 
 
 
 def _turn(angle: Any, axis: np.ndarray) -> Any:
-    """Drake's quaternion of a turn; bodies of a chain have their parents' axes where the angles are 0."""
+    """Returns Drake's quaternion of a rotation; bodies of a chain are aligned with their parents at angle
+    0."""
     scalar = next(kind for kind in (Expression, AutoDiffXd, float) if isinstance(angle, kind))
     return AngleAxis_[scalar](angle=angle, axis=axis / np.linalg.norm(axis)).quaternion()
 
 
 def six_coordinates(plant: Any, context: Any, body: Any, rates: np.ndarray) -> Quantities:
-    """Of a plant with six coordinates: their rates, and the Jacobian of the body's velocity by them."""
+    """Returns the quantities of a plant with six coordinates: their rates, and the Jacobian of the body's
+    velocity."""
     W = plant.world_frame()
     J = plant.CalcJacobianSpatialVelocity(context, JacobianWrtVariable.kQDot, body, np.zeros(3), W, W)
     return {"qDot": rates, "J_WB": J}
 
 
 def angle_quantities(angles: np.ndarray, w_WB: np.ndarray) -> Quantities:
-    """Of a free body with these angles."""
+    """Returns the quantities of a free body with these angles."""
     rpy = RollPitchYaw_[Expression](angles)
     return {
         **dict(zip(("roll_WB", "pitch_WB", "yaw_WB"), angles, strict=True)),
@@ -138,7 +145,7 @@ def angle_quantities(angles: np.ndarray, w_WB: np.ndarray) -> Quantities:
 
 
 def turn_quantities(X_WB: Any) -> Quantities:
-    """The rotation vector, from Drake's angle between 0 and π and its axis."""
+    """Returns the rotation vector, from Drake's angle between 0 and π and its axis."""
     turn = X_WB.rotation().ToAngleAxis()
     return {"rotvec_WB": turn.angle() * turn.axis()}
 
@@ -146,7 +153,10 @@ def turn_quantities(X_WB: Any) -> Quantities:
 def third_body_quantities(
     q: Sequence[Any], X_WC: Any, X_BC: Any, V_WC: Any, V_BC_B: Any, V_BC_W: Any, u3_W: Any, point3_W: Any
 ) -> Quantities:
-    """Of C in W and in B, on a chain of three cylindrical joints; u3_W, point3_W: the third axis."""
+    """Returns the quantities of C in W and in B, on a chain of three cylindrical joints.
+
+    u3_W, point3_W: the third axis.
+    """
     d3, theta3 = q[4:6]
     return {
         "X_WC": X_WC.GetAsMatrix4(),
@@ -163,21 +173,21 @@ def third_body_quantities(
 
 
 def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """a × b; of a matrix b the columns. Much faster than NumPy's for single vectors."""
+    """Returns a × b, for the columns of a matrix b, too. Much faster than NumPy's for single vectors."""
     return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
 def line(direction: np.ndarray, point: np.ndarray) -> np.ndarray:
-    """A line's dual vector: direction, and moment about the origin."""
+    """Returns a line's dual vector: direction, and moment about the origin."""
     return np.array([direction, cross(point, direction)])
 
 
 def dual_rotation(X: Any) -> np.ndarray:
-    """R + ε p̃ R: the columns of the dual part are p × the columns of R."""
+    """Returns R + ε p̃ R: the columns of the dual part are p × the columns of R."""
     R = X.rotation().matrix()
     return np.array([R, cross(X.translation(), R)])
 
 
 def dual_twist(V_WBp: Any) -> np.ndarray:
-    """ω + ε v_P."""
+    """Returns ω + ε v_P."""
     return np.array([V_WBp.rotational(), V_WBp.translational()])

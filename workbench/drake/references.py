@@ -41,8 +41,10 @@ METHODS = ("auto", "expression", "chebyshev")
 
 @dataclass(frozen=True)
 class Reference:
-    """``value``: shape (6,) for a twist, (3,) for a point; ``error``: estimated bound on the
-    absolute error of every entry; ``method``: double, AutoDiffXd, Expression or Chebyshev.
+    """A derivative computed by Drake.
+
+    ``value``: shape (6,) for a twist, (3,) for a point; ``error``: estimated bound on the absolute error of
+    every entry; ``method``: double, AutoDiffXd, Expression or Chebyshev.
     """
 
     value: np.ndarray
@@ -59,14 +61,13 @@ def twist_derivatives(
     p_BoBp_B: Sequence[float] = (0.0, 0.0, 0.0),
     method: str = "auto",
 ) -> list[Reference]:
-    """V_WBp and its time derivatives at time ``t``: ``order`` references, [k] for d^k V / dt^k.
+    """Returns V_WBp and its time derivatives at time ``t``: ``order`` references, [k] for d^k V / dt^k.
 
-    The order counts as in Eq. (13): 1 is velocity, 2 acceleration, 3 jerk. ``p_BoBp_B``: the point
-    Bp fixed in the body, from Bo, in m; Bo itself unless given. ``method`` says how derivatives
-    beyond the jerk are made: "auto" takes Expression on small plants, Chebyshev on large ones.
-    Raises PlantError for an unknown body, a path that does not fit the plant, or a plant with
-    joints whose velocities are not the rates of their positions; ValueError for a bad order, time
-    or method.
+    The order counts as in Eq. (13): 1 is velocity, 2 acceleration, 3 jerk. ``p_BoBp_B``: the point Bp fixed
+    in the body, from Bo, in m; Bo itself by default. ``method``: how derivatives beyond the jerk are
+    computed; "auto" uses Expression on small plants, Chebyshev on large ones. Raises PlantError for an
+    unknown body, a path that does not fit the plant, or a plant with joints whose velocities are not the
+    rates of their positions; ValueError for a bad order, time or method.
     """
     if order < 1:
         raise ValueError(f"order: expected an integer >= 1, got {order}")
@@ -94,7 +95,7 @@ def point_derivatives(
     order: int,
     method: str = "auto",
 ) -> list[Reference]:
-    """p_WP and its time derivatives: ``order`` + 1 references, [n] for dⁿ p_WP / dtⁿ, Eq. (13).
+    """Returns p_WP and its time derivatives: ``order`` + 1 references, [n] for dⁿ p_WP / dtⁿ, Eq. (13).
 
     Arguments and errors as for `twist_derivatives`; ``p_BoP_B``: the point P fixed in the body.
     """
@@ -104,7 +105,7 @@ def point_derivatives(
 
 
 class BodyPoint:
-    """A point Bp of a body of the plant, carried along a path whose clock starts now."""
+    """A point Bp of a body of the plant, moved along a path whose time starts now."""
 
     def __init__(self, plant: MultibodyPlant, body: str, path: Path, t: float, p_BoBp_B: Numbers):
         if path.joints != plant.num_positions():
@@ -150,7 +151,7 @@ class BodyPoint:
         return Reference(value, self.rounding(2), "AutoDiffXd")
 
     def by_expression(self, order: int) -> list[Reference]:
-        """d^k V / dt^k for k = 3 .. order - 1. Powers of t that cannot count are left out."""
+        """Returns d^k V / dt^k for k = 3 .. order - 1. Powers of t that cannot contribute are left out."""
         t = Variable("t")
         motion = SymbolicMotion(self.plant, self.path.taylor(0.0, order), t)
         derivative = motion.twist(self.body, self.p_BoBp_B)
@@ -163,7 +164,7 @@ class BodyPoint:
         return found
 
     def by_chebyshev(self, order: int) -> list[Reference]:
-        """d^k V / dt^k for k = 3 .. order - 1, from the acceleration."""
+        """Returns d^k V / dt^k for k = 3 .. order - 1, from the acceleration."""
         found = chebyshev.derivatives(
             lambda s: self._at(s).A_WBp, self.reach.half_widths(self.path, TURNS), highest=order - 2
         )

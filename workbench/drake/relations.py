@@ -1,11 +1,11 @@
-"""What the bindings are of each other: pure data.
+"""Definitions of bindings by other bindings, as data.
 
-`DEFINED` says of a binding which term of other bindings it is, in an order in which each uses only what is
-free or stands above it. Bindings that have no entry are free: `FREE` says of which kind. On a chain,
-`DEFINED_ON_CHAINS` goes first: there the motion of B is that of A and that of B in A.
+`DEFINED` gives for a binding the term of other bindings that it is equal to, in an order in which each uses
+only free or earlier ones. Bindings without an entry are free: `FREE` gives their kinds. On a chain,
+`DEFINED_ON_CHAINS` has priority: there the motion of B is that of A and that of B in A.
 
-A term is a binding's name, or (operation, terms …): add, sub, mul (of tensors, vectors, scalars),
-cross, skew, vect, transpose, rate (the time derivative), and dual (its real and its dual part).
+A term is a binding's name, or (operation, terms …): add, sub, mul (of tensors, vectors, scalars), cross,
+skew, vect, transpose, rate (the time derivative), and dual (its real and its dual part).
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ def _dual_rotation(R: Term, p: Term) -> Term:
 
 
 def names_in(data: Term) -> set[str]:
-    """The bindings in a term."""
+    """Returns the bindings in a term."""
     return {data} if isinstance(data, str) else set().union(*map(names_in, data[1:]))
 
 
-#: (binding, the term that it is), in order.
+#: (binding, term that defines it), in order.
 DEFINED: tuple[tuple[str, Term], ...] = (
     ("w_WB", _angular("R_WB")),
     ("w_WB_B", ("mul", ("transpose", "R_WB"), "w_WB")),
@@ -69,7 +69,7 @@ DEFINED: tuple[tuple[str, Term], ...] = (
     ("dual_u2_W", ("mul", "dual_R_WA", "dual_u2_A")),
 )
 
-#: Other ways to the same bindings, where what they are defined by is not used.
+#: Alternative terms for the same bindings, if those of their definitions are not used.
 ALSO: tuple[tuple[str, Term], ...] = (
     ("dual_w_WB", _angular("dual_R_WB")),
     ("dual_w_WA", _angular("dual_R_WA")),

@@ -1,6 +1,6 @@
-"""Derivatives of a body's twist relative to another moving body, made by Drake.
+"""Derivatives of a body's twist relative to another moving body, computed by Drake.
 
-Order 1 is Drake's V_AB_A in doubles, order 2 its derivative by AutoDiffXd, all others are derivatives of the
+Order 1 is Drake's V_AB_A in doubles, order 2 its derivative by AutoDiffXd. All others are derivatives of the
 velocity by Chebyshev interpolation; error and method as in `workbench.drake.references`.
 """
 
@@ -27,7 +27,8 @@ def relative_twist_derivatives(
     order: int,
     p_BoBp_B: Sequence[float] = (0.0, 0.0, 0.0),
 ) -> list[Reference]:
-    """V_ABp_A and its derivatives in the moving body A (`other`): ``order`` references, [k] for d^k V / dt^k.
+    """Returns V_ABp_A and its derivatives in the moving body A (`other`): ``order`` references, [k] for d^k V
+    / dt^k.
 
     Arguments and errors as for `workbench.drake.references.twist_derivatives`.
     """

@@ -1,4 +1,4 @@
-"""The plant as the root of every reference: a motion's derivatives against MultibodyPlant's own terms.
+"""Check of reference motions against their plants: derivatives against MultibodyPlant's own terms.
 
 At each sample time, in doubles: the pose, the spatial velocity and acceleration of the body, the acceleration
 again as Jacobian times v̇ plus Drake's bias term, and the jerk by AutoDiffXd.
@@ -16,16 +16,16 @@ from workbench.drake.gate import AutoDiffXd, ExtractGradient, ExtractValue, Jaco
 from workbench.drake.plants import body_motion, body_named, set_state
 from workbench.drake.references import twist_derivatives
 
-#: How far a motion may be from the plant, in their error estimates.
+#: The greatest allowed deviation of a motion from its plant, in multiples of their error estimates.
 ALLOWED = 16.0
 
 
 class MotionError(RuntimeError):
-    """A motion whose derivatives are not those of its plant: a defect of the workbench."""
+    """The derivatives of a motion are not those of its plant: a defect of the workbench."""
 
 
 def disagreements(motion: Motion) -> Iterator[tuple[str, float, float]]:
-    """(what, difference, its error estimate) at all samples of the motion."""
+    """Yields (what, difference, its error estimate) at all samples of the motion."""
     for time in motion.samples:
         p, v, w, R = (motion.jet(name, 3, time) for name in ("p_WBo", "v_WBo", "w_WB", "R_WB"))
         error = {n: motion.errors(n, 3, time) for n in ("p_WBo", "v_WBo", "w_WB", "R_WB")}
@@ -48,7 +48,7 @@ def disagreements(motion: Motion) -> Iterator[tuple[str, float, float]]:
 
 
 def require_agreement(motion: Motion) -> None:
-    """Raises MotionError, saying which term differs and by how much."""
+    """Raises MotionError for a motion that disagrees with its plant, with the term and the difference."""
     for what, difference, error in disagreements(motion):
         if not difference <= ALLOWED * error:
             raise MotionError(
@@ -57,7 +57,7 @@ def require_agreement(motion: Motion) -> None:
 
 
 def _state(motion: Motion, time: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """q, v and v̇; of v = N⁺(q) q̇ the rate by AutoDiffXd."""
+    """Returns q, v and v̇; for v = N⁺(q) q̇ the rate by AutoDiffXd."""
     jet = motion.path.jet(time, 2)
     if motion.plant.IsVelocityEqualToQDot():
         return tuple(jet)

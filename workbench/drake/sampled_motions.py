@@ -1,7 +1,7 @@
 """Reference motions of plants whose Expressions would grow too large: Drake in doubles, on Chebyshev nodes.
 
-Every quantity is made by Drake's plant in doubles, at a time and on the nodes of several windows around it;
-its derivatives are those of its Chebyshev expansions, each with its estimated error.
+Drake's plant evaluates every quantity in doubles, at a time and on the nodes of several windows around it.
+The derivatives are those of its Chebyshev expansions, each with its estimated error.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ from workbench.drake.quantities import (
 SAMPLES = (-0.75, 0.5)
 COURSE = (-1.0, -0.5, 0.0, 0.5, 1.0)
 
-#: Sums of joint angles, in rad, swept in half of a window.
+#: The sums of joint angles, in rad, covered by half of a window.
 TURNS = (4.0, 6.0)
 
 
@@ -82,9 +82,9 @@ class Posture:
 
 
 class SampledMotion:
-    """Values and time derivatives of named quantities along one motion, as `ReferenceMotion` has them.
+    """Values and time derivatives of named quantities along one motion, as in `ReferenceMotion`.
 
-    ``body``: the name in the plant of what the bindings call B.
+    ``body``: the name in the plant of the body that the bindings call B.
     """
 
     course = COURSE
@@ -120,7 +120,7 @@ class SampledMotion:
         return tuple(self._at(self.samples[0]))
 
     def binding(self, name: str) -> Binding:
-        """Shape, weight and meaning of a binding; ValueError lists those that exist."""
+        """Returns shape, weight and meaning of a binding. Raises ValueError with the existing ones."""
         binding = BINDINGS.get(name)
         if binding is None or binding.name not in self.available_bindings():
             have = ", ".join(self.available_bindings())
@@ -128,11 +128,13 @@ class SampledMotion:
         return binding
 
     def jet(self, binding: str, order: int, sample: float) -> np.ndarray:
-        """The quantity and its time derivatives at the time ``sample``, shape (order + 1, *its shape)."""
+        """Returns the quantity and its time derivatives at the time ``sample``, shape (order + 1, *its
+        shape)."""
         return self._jet(binding, order, float(sample))[0]
 
     def errors(self, binding: str, order: int, sample: float) -> np.ndarray:
-        """The bound estimated on the entries of each of `jet`'s derivatives, shape (order + 1,)."""
+        """Returns the error bound estimated for the entries of each of `jet`'s derivatives, shape (order +
+        1,)."""
         return self._jet(binding, order, float(sample))[1]
 
     def _jet(self, name: str, order: int, sample: float) -> tuple[np.ndarray, np.ndarray]:
@@ -199,7 +201,8 @@ def _three_cylinders(axes: Sequence[CylindricalAxis], posture: Posture) -> Quant
 
 
 def three_cylinders_motion(seed: int) -> SampledMotion:
-    """A 3C chain: bodies A on W, B on A and C on B, each on a cylindrical joint; q = (d₁, θ₁, …, d₃, θ₃)."""
+    """Returns a 3C chain: bodies A on W, B on A and C on B, on cylindrical joints; q = (d₁, θ₁, …, d₃,
+    θ₃)."""
     axes = small_axes(seed, 3)
     plant = cylindrical_chain(axes, ("A", "B", "C"))
     path = small_path(seed, joints=6)
@@ -208,7 +211,7 @@ def three_cylinders_motion(seed: int) -> SampledMotion:
 
 
 def six_revolute_arm() -> MultibodyPlant:
-    """A 6R arm with no two axes parallel or meeting; its third link is A and its last one B."""
+    """Returns a 6R arm without parallel or intersecting axes; its third link is A and its last one B."""
     plant = MultibodyPlant(0.0)
     parent = plant.world_body()
     first, second = small_axes(5, 3), small_axes(6, 3)
@@ -227,7 +230,7 @@ def six_revolute_arm() -> MultibodyPlant:
 def six_revolute_motion(
     seed: int, samples: Sequence[float] = SAMPLES, turns: Sequence[float] = TURNS
 ) -> SampledMotion:
-    """The arm on a general path; q = (θ₁, …, θ₆)."""
+    """Returns the 6R arm on a general path; q = (θ₁, …, θ₆)."""
     path = small_path(seed, joints=6)
     name = f"6R arm, seed {seed}"
     return SampledMotion(name, six_revolute_arm(), path, _with_intermediate, samples=samples, turns=turns)
@@ -235,7 +238,8 @@ def six_revolute_motion(
 
 @lru_cache(maxsize=8)
 def urdf_motion(urdf: Path, body: str, seed: int = 7) -> SampledMotion:
-    """A body of a URDF file on a general path. Raises PlantError for the file, the body, or its joints."""
+    """Returns a body of a URDF file on a general path. Raises PlantError for the file, the body, or its
+    joints."""
     plant = load_urdf(urdf)
     body_named(plant, body)
     path = small_path(seed, joints=plant.num_positions())
@@ -244,5 +248,5 @@ def urdf_motion(urdf: Path, body: str, seed: int = 7) -> SampledMotion:
 
 @lru_cache(maxsize=1)
 def sampled_motions() -> tuple[SampledMotion, ...]:
-    """The general motions of longer chains."""
+    """Returns the general motions of longer chains."""
     return three_cylinders_motion(8), six_revolute_motion(9)

@@ -1,6 +1,6 @@
-"""Motions where something vanishes: where centres are lost, axes are parallel, equalities are strict.
+"""Special motions with vanishing quantities: lost centres, parallel axes, equality cases.
 
-Each is a general motion of which some coordinates are held at 0, or run against others.
+Each is a general motion with some coordinates fixed at 0, or opposite to others.
 """
 
 from __future__ import annotations
@@ -20,8 +20,14 @@ D1, THETA1, D2, THETA2 = range(4)
 
 @dataclass(frozen=True)
 class _Kept:
-    """moving: the coordinates that are not held at 0; degree: of their polynomials in t.   opposite: a pair
-    of coordinates of which the second is minus the first.   axes: of a chain, made of two skew ones."""
+    """The restrictions of a special motion.
+
+    Attributes:
+        moving: The coordinates that are not fixed at 0.
+        degree: The degree of their polynomials in t.
+        opposite: A pair of coordinates, the second being minus the first.
+        axes: The axes of a chain, made of two skew ones.
+    """
 
     moving: tuple[int, ...]
     degree: int = 6
@@ -64,7 +70,8 @@ NAMES = tuple(_SPECIAL)
 
 @lru_cache(maxsize=len(NAMES))
 def special_motion(name: str) -> ReferenceMotion:
-    """One of `NAMES`: a free body, or two bodies A on W and B on A. Raises KeyError for another name."""
+    """Returns one of `NAMES`: a free body, or two bodies A on W and B on A. Raises KeyError for another
+    name."""
     from workbench.drake.general_paths import small_axes, small_path
     from workbench.drake.joint_paths import JointPath
     from workbench.drake.motions import chain_motion, free_body_motion

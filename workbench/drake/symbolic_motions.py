@@ -1,10 +1,10 @@
-"""A plant moving along a polynomial joint path, with Drake Expressions of time for scalars.
+"""A plant on a polynomial joint path, with Drake Expressions of time as scalars.
 
-An Expression grows a thousandfold in a few derivatives if left as it comes. Expanded into its
-monomials t^k sin^a(θ₁) cos^b(θ₁) ..., of which there are few, it stays small.
+An Expression grows a thousandfold in a few derivatives if it is not expanded. Expanded into its monomials t^k
+sin^a(θ₁) cos^b(θ₁) ..., of which there are few, it stays small.
 
-Drake keeps an Expression in the bits of a NaN, which NumPy then takes for a numerical accident:
-what computes with arrays of them is decorated with `expressions_are_not_nan`.
+Drake keeps an Expression in the bits of a NaN, for which NumPy reports an invalid value: functions that
+compute with arrays of them are decorated with `expressions_are_not_nan`.
 """
 
 from __future__ import annotations
@@ -41,12 +41,12 @@ def expanded(quantity) -> np.ndarray:
 
 
 def rate(quantity: np.ndarray, t: Variable) -> np.ndarray:
-    """The time derivative, by Drake."""
+    """Returns the time derivative, by Drake."""
     return _entrywise(lambda entry: entry.Differentiate(t).Expand(), quantity)
 
 
 def evaluated(quantity: np.ndarray, t: Variable, time: float) -> np.ndarray:
-    """The quantity's value at a time, in floats."""
+    """Returns the quantity's value at a time, in floats."""
     return _entrywise(lambda entry: entry.Evaluate({t: time}), quantity, float)
 
 
@@ -65,21 +65,21 @@ class Entry:
         return self._values[key]
 
     def _rate(self, order: int) -> Expression:
-        """As it comes: expanded is only what is to be derived."""
+        """Returns the rate; only expressions that are differentiated further are expanded."""
         while len(self._rates) <= order:
             self._rates.append(self._rates[-1].Expand().Differentiate(self._t))
         return self._rates[order]
 
 
 class Entries:
-    """The components of quantities: equal ones are one and the same, and derived once."""
+    """The components of quantities; equal ones are shared, and differentiated once."""
 
     def __init__(self, t: Variable) -> None:
         self._t = t
         self._all: list[Entry] = []
 
     def of(self, quantity: np.ndarray) -> np.ndarray:
-        """An array of the quantity's shape, with an Entry for each component."""
+        """Returns an array of the quantity's shape, with an Entry for each component."""
         return _entrywise(self._shared, np.asarray(quantity, object))
 
     def _shared(self, component: Expression | float) -> Entry:
@@ -92,7 +92,7 @@ class Entries:
 
 
 class SymbolicMotion:
-    """A plant on Expressions, put on a joint path q(t) with the velocities that belong to it."""
+    """A plant on Expressions, on a joint path q(t) with the corresponding velocities."""
 
     @expressions_are_not_nan
     def __init__(self, plant: MultibodyPlant, path: JointPath, t: Variable):
@@ -109,7 +109,8 @@ class SymbolicMotion:
         self._A = self.plant.CalcSpatialAccelerationsFromVdot(self.context, self.rate(v))
 
     def _give_every_body_mass(self) -> None:
-        """Kinematics is the same for any masses, but Drake divides by them, and a link may have none."""
+        """Gives every body a mass, because Drake divides by masses, although kinematics does not depend on
+        them."""
         one, zero = Expression(1.0), Expression(0.0)
         inertia = UnitInertia_[Expression](one, one, one)
         unit = SpatialInertia_[Expression](one, np.array([zero] * 3), inertia)
@@ -133,6 +134,6 @@ class SymbolicMotion:
 
     @expressions_are_not_nan
     def twist(self, name: str, p_BoBp_B: np.ndarray) -> np.ndarray:
-        """V_WBp = [w_WB; v_WBp], expressed in W, shape (6,)."""
+        """Returns V_WBp = [w_WB; v_WBp], expressed in W, shape (6,)."""
         p_BoBp_W = self.pose(name).rotation() @ p_BoBp_B
         return expanded(self.velocity(name).Shift(p_BoBp_W).get_coeffs())

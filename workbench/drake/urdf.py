@@ -1,9 +1,9 @@
-"""A URDF as Drake is given it: links and joints alone, and joints of one coordinate each.
+"""URDF for Drake: links and joints only, and joints of one coordinate each.
 
-Left out is what does not concern kinematics: meshes, inertias, friction, transmissions, and mimic (Drake lets
-such a joint move on its own; who uses the plant moves it as the mimic says). A floating joint, which Drake's
-parser drops, becomes three prismatic and three revolute ones, `<name>_x`, `_y`, `_z`, then `_qz`, `_qy`,
-`_qx` (yaw, pitch, roll), so that velocities are the rates of positions.
+Elements that do not concern kinematics are left out: meshes, inertias, friction, transmissions, and mimic
+(Drake moves such a joint independently; the user of the plant moves it as the mimic states). A floating
+joint, which Drake's parser drops, becomes three prismatic and three revolute ones, `<name>_x`, `_y`, `_z`,
+then `_qz`, `_qy`, `_qx` (yaw, pitch, roll), so that velocities are the rates of positions.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ STEPS = (
 
 
 def kinematic_urdf(path: Path, base: str = "fixed") -> str:
-    """The text for Drake's parser, with a floating joint `base` if it is to be. Raises ValueError if not
-    XML."""
+    """Returns the text for Drake's parser, with a floating joint for a floating base. Raises ValueError if it
+    is no XML."""
     robot = parse_plain(path.read_bytes())
     kept = ET.Element(robot.tag, {"name": robot.get("name") or "robot"})
     if kept.tag == "robot":
@@ -57,8 +57,8 @@ def kinematic_urdf(path: Path, base: str = "fixed") -> str:
 
 
 def base_joint_name(names: Iterable[str]) -> str:
-    """The name of the joint that moves a robot's root: "base", or where the file has a joint of that name,
-    "floating_base", with as many "_" behind as it takes."""
+    """Returns the name of the joint that moves a robot's root: "base", or "floating_base" if the file has a
+    joint of that name, with as many "_" appended as necessary."""
     taken, name = set(names), "base"
     while name in taken:
         name = "floating_base" if name == "base" else f"{name}_"

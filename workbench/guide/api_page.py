@@ -11,7 +11,7 @@ from workbench.core.callable_package import CallablePackage
 
 FUNCTIONS = ("check", "load", "judge", "repair", "report")
 
-#: The members of each class that users may rely on, and where they are said.
+#: The documented members of each class, and where they are defined.
 MEMBERS = {
     "Checked": ("latex", "verdict", "outcome", "holds", "repair"),
     "CheckedLines": ("holds",),
@@ -46,7 +46,7 @@ MEMBERS = {
 
 
 def function_of(name: str) -> Any:
-    """The function itself, also where the name is that of a package that can be called."""
+    """Returns the function of a public name, also if the name is that of a callable package."""
     found = getattr(workbench, name)
     return found.called_function() if isinstance(found, CallablePackage) else found
 

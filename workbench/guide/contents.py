@@ -1,8 +1,9 @@
-"""The parts of the manual and the order of their pages. A page is named by its file, without the ending."""
+"""The parts of the manual and the order of their pages. The topic of a page is its file name without
+suffix."""
 
 from __future__ import annotations
 
-#: (part, folder, pages in order). Pages of the folder that are not named follow in alphabetical order.
+#: (part, folder, pages in order). Other pages of the folder follow in alphabetical order.
 PARTS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("Tutorial", "tutorial", ("first-paper", "first-robot")),
     (

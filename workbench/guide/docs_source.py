@@ -14,7 +14,7 @@ from workbench.guide.contents import PARTS
 from workbench.guide.generated import manual
 from workbench.guide.pages import Page
 
-#: How a page names another one.
+#: A mention of another page.
 MENTION = re.compile(r"`workbench help ([\w-]+)`")
 CONF = """project = "Kinematics workbench"
 author = "the kinematics-workbench authors"
@@ -50,7 +50,7 @@ def write_source(out: Path, command_line: click.Group, notebooks: Path | None = 
 
 
 def _linked(text: str, pages: Sequence[Page]) -> str:
-    """The text, each `workbench help TOPIC` in it a link to the page."""
+    """Returns the text with each `workbench help TOPIC` as a link to the page."""
     folders = {page.topic: page.folder for page in pages}
 
     def link(found: re.Match[str]) -> str:

@@ -17,7 +17,7 @@ from workbench.core.reasons import Code
 
 _DATA = Path(__file__).parent / "messages.toml"
 
-#: What is said of a code without an entry of its own: of a question, of an expectation, by its table.
+#: The entries for codes without one of their own: for questions, for expectations, and by table.
 _QUESTION = {
     "meaning": "The notation has more than one reading, and the reader takes none of them by itself.",
     "way_out": "Write the reading that you mean, or name it in [conventions] or [notation].",
@@ -76,7 +76,7 @@ def known_codes() -> list[str]:
 
 @cache
 def entries() -> Mapping[str, Mapping[str, Any]]:
-    """Returns what messages.toml says of each code, by its label: meaning, example, way_out."""
+    """Returns the entries of messages.toml by label: meaning, example, way_out."""
     with _DATA.open("rb") as file:
         return {f"WB-{slug.upper()}": entry for slug, entry in tomllib.load(file).items()}
 
@@ -134,7 +134,7 @@ def _where(symbols: Mapping[str, str]) -> str:
 
 
 def _template(code: Code) -> str:
-    """The message, its arguments as `{name}`."""
+    """Returns the message, its arguments as `{name}`."""
     text = code.template.replace("{{", "\0").replace("}}", "\1")
     text = re.sub(r"\{(\w+)\}", lambda found: "{" + found[1].lower().replace("_", " ") + "}", text)
     return text.replace("\0", "{").replace("\1", "}")

@@ -19,7 +19,10 @@ _SENTENCE = re.compile(r"(.+?[.:])(?=\s|$)", re.DOTALL)
 class Page:
     """A page of the manual.
 
-    read: returns its Markdown text.   heading: its title, where reading it takes time."""
+    Attributes:
+        read: Returns its Markdown text.
+        heading: Its title, if reading the page takes time.
+    """
 
     topic: str
     part: str
@@ -103,6 +106,6 @@ def _reader(path: Path) -> Callable[[], str]:
 
 
 def _best_line(text: str, words: Sequence[str]) -> str:
-    """The line that contains most of the words."""
+    """Returns the line that contains most of the words."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     return max(lines, key=lambda line: sum(word in line.casefold() for word in words), default="")

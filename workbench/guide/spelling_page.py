@@ -15,8 +15,14 @@ _DATA = Path(__file__).parent / "spellings.toml"
 class Spelling:
     """A spelling with a formula that uses it.
 
-    written: the spelling.   meaning: in words.   example: a formula.   symbols: those of the example.
-    outcome: its verdict.   only_in_texts: `check` does not read it, only a text."""
+    Attributes:
+        written: The spelling.
+        meaning: In words.
+        example: A formula.
+        symbols: Those of the example.
+        outcome: The verdict on the example.
+        only_in_texts: Whether only texts support it, not `check`.
+    """
 
     group: str
     written: str

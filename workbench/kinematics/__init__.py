@@ -1,4 +1,9 @@
-"""Higher-order kinematics. `Robot` moves a real robot; the other modules know no robot."""
+"""Higher-order kinematics: fields, screws, lines, and chains and trees of bodies, to any order.
+
+What is this? Numerical kinematics in NumPy, with dual numbers and Taylor polynomials. `Robot` evaluates a
+real robot; the other modules know no robot. When do I come here? To compute a motion, and not to judge a
+formula. What may it import? algebra, drake. What checks it? tests/kinematics, against Drake.
+"""
 
 from typing import Any
 
@@ -6,7 +11,7 @@ __all__ = ["Mimic", "Robot", "SingularJacobian", "TreeJoint", "UrdfError"]
 
 
 def __getattr__(name: str) -> Any:
-    if name in __all__:  # loaded when it is asked for: the other modules do without it
+    if name in __all__:  # imported at first use: the other modules do not need it
         from workbench.kinematics import robot
 
         return getattr(robot, name)

@@ -1,4 +1,4 @@
-"""Where a report tells of what: the heading and the anchor of each claim and equation."""
+"""Headings and anchors of claims and equations in a report."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TypeAlias
 from workbench.context.claims import Claim
 from workbench.prover.results.claim_results import ClaimResult
 
-#: A heading, and the anchor of what stands under it.
+#: (heading, anchor) of an entry.
 Place: TypeAlias = tuple[str, str]
 
 _CLAIM_ID = re.compile(r"\b[\w+*'-]+(?:\.[\w+*'-]+)+|\b\w+_\w+(?:\.\w+)+")
@@ -26,32 +26,39 @@ def heading(claim: Claim) -> str:
 
 
 def label(claim: Claim) -> str:
-    """The heading in a table: (70), Theorem 2, Line 12."""
+    """Returns the heading in a table: (70), Theorem 2, Line 12."""
     return heading(claim).removeprefix("Eq. ")
 
 
 def equation_key(claim: Claim) -> str:
-    """What the claims of one equation have in common: its number or name, or in a text the place where the
-    chain of its steps begins."""
+    """Returns the key that the claims of one equation share.
+
+    It is the number or name, or in a text the first step of the chain.
+    """
     if claim.equation:
         return claim.equation
     return f"id {claim.chain[0] if claim.chain else claim.id}"
 
 
 def is_counted(claim: Claim) -> bool:
-    """Whether it is of an equation, not of a theorem or a remark, which have a name."""
+    """True if the claim is of a numbered equation or a text, not of a named theorem or remark."""
     return not claim.equation or claim.span is not None or is_number(claim.equation)
 
 
 def joined(headings: Sequence[str]) -> str:
-    """Eqs. (37), (107), (108) for Eq. (37), Eq. (107), Eq. (108)."""
+    """Returns Eqs. (37), (107), (108) for Eq. (37), Eq. (107), Eq. (108)."""
     numbers = sorted((heading.removeprefix("Eq. ") for heading in headings), key=lambda n: (len(n), n))
     is_plain = len(headings) == 1 or not all(heading.startswith("Eq. ") for heading in headings)
     return ", ".join(headings) if is_plain else f"Eqs. {', '.join(numbers)}"
 
 
 class Places:
-    """Readable anchors, never the same twice. claims: by their ids.   anywhere: by ids, and by equations."""
+    """Unique readable anchors.
+
+    Attributes:
+        claims: Claim id → (heading, anchor).
+        anywhere: Claim id or equation → (heading, anchor).
+    """
 
     def __init__(self, claims: Sequence[Claim]) -> None:
         self._taken: set[str] = set()
@@ -69,7 +76,7 @@ class Places:
         self.anywhere = by_equation | self.claims
 
     def of_equation(self, claim: Claim) -> str:
-        """The anchor of the claim's equation."""
+        """Returns the anchor of the claim's equation."""
         return self._equations[equation_key(claim)]
 
     def _fresh(self, wanted: str) -> str:
@@ -85,12 +92,12 @@ def _slug(name: str) -> str:
 
 
 def with_headings(prose: str, places: Mapping[str, Place]) -> str:
-    """A sentence with the names of claims, such as 61.det, as a reader knows them: Eq. (61)."""
+    """Returns the sentence with names of claims, such as 61.det, replaced by their headings: Eq. (61)."""
     return _CLAIM_ID.sub(lambda name: places[name[0]][0] if name[0] in places else name[0], prose)
 
 
 class Heirs:
-    """What rests on what, in both directions and through any number of steps."""
+    """Dependences between claims, in both directions and transitively."""
 
     def __init__(self, results: Sequence[ClaimResult], places: Mapping[str, Place]) -> None:
         self._places = places
@@ -106,7 +113,7 @@ class Heirs:
                 self._before.setdefault(heir, []).append(name)
 
     def of(self, ids: Iterable[str], own: Collection[str]) -> tuple[Place, ...]:
-        """The equations that rest on these claims, but for their own."""
+        """Returns the equations that depend on these claims, without the claims' own equations."""
         waiting, reached = list(ids), set()
         while waiting:
             for heir in self._later.get(waiting.pop(), ()):
@@ -119,5 +126,5 @@ class Heirs:
         return tuple((name, anchor) for name, anchor in found.items() if name not in own)
 
     def before(self, claim: Claim) -> list[Place]:
-        """Of the claims that it inherits a fault from, directly."""
+        """Returns the claims from which the claim inherits a fault directly."""
         return [self._places[name] for name in self._before.get(claim.id, ()) if name in self._places]

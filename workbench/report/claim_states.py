@@ -1,4 +1,4 @@
-"""What a reader is told of a claim: its fault, if it has one, and its state."""
+"""The fault and the state of a claim, as a report shows them."""
 
 from __future__ import annotations
 
@@ -11,8 +11,10 @@ _OPEN = (Outcome.ARGUED, Outcome.PROBABLE)
 
 
 def fault_of(result: ClaimResult) -> str | None:
-    """The fault that the model names, or that follows from the verdict; "warning" where what nobody has
-    confirmed would excuse it."""
+    """Returns the fault that the model names or that follows from the verdict.
+
+    It is "warning" if an unconfirmed fact would make the formula true.
+    """
     claim, verdict = result.claim, result.verdict
     if claim.fault is not None or verdict.outcome not in _FALSE or result.right is not None:
         return result.fault
@@ -20,7 +22,7 @@ def fault_of(result: ClaimResult) -> str | None:
 
 
 def state_of(result: ClaimResult, rests_on_others: bool) -> Kind:
-    """The state of one claim; that of an equation is the worst of its claims."""
+    """Returns the state of one claim; that of an equation is the worst of its claims."""
     if (fault := fault_of(result)) is not None:
         return STATES[fault]
     outcome = result.verdict.outcome

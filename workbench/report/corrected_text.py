@@ -1,4 +1,4 @@
-"""The errata as a patch of the text that was read: each edit at its place, in the author's own characters."""
+"""The errata as a patch of the text: each edit at its position, in the author's own characters."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from workbench.prover.results.claim_results import ClaimResult
 from workbench.report.claim_states import fault_of
 from workbench.source.documents.source_edits import Replacement, applied, patch_of
 
-#: Whose faults are the author's: what a transcription lost is right in the print.
+#: The author's faults; a fault of the transcription is correct in print.
 FAULTS = ("error", "warning", "misprint", "wording")
 
 _NEWLINE = re.compile(r"\r\n?|\n")
@@ -18,12 +18,13 @@ _IGNORED = re.compile(r"\s|&|\\(?:left|right|quad|qquad|displaystyle)(?![A-Za-z]
 
 
 def errata_diff(text: str, name: str, results: Sequence[ClaimResult]) -> str:
-    """A unified diff of the text; empty where nothing of it is to be corrected, or could be placed."""
+    """Returns a unified diff of the text; empty if there is nothing to correct, or no edit could be
+    placed."""
     return patch_of(text, applied(text, dict.fromkeys(replacements(text, results))), name)
 
 
 def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacement]:
-    """Where the proved corrections of the author's faults stand in the text."""
+    """Yields the proved corrections of the author's faults, at their positions in the text."""
     squeezed = _Squeezed(text)
     read = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     lines = [len(text) - len(text.removeprefix("\ufeff")), *(end.end() for end in _NEWLINE.finditer(text))]
@@ -42,12 +43,12 @@ def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacem
 
 
 def _bounds(span: Span, lines: Sequence[int]) -> tuple[int, int]:
-    """The characters of the span. lines: where each line begins."""
+    """Returns the character range of the span. lines: the offset of each line."""
     return lines[span.line - 1] + span.column - 1, lines[span.end_line - 1] + span.end_column - 1
 
 
 def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> Iterator[Replacement]:
-    """The edits, each within what is printed or stands beside it."""
+    """Yields the edits, each within the printed formula or the passage next to it."""
     claim = result.claim
     around = [claim.shown or "", claim.quote or "", claim.mend.beside or "", claim.printed.latex]
     for edit in claim.mend.edits:
@@ -58,7 +59,8 @@ def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> 
 
 
 class _Squeezed:
-    """A text without what is no matter of a formula: white space, alignment, sizes of brackets."""
+    """A text without characters that do not matter in a formula: white space, alignment, sizes of
+    brackets."""
 
     def __init__(self, text: str) -> None:
         self.places: list[int] = []
@@ -73,7 +75,7 @@ class _Squeezed:
         self.text = "".join(kept)
 
     def within(self, passage: str, old: str, bounds: tuple[int, int]) -> tuple[int, int] | None:
-        """Where `old` stands in the passage, if the passage stands once within the bounds."""
+        """Returns the range of `old` in the passage, if the passage occurs once within the bounds."""
         around, inner = _squeezed(passage.strip("“”$.,; ")), _squeezed(old)
         inside = around.find(inner)
         found = [at for at in _all(self.text, around) if bounds[0] <= self.places[at] < bounds[1]]

@@ -1,4 +1,4 @@
-"""A counterexample as readers see it: what is not 0, in the formula's letters, each value by its kind."""
+"""Counterexamples for readers: nonzero values in the formula's letters, each formatted by its kind."""
 
 from __future__ import annotations
 
@@ -16,16 +16,22 @@ _LETTER = re.compile(
     r"\\(?!dot|ddot|dddot|ddddot|tilde|underline|mathbf|boldsymbol|mathrm|left|right|cos|sin)[A-Za-z]+"
 )
 _RATIONAL = re.compile(r"-?\d+(/[1-9]\d*)?")
-#: What no declaration calls so.
+#: Types that have no name of a kind.
 _UNDECLARED = {str(each): each for each in (QUATERNION, Type(1, 3))}
-#: Components of the largest value that is told of a defined symbol: a dual vector.
+#: The most components of a defined symbol's value that is shown: those of a dual vector.
 _SMALL = 6
 
 
 @dataclass(frozen=True)
 class Against:
-    """values: symbol and value, those that are not 0.   rest: whether others are 0.   formula: ours, where
-    what is printed is no formula.   defined: what definitions make of the values."""
+    """A counterexample as shown.
+
+    Attributes:
+        values: (symbol, value) of nonzero symbols.
+        rest: Whether other symbols are 0.
+        formula: Our formula, if what is printed is none.
+        defined: (symbol, value) of defined symbols.
+    """
 
     formula: str | None
     values: tuple[tuple[str, str], ...]
@@ -36,7 +42,8 @@ class Against:
 
     @property
     def sentence(self) -> list[Run]:
-        """with ω = (0, 1, 0), all else 0: the left side is 2, the right side -2."""
+        """The counterexample in words: with ω = (0, 1, 0), all else 0: the left side is 2, the right side
+        -2."""
         runs = _listed(self.values)
         if self.rest:
             runs.append(text(", all else 0" if self.values else "all symbols 0"))
@@ -58,7 +65,7 @@ def _listed(values: Sequence[tuple[str, str]]) -> list[Run]:
 
 
 def against(result: ClaimResult) -> Against | None:
-    """None where there is no counterexample, or one against what lacks a hypothesis only."""
+    """Returns the counterexample of a result; None without one, or if only a hypothesis is missing."""
     example, claim = result.counterexample, result.claim
     if example is None or result.verdict.outcome is Outcome.CONDITIONAL:
         return None
@@ -69,7 +76,7 @@ def against(result: ClaimResult) -> Against | None:
 
 
 def told(example: Counterexample, said: str = "") -> Against:
-    """The values that are not 0, in the letters of the formula `said`, and the two sides."""
+    """Returns the nonzero values, in the letters of the formula `said`, and the two sides."""
     sides = (example.left, example.right)
     small = {name: entries for name, entries in example.defined.items() if len(entries) <= _SMALL}
     defined = {name: entries for name, entries in small.items() if entries not in sides}
@@ -90,8 +97,7 @@ def told(example: Counterexample, said: str = "") -> Against:
 
 
 def as_printed(name: str, said: str) -> str:
-    """The name of a symbol in the type in which a formula sets its letter: bold, where it stands there in
-    bold only."""
+    """Returns the name with its letter in the typeface of the formula: bold if it occurs in bold only."""
     for letter in _LETTER.findall(name):
         for style in (r"\boldsymbol", r"\mathbf"):
             bold = f"{style}{{{letter}}}"
@@ -103,9 +109,11 @@ def as_printed(name: str, said: str) -> str:
 
 
 def value_as_text(entries: Sequence[str], kind: str = "") -> str:
-    """A value of a kind, as `str(Type)` has it: (1, 2, 3), a matrix by rows as ((1, 2), (3, 4)), a quaternion
-    as its scalar and its vector (1, (2, 3, 4)), a dual value as 1 + ε 2. Of an unknown kind more than one
-    entry are a column."""
+    """Returns a value of a kind (as `str(Type)`) as text.
+
+    Examples: (1, 2, 3), a matrix by rows as ((1, 2), (3, 4)), a quaternion as its scalar and its vector (1,
+    (2, 3, 4)), a dual value as 1 + ε 2. Several entries of an unknown kind are a column.
+    """
     type_ = _type_of(kind, entries)
     if not type_.dual:
         return _part(entries, type_)
@@ -124,8 +132,7 @@ def sides_as_text(example: Counterexample) -> tuple[str, str]:
 
 
 def _type_of(kind: str, entries: Sequence[str]) -> Type:
-    """The type of the kind; that of a column where there is none, or where it has not so many entries, as a
-    value that is undefined."""
+    """Returns the type of the kind; a column for an unknown kind, or if the number of entries differs."""
     plain = kind.removeprefix("dual ")
     found = _UNDECLARED.get(plain) or type_of_kind(plain)
     size = 0 if found is None else found.rows * found.columns
@@ -135,7 +142,7 @@ def _type_of(kind: str, entries: Sequence[str]) -> Type:
 
 
 def _signed(dual: Sequence[str], type_: Type) -> tuple[str, str]:
-    """The sign of the dual part behind the real one, and ε times the rest."""
+    """Returns the sign of the dual part, and ε times its absolute value."""
     if len(dual) > 1 or not _RATIONAL.fullmatch(dual[0]):
         return "+", f"ε {_part(dual, type_)}"
     sign, size = ("-", dual[0][1:]) if dual[0].startswith("-") else ("+", dual[0])
@@ -143,7 +150,7 @@ def _signed(dual: Sequence[str], type_: Type) -> tuple[str, str]:
 
 
 def _part(entries: Sequence[str], type_: Type) -> str:
-    """The real or the dual part of a value."""
+    """Returns the real or the dual part of a value."""
     if len(entries) == 1:
         return entries[0]
     if type_.algebra == "quaternion":

@@ -1,4 +1,4 @@
-"""How many claims came to what, and by which versions: the same in every report."""
+"""Numbers of claims by outcome, and versions of the software: the same in every report."""
 
 from __future__ import annotations
 
@@ -20,17 +20,18 @@ _PACKAGES = {
 
 
 def versions() -> dict[str, str]:
-    """Of the workbench and of what its verdicts rest on."""
+    """Returns the versions of the workbench and of the libraries that decide verdicts."""
     return {name: version(package) for name, package in _PACKAGES.items()}
 
 
 def summary(results: Sequence[ClaimResult]) -> dict[str, int]:
-    """How many claims have each verdict."""
+    """Returns the number of claims with each verdict."""
     counts: Counter[str] = Counter(result.verdict.outcome for result in results)
     return {name: counts[name] for name in VERDICTS if counts[name]}
 
 
 def witness_counts(results: Sequence[ClaimResult]) -> dict[str, int]:
-    """How many claims have Drake for a witness, have no motion, or have none for another reason."""
+    """Returns the number of claims that were evaluated on Drake's motions, have no motion, or were not for
+    another reason."""
     counts = Counter(result.on_motions.witness for result in results)
     return {name: counts[name] for name in ("Drake", ALGEBRA, "none")}

@@ -1,4 +1,4 @@
-"""The report as its readers see it: equations by section, counts, errata. Every format is made from this."""
+"""The content of a report: equations by section, counts, errata. Every format is made from it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from workbench.report.shown_kinds import SHOWN, Kind
 
 @dataclass(frozen=True)
 class Section:
-    """number: what its name begins with."""
+    """A section. number: the beginning of its name."""
 
     number: str
     name: str
@@ -28,7 +28,7 @@ class Section:
     equations: tuple[Equation, ...]
 
     def count(self, state: str) -> int:
-        """How many of its equations are in a state."""
+        """Returns the number of its equations in a state."""
         return sum(each.counted and each.state.name == state for each in self.equations)
 
     @property
@@ -38,7 +38,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Class:
-    """The equations in one state, and the theorems and remarks."""
+    """The equations in one state, and the theorems and remarks in it."""
 
     kind: Kind
     equations: tuple[Equation, ...]
@@ -51,7 +51,7 @@ class Class:
 
 @dataclass(frozen=True)
 class Document:
-    """classes: those that are not empty, in the order of the page."""
+    """A report. classes: the nonempty ones, in the order of the page."""
 
     title: str
     citation: Mapping[str, str]
@@ -82,14 +82,14 @@ class Document:
 
     @property
     def cite(self) -> tuple[str, ...]:
-        """Author, book or journal, and year, in one line."""
+        """(author, book or journal, and year in one line,), or () if they are unknown."""
         found = [self.citation[key] for key in ("authors", "source", "year") if key in self.citation]
         found = [each.split(" (")[0] for each in found]
         return (", ".join(found),) if found else ()
 
     @property
     def transcribed(self) -> bool:
-        """Whether what was read is not the print itself."""
+        """True if a transcription was read, not the print itself."""
         return "transcription" in self.citation.get("read", "")
 
     @property
@@ -98,7 +98,7 @@ class Document:
 
     @property
     def unjudged(self) -> tuple[tuple[tuple[Run, ...], tuple[Place, ...]], ...]:
-        """The reasons why formulas were not judged, each with its equations; the most frequent one first."""
+        """The reasons why formulas were not judged, each with its equations, the most frequent one first."""
         groups: dict[tuple[Run, ...], dict[Place, None]] = {}
         for equation in self.equations:
             for entry in equation.entries:
@@ -109,7 +109,7 @@ class Document:
         return tuple((reason, tuple(places)) for reason, places in found)
 
     def in_state(self, name: str) -> int:
-        """How many equations are in a state."""
+        """Returns the number of equations in a state."""
         return next((each.count for each in self.classes if each.kind.name == name), 0)
 
 
@@ -150,7 +150,7 @@ def _motion_names(results: Sequence[ClaimResult]) -> set[str]:
 
 
 def _sections(equations: Sequence[Equation], names: Mapping[str, str]) -> list[Section]:
-    """In reading order. names: of the sections that the claims number only."""
+    """Returns the sections in reading order. names: titles of sections that claims name by number."""
     groups: dict[str, list[Equation]] = {}
     for equation in equations:
         groups.setdefault(equation.entries[0].result.claim.section or "", []).append(equation)

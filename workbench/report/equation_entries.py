@@ -1,4 +1,4 @@
-"""Equations as a report tells of them: their lines, the forms of each, what was found, and their state."""
+"""Equations of a report: their claims, the forms of each, the evidence, and their state."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from workbench.source.typeset.differences import difference
 
 @dataclass(frozen=True)
 class Form:
-    """A formula with its caption, its marked leaves, and what was found if it was judged by itself."""
+    """A formula with its caption, its marked leaves, and its verdict if it was judged by itself."""
 
     caption: str
     latex: str
@@ -39,14 +39,19 @@ class Found:
 
     @property
     def sign(self) -> str | None:
-        """Its letter where evidence is told in one line; None for what stands beside it in words."""
+        """The letter of the evidence in one-line summaries; None for evidence that is described in words."""
         return next((sign for beginning, sign in _SIGNS if self.method.startswith(beginning)), None)
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One claim. state: what a reader is told of it; correction: where it is an erratum of its own;
-    mended_by: else the claim whose edits mend it."""
+    """One claim.
+
+    Attributes:
+        state: Its state for readers.
+        correction: Its correction, if the claim is an erratum of its own.
+        mended_by: Otherwise the claim whose edits correct it.
+    """
 
     result: ClaimResult
     place: str
@@ -70,19 +75,19 @@ class Entry:
 
     @property
     def verdict(self) -> Kind:
-        """On what is printed."""
+        """The verdict on the printed form."""
         return VERDICTS[self.result.verdict.outcome]
 
     @property
     def unexpected(self) -> str:
-        """Where the verdict is not the one that the paper file announces; of a text nothing is announced."""
+        """Why the verdict is not the one that the paper file expects; "" for a text, which expects none."""
         claim = self.result.claim
         is_silent = claim.span is not None and claim.corrected is None and claim.reading is None
         return "" if is_silent else without_place(self.result.why_not)
 
     @property
     def signs(self) -> tuple[str, ...]:
-        """The letters of the evidence on the form that is right, or else on what is printed."""
+        """The letters of the evidence on the right form, or else on the printed form."""
         right = list(self.result.verdicts)[-1]
         about = [item for item in self.evidence if item.of == right] or self.evidence
         return tuple(sorted({item.sign for item in about if item.sign is not None}))
@@ -90,8 +95,12 @@ class Entry:
 
 @dataclass(frozen=True)
 class Equation:
-    """All claims under one number or name. state: that of its worst line.   counted: not a theorem or a
-    remark."""
+    """All claims under one number or name.
+
+    Attributes:
+        state: The worst state of its claims.
+        counted: Whether it is an equation, not a theorem or a remark.
+    """
 
     label: str
     anchor: str
@@ -152,7 +161,7 @@ def entry_of(
 
 
 def _forms(result: ClaimResult) -> list[Form]:
-    """The printed form, the reading and the corrected form, each compared with the one before it."""
+    """Returns the printed form, the reading and the corrected form, each compared with the previous one."""
     claim = result.claim
     forms = []
     if claim.shown and claim.shown != claim.quote:
@@ -179,8 +188,10 @@ def _forms(result: ClaimResult) -> list[Form]:
 
 
 def _proposed(printed: str | None, proposal: Proposed) -> Form:
-    """A form that the machine proposes, with what differs from the printed one marked. printed: in the
-    machine's spelling, where it could be read."""
+    """Returns a proposed form, with its differences from the printed one marked.
+
+    printed: the printed form in canonical spelling, if it could be read.
+    """
     found = difference(printed, proposal.latex) if printed is not None else None
     return Form(
         "Proposed by the machine",

@@ -1,4 +1,4 @@
-"""What an editor does: the faults of a paper as edits, errors by what rests on them, the rest by cause."""
+"""Errata for an editor: edits of the paper, errors ordered by their consequences, other faults by cause."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from workbench.report.mixed_prose import Run, formula, power_of_ten, runs_of, te
 from workbench.source.typeset.differences import difference
 
 _OTHERS = "Others."
-#: A longer sentence is not quoted where it is corrected.
+#: The length from which a corrected sentence is no longer quoted.
 _LONG_QUOTE = 400
 
 
 @dataclass(frozen=True)
 class Change:
-    """For `old` read `new`; None: what is printed is struck out. marked: what differs in each."""
+    """A replacement of `old` by `new`; None deletes it. marked: the differing leaves of each."""
 
     old: tuple[Run, ...]
     new: tuple[Run, ...] | None
@@ -34,8 +34,13 @@ class Change:
 
 @dataclass(frozen=True)
 class Correction:
-    """One claim with a fault. condition: a missing hypothesis; add: the same in the author's words.
-    example: a counterexample in words."""
+    """One claim with a fault.
+
+    Attributes:
+        condition: A missing hypothesis.
+        add: The hypothesis in the author's words.
+        example: A counterexample in words.
+    """
 
     id: str
     anchor: str
@@ -55,7 +60,7 @@ class Correction:
 
 @dataclass(frozen=True)
 class Erratum:
-    """The errors of one equation, or of several by one cause, with all that rests on them."""
+    """The errors of one equation, or of several with one cause, and the equations that depend on them."""
 
     heading: str
     cause: str | None
@@ -65,13 +70,13 @@ class Erratum:
 
     @property
     def weight(self) -> int:
-        """How many equations it changes or bears on."""
+        """The number of equations that it changes or affects."""
         return len({each.heading for each in self.corrections}) + len(self.heirs)
 
 
 @dataclass(frozen=True)
 class Row:
-    """The same edit in one equation or in several; shown: the first of these corrections."""
+    """The same edit in one or several equations. shown: the first of these corrections."""
 
     heading: str
     shown: Correction
@@ -80,7 +85,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Cause:
-    """What several faults have in common, and their edits."""
+    """A common cause of several faults, with their edits."""
 
     name: str
     rows: tuple[Row, ...]
@@ -94,7 +99,7 @@ class Errata:
 
     @property
     def corrections(self) -> list[Correction]:
-        """All of them, in the order of the note."""
+        """All corrections, in the order of the note."""
         errors = [each for erratum in self.errors for each in erratum.corrections]
         rows = [row for causes in self.by_cause.values() for cause in causes for row in cause.rows]
         tables = [each for row in rows for each in row.corrections]
@@ -108,7 +113,7 @@ class Errata:
 
 
 def errata_of(results: Sequence[ClaimResult], places: Mapping[str, Place], heirs: Heirs) -> Errata:
-    """places: of the claims. What the edits of another claim mend is none of its own."""
+    """Returns the errata. places: of the claims. A claim that another claim's edits correct has no entry."""
     corrections = [
         _correction(result, fault, places)
         for result in results
@@ -175,7 +180,8 @@ def _correction(result: ClaimResult, fault: str, places: Mapping[str, Place]) ->
 
 
 def cost_in_words(result: ClaimResult) -> str | None:
-    """What the error comes to on a motion; of a sentence nothing, since what was evaluated is not printed."""
+    """Returns the size of the error on a motion in words; None for a sentence, which is not what was
+    evaluated."""
     error = result.on_motions.error
     if error is None or result.claim.quote:
         return None
@@ -188,7 +194,7 @@ def cost_in_words(result: ClaimResult) -> str | None:
 
 
 def _said(result: ClaimResult) -> list[Run]:
-    """The sentence that is not right; or the formula, where nobody has mended it yet."""
+    """Returns the wrong sentence, or the wrong formula if no correction is known."""
     claim = result.claim
     quoted = claim.mend.beside if claim.ours or not claim.quote else claim.quote
     if quoted and "$$" not in quoted and len(quoted) < _LONG_QUOTE:
@@ -203,15 +209,17 @@ def _said(result: ClaimResult) -> list[Run]:
 
 
 def reason_for_readers(result: ClaimResult) -> str:
-    """Why there is no better verdict, without the place in the source. Where the reading of an ill-formed
-    formula is known, what the machine would have guessed of it is not told."""
+    """Returns the reason of the verdict without the position in the source.
+
+    The reason of an ill-formed formula is left out if its intended reading is known.
+    """
     if result.verdict.outcome is Outcome.ILL_FORMED and result.right:
         return ""
     return without_place(result.verdict.reason or "")
 
 
 def without_place(reason: str) -> str:
-    """A reason without the line and column at which the reader of formulas stood."""
+    """Returns the reason without the line and column of a syntax error."""
     if not isinstance(reason, Reason):
         return reason
     why = reason.arguments.get("why")

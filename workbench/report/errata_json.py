@@ -1,4 +1,4 @@
-"""The errata for a publisher: a correction notice in the terms of Crossref and JATS, as JSON."""
+"""The errata for a publisher as JSON: a correction notice in the terms of Crossref and JATS."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from workbench.report.errata import Correction
 from workbench.report.mixed_prose import Run, is_one_formula
 from workbench.report.wording import short
 
-#: Crossref's `update-to` and JATS's `related-article` have these words for a notice of errors.
+#: The terms for a correction notice in Crossref's `update-to` and JATS's `related-article`.
 _TYPES = {"crossref": "erratum", "jats": "corrected-article"}
 
 
 def errata_json(document: Document) -> str:
-    """One entry for each correction, in the order of the note; the same input gives the same bytes."""
+    """Returns one entry for each correction, in the order of the note; equal input gives equal bytes."""
     entries = {entry.id: entry for entry in document.entries}
     cited, doi = document.citation, document.citation.get("doi")
     data: dict[str, Any] = {
@@ -57,7 +57,7 @@ def _correction(each: Correction, entry: Entry) -> dict[str, Any]:
 
 
 def plain(sentence: tuple[Run, ...]) -> str:
-    """Text with its formulas between dollar signs; a formula alone without them."""
+    """Returns the text with its formulas between dollar signs; a single formula without them."""
     if is_one_formula(sentence):
         return sentence[0].content
     return "".join(f"${run.content}$" if run.is_math else run.content for run in sentence)

@@ -1,4 +1,4 @@
-"""The LaTeX of the erratum note: escaped text, formulas with their changes in colour."""
+"""LaTeX of the erratum note: escaped text, and formulas with their changes in colour."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _MATH_CHARACTERS = {
     for command, glyph in glyphs.SYMBOLS.items()
     if command.startswith("\\") and len(glyph) == 1 and not glyph.isascii()
 }
-# The last of two commands for one character would win; these are the plain ones.
+# Of two commands for one character the last would win; these are the plain ones.
 _MATH_CHARACTERS |= {
     "→": r"\to",
     "≠": r"\neq",
@@ -47,18 +47,20 @@ _KNOWN = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWX
 _LATIN = frozenset("ßæÆøØœŒłŁđ")
 _ACCENTS_OF_TEXT = frozenset("\u0300\u0301\u0302\u0303\u0308\u030a\u030c\u0327\u0328")
 _LAST_ACCENTED = "\u0180"
-#: An index of one letter, as in A_ρ, and what stands for its underscore meanwhile.
+#: A one-letter index, as in A_ρ, and a placeholder for its underscore.
 _INDEX = re.compile(r"(?<=\w)_([^\W\d_])(?!\w)")
 _INDEX_SIGN = "\ue000"
 _LONG = 40
-#: Glyphs that fit a third of a page.
+#: The number of glyphs that fit a third of a page.
 _COLUMN = 38
 _COMMANDS_OF_FAMILY = {"ord": r"\Changed", "bin": r"\ChangedBin", "rel": r"\ChangedRel"}
 
 
 def escaped(plain: str, indices: bool = True) -> str:
-    """Text for pdfLaTeX: specials escaped, Greek and signs as mathematics. Raises ReportError for a character
-    that it cannot set.   indices: whether A_ρ is an A with an index."""
+    """Returns text for pdfLaTeX: special characters escaped, Greek and signs as mathematics.
+
+    indices: whether A_ρ is an A with an index. Raises ReportError for a character that it cannot typeset.
+    """
     pieces: list[str] = []
     letter = ""
     normal = " ".join(unicodedata.normalize("NFC", plain).split())
@@ -82,7 +84,7 @@ def escaped(plain: str, indices: bool = True) -> str:
 
 
 def _unaccented(letter: str) -> str:
-    """A letter of mathematics: one with an accent of text becomes its base under a command."""
+    """Returns a letter for mathematics: a letter with an accent becomes its base under a command."""
     decomposed = unicodedata.normalize("NFD", letter)
     base, marks = decomposed[0], decomposed[1:]
     if letter.startswith("\\") or not marks:
@@ -116,7 +118,7 @@ def source(latex: str) -> str:
 
 
 def inline_math(latex: str) -> str:
-    """A formula within a line, or on a line of its own where it is too long to be broken well."""
+    """Returns an inline formula, or a displayed one if it is too long to break well."""
     try:
         atoms = atoms_of(latex)
     except LatexNotTypesettable:
@@ -127,7 +129,7 @@ def inline_math(latex: str) -> str:
 
 
 def display_math(latex: str, marked: frozenset[int] = frozenset()) -> str:
-    """A displayed formula, scaled down where it is wider than the line, its changes in colour."""
+    """Returns a displayed formula, scaled down if it is wider than the line, with its changes in colour."""
     try:
         atoms = atoms_of(latex)
     except LatexNotTypesettable:
@@ -155,12 +157,12 @@ def new(change: Change) -> str:
 
 
 def stop(change: Change) -> str:
-    """The full stop behind a change, which a displayed formula does without."""
+    """Returns the full stop after a change; "" after a displayed formula."""
     return "" if _changed(change.new or (), frozenset()).startswith(r"\DisplayedFormula") else "."
 
 
 def is_wide(change: Change) -> bool:
-    """Whether it needs the whole width of a table: a long formula, or one of several lines."""
+    """True if the change needs the whole width of a table: a long formula, or one of several lines."""
     return any(_width(side) > _COLUMN for side in (change.old, change.new or ()))
 
 

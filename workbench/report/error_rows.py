@@ -1,4 +1,4 @@
-"""The table of errors: a row for each equation that is wrong, with its first edit and what is wrong."""
+"""The table of errors: one row for each wrong equation, with its first edit and a short description."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from workbench.source.typeset.differences import difference
 from workbench.source.typeset.excerpts import left_side
 from workbench.source.typeset.glyphs import SYMBOLS
 
-#: The signs in the column "Verified", with their words.
+#: (sign in the column "Verified", its meaning).
 TWICE = ("✓✓", "proved by two engines")
 AGREES = ("✓", "a definition; agrees with the equations that use it")
 FALSE = ("✗", "false by a counterexample; no correction is known")
 
-#: Longer causes do not fit into a column.
+#: The length from which causes do not fit into a column.
 _LONG_CAUSE = 42
 _LONG_GIST = 48
 _REWRITTEN = "wrong expression"
@@ -42,8 +42,15 @@ _WORDS = {
 
 @dataclass(frozen=True)
 class ErrorRow:
-    """of: the left side of what is wrong.   change: the first edit; more: how many others.   corrected_with:
-    the equation whose edits correct this one.   example: where no correction is known."""
+    """A row of the table.
+
+    Attributes:
+        of: The left side of the wrong equation.
+        change: The first edit.
+        more: The number of further edits.
+        corrected_with: The equation whose edits correct this one.
+        example: A counterexample, if no correction is known.
+    """
 
     label: str
     anchor: str
@@ -60,7 +67,7 @@ class ErrorRow:
 
 
 def error_rows(equations: Sequence[Equation]) -> tuple[ErrorRow, ...]:
-    """In the order of the text."""
+    """Returns the rows in the order of the text."""
     return tuple(_row(each) for each in equations if each.state is STATES["error"])
 
 
@@ -109,7 +116,7 @@ def _is_certified(entry: Entry) -> bool:
 
 
 def gist_of(entry: Entry) -> str:
-    """What is wrong in a few words: the cause that several errors share, or what the edits change."""
+    """Returns the error in a few words: the common cause of several errors, or the subject of the edits."""
     if entry.mended_by is not None:
         return "follows from it"
     correction = entry.correction
@@ -153,7 +160,7 @@ def _words_of(change: Change) -> Iterator[str]:
 
 
 def _letter(part: str | None) -> str:
-    """The letter of one symbol with its scripts."""
+    """Returns the letter of one symbol with its scripts."""
     return (
         re.split(r" [_^]", part or "")[0] if part and not re.search(r"[+=]| - ", part.split("{")[0]) else ""
     )

@@ -1,4 +1,4 @@
-"""What is wrong in a paper, each fault in its place, as people, editors and CI read it."""
+"""Findings: the faults of a paper with their positions, for the terminal, editors and CI."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.report.counterexamples import told
 from workbench.source.documents.source_edits import SourceEdit
 
-#: The levels of SARIF, of editors and of CI.
+#: The severity levels of SARIF, editors and CI.
 _LEVEL_OF = {
     Grade.ERROR: "error",
     Grade.WARNING: "warning",
@@ -45,8 +45,13 @@ _RULES = {
 
 @dataclass(frozen=True)
 class Finding:
-    """`code` is one of the rules above. `claim`: its id; empty for what concerns no claim. `edits`: of the
-    author's characters, which make it right as was proved."""
+    """A fault with its position.
+
+    Attributes:
+        code: One of the rules above.
+        claim: The id of the claim; empty if the finding concerns no claim.
+        edits: Edits of the author's characters that produce the proved form.
+    """
 
     level: str
     code: str
@@ -58,7 +63,7 @@ class Finding:
 
 
 def findings(paper: Paper, results: Sequence[ClaimResult]) -> list[Finding]:
-    """All of them, in the order of the text; nothing for a claim that is proved or a definition."""
+    """Returns all findings, in the order of the text; none for proved claims and definitions."""
     found = [finding for finding in _of_results(results)]
     found += [fault_finding(fault, paper.paths[0]) for fault in paper.faults]
     if isinstance(paper, TextPaper):
@@ -97,7 +102,7 @@ def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
 
 
 def _is_settled(result: ClaimResult) -> bool:
-    """Returns whether there is nothing to tell; of a formula that only says what a symbol is there is."""
+    """True if there is nothing to report. A formula that may only define a symbol is reported."""
     return (
         result.verdict.outcome is Outcome.PROVED or result.verdict.code is None or bool(result.claim.unread)
     )
@@ -124,7 +129,7 @@ def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
 
 
 def place_of(result: ClaimResult) -> Span:
-    """Where the fault is: in a text, under the author's characters."""
+    """Returns the position of the fault; in a text, that of the author's characters."""
     claim = result.claim
     if claim.printed.at is not None:
         return claim.printed.at
@@ -134,14 +139,14 @@ def place_of(result: ClaimResult) -> Span:
 
 
 def fault_finding(error: PaperError, file: Path) -> Finding:
-    """`file`: where it stands, if it does not say so."""
+    """Returns the finding of an error. file: used if the error has no file."""
     line, column = error.line or 1, error.column or 1
     span = Span(Path(error.file or file), line, column, line, column + 1)
     return Finding("error", "model", error.message, span)
 
 
 def github(found: Sequence[Finding]) -> str:
-    """Workflow commands: GitHub shows them beside the lines."""
+    """Returns workflow commands, which GitHub shows next to the lines."""
     lines = []
     for each in found:
         level = "notice" if each.level == "note" else each.level
@@ -166,7 +171,7 @@ def _escaped(text: str, more: str = "") -> str:
 
 
 def sarif(found: Sequence[Finding], version: str) -> dict[str, Any]:
-    """SARIF 2.1.0; columns count code points, the end column is behind the last."""
+    """Returns SARIF 2.1.0; columns count code points, and the end column is exclusive."""
     used = sorted({each.code for each in found})
     rules = [{"id": code, "shortDescription": {"text": _RULES[code]}} for code in used]
     driver = {"name": "workbench", "version": version, "rules": rules}
@@ -236,7 +241,7 @@ def _sarif_fix(edits: Sequence[SourceEdit]) -> dict[str, Any]:
 
 
 def rdjsonl(found: Sequence[Finding], lines_of: dict[Path, list[str]]) -> str:
-    """Reviewdog's JSON lines; columns count UTF-8 bytes, from 1."""
+    """Returns Reviewdog's JSON lines; columns count UTF-8 bytes, from 1."""
     severities = {"error": "ERROR", "warning": "WARNING", "note": "INFO"}
     made = []
     for each in found:

@@ -1,4 +1,4 @@
-"""What the page's templates call: mathematics as MathML, edits in one line, evidence in rows."""
+"""Functions for the templates of the HTML page: formulas as MathML, one-line edits, rows of evidence."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from workbench.report.pictures import spark_line
 from workbench.source.typeset.excerpts import excerpts, in_one_line
 
 _MATH_FAILED = "This formula could not be typeset for certain; this is its LaTeX source."
-#: Characters of a formula that fit into a cell of the table of errors, for each of two forms.
+#: The number of characters of a formula that fit into a cell of the error table, for each of two forms.
 _CELL = 22
 _SHOWN_FIGURES = ("residual", "residuals_below", "samples")
 
 
 def math(latex: str, marked: frozenset[int] = frozenset(), mark: str = "changed") -> Markup:
-    """MathML, or the LaTeX source with a sign that it is source."""
+    """Returns MathML, or the LaTeX source marked as source."""
     converted = mathml(latex, False, marked, mark)
     if converted is not None:
         return Markup(converted.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "", 1))
@@ -46,7 +46,7 @@ def runs(sentence: Sequence[Run]) -> Markup:
 
 @dataclass(frozen=True)
 class InOneLine:
-    """An edit for a cell of a table. words: of an edit of words, the pieces that stay, go and come."""
+    """An edit for a cell of a table. words: for an edit of words, the pieces kept, removed and inserted."""
 
     old: tuple[Run, ...]
     new: tuple[Run, ...] | None
@@ -56,7 +56,7 @@ class InOneLine:
 
 
 def short_change(change: Change, width: int = _CELL) -> InOneLine:
-    """The edit, cut to what stands around its first mark where it is long."""
+    """Returns the edit, cut to the surroundings of its first mark if it is long."""
     old, new = change.old, change.new
     if new is None or not (len(old) == len(new) == 1 and old[0].is_math and new[0].is_math):
         words = tuple(_words(old, new or ())) if not old[0].is_math or len(old) > 1 else ()
@@ -85,7 +85,7 @@ def _pieces(sentence: Sequence[Run]) -> Iterator[Run]:
 
 
 def evidence(entry: Entry) -> Iterator[tuple[str, str, str, int, str]]:
-    """Form, method, outcome, how often, and figures of each kind of evidence."""
+    """Yields form, method, outcome, count and figures of each kind of evidence."""
     rows = [
         (item.of, wording.method(item.method), item.outcome, _figures(dict(item.figures), item.method))
         for item in entry.evidence
@@ -102,7 +102,7 @@ def _figures(figures: Mapping[str, str], name: str) -> str:
 
 
 def row_counts(rows: Sequence[ErrorRow]) -> str:
-    """19 equations and Theorem 2."""
+    """Returns a count such as: 19 equations and Theorem 2."""
     counted = sum(row.counted for row in rows)
     names = [row.label for row in rows if not row.counted]
     if len(names) > 2:
@@ -111,7 +111,7 @@ def row_counts(rows: Sequence[ErrorRow]) -> str:
 
 
 def class_counts(each: Class) -> str:
-    """12 equations and 2 other statements."""
+    """Returns a count such as: 12 equations and 2 other statements."""
     others = len(each.statements)
     told = [wording.equations(each.count)] if each.count else []
     told += [f"{others} other statement" + "s" * (others != 1)] if others else []

@@ -1,4 +1,5 @@
-"""What `workbench check` tells of a text: each display once, by its grade, what is wrong, what is right."""
+"""The listing of `workbench check` on a text: each display once with its grade, the faults, the
+corrections."""
 
 from __future__ import annotations
 
@@ -18,15 +19,21 @@ from workbench.source.documents import Display
 from workbench.source.documents.source_edits import SourceEdit
 from workbench.source.typeset.plain_text import in_plain_text, plain_text
 
-#: The grades from the most serious on, and the words in which displays are counted.
+#: The grades from the most serious on, and the names under which displays are counted.
 _RANKS = (Grade.ERROR, Grade.WARNING, Grade.NOT_JUDGED, Grade.OK, Grade.NOTE)
 
 
 @dataclass(frozen=True)
 class Item:
-    """One thing that is wrong. name: of its display, as in "(8) eq:coriolis".   what: what is wrong, or what
-    to do.   edits: of the author's characters.   proposal: the right form where no such edit was found.
-    proved: whether the corrected formula is."""
+    """One fault.
+
+    Attributes:
+        name: The display, as in "(8) eq:coriolis".
+        what: What is wrong, or what to do.
+        edits: Edits of the author's characters.
+        proposal: The right form, if no such edit was found.
+        proved: Whether the corrected formula is proved.
+    """
 
     grade: Grade
     name: str
@@ -41,8 +48,11 @@ class Item:
 
 @dataclass(frozen=True)
 class Open:
-    """Displays that are not judged for one reason, which says what would settle it. places: of what is not
-    read."""
+    """Displays that are not judged for one reason, which includes what to do.
+
+    Attributes:
+        places: The positions of unread parts.
+    """
 
     names: tuple[str, ...]
     reason: str
@@ -67,7 +77,12 @@ class Row:
 
 @dataclass(frozen=True)
 class Listing:
-    """All of a text. file: as it was named.   notes: on displays whose model can do without `unread`."""
+    """The listing of a text.
+
+    Attributes:
+        file: As named by the user.
+        notes: On displays whose model no longer needs `unread`.
+    """
 
     file: Path
     rows: tuple[Row, ...]
@@ -77,13 +92,13 @@ class Listing:
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many displays there are of each class, the most serious first; no class that is empty."""
+        """The number of displays in each nonempty class, the most serious first."""
         counted = Counter(row.word for row in self.rows)
         return {word: counted[word] for word in _WORDS if counted[word]}
 
     @property
     def summary(self) -> str:
-        """In one line: "2 errors, 1 warning, 3 not judged, 8 hold, 5 definitions"."""
+        """One line such as: "2 errors, 1 warning, 3 not judged, 8 hold, 5 definitions"."""
         counted = self.counts
         told = ", ".join(_counted(word, count) for word, count in counted.items())
         if counted.keys() & {"error", "warning"}:
@@ -101,7 +116,7 @@ def _counted(word: str, count: int) -> str:
 
 
 def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
-    """The results on a text, by its displays."""
+    """Returns the results on a text by display."""
     groups = _by_display(paper, results)
     rows: list[Row] = []
     items: list[Item] = []
@@ -119,7 +134,7 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
 
 
 def display_name(display: Display | None, result: ClaimResult) -> str:
-    """The printed number and the label, or the line."""
+    """Returns the printed number and the label, or the line."""
     claim = result.claim
     number = f"({claim.equation})" if claim.equation else ""
     labels = display.labels if display else ()
@@ -133,7 +148,7 @@ def display_name(display: Display | None, result: ClaimResult) -> str:
 def _by_display(
     paper: TextPaper, results: Sequence[ClaimResult]
 ) -> list[tuple[Display | None, list[ClaimResult]]]:
-    """The results on each numbered row, or display without numbers, in the order of the text."""
+    """Returns the results on each numbered row, or display without numbers, in the order of the text."""
     displays = paper.text.displays if paper.text else ()
     found: dict[tuple[str, str], tuple[Display | None, list[ClaimResult]]] = {}
     for result in results:
@@ -175,7 +190,7 @@ def _row(name: str, results: Sequence[ClaimResult]) -> Row:
 
 
 def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
-    """What is wrong in a display; formulas that one edit makes right are told once."""
+    """Yields the faults of a display; formulas that one edit corrects make one item."""
     found: list[Item] = []
     for result in results:
         if result.shown not in (Grade.ERROR, Grade.WARNING):
@@ -204,7 +219,7 @@ def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
 
 
 def _what(result: ClaimResult) -> str:
-    """What is wrong, where no correction is known."""
+    """Returns what is wrong, if no correction is known."""
     verdict = result.verdict
     if verdict.outcome is Outcome.CONDITIONAL and verdict.hypothesis:
         return f"holds only where {plain_text(verdict.hypothesis)}; the text does not say so"
@@ -217,7 +232,7 @@ def _what(result: ClaimResult) -> str:
 
 
 def _open(groups: Sequence[tuple[Display | None, list[ClaimResult]]]) -> Iterator[Open]:
-    """What is not judged, by reason, the reason of most displays first."""
+    """Yields the unjudged displays by reason, the most frequent reason first."""
     found: dict[str, dict[str, Span | None]] = {}
     for display, own in groups:
         for result in own:

@@ -1,4 +1,4 @@
-"""Markdown as GitHub reads it: escaped text, mathematics between dollar signs."""
+"""GitHub Markdown: escaped text, formulas between dollar signs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from workbench.report.mixed_prose import Run, minus, one_line
 from workbench.source.typeset.latex_atoms import LatexNotTypesettable, atoms_of
 
-#: What Markdown takes for markup within a line: emphasis at the edge of a word, links, tags, entities.
+#: Characters that are inline markup: emphasis at the edge of a word, links, tags, entities.
 _SPECIAL = re.compile(
     r"[\\`\[\]|$]|\*(?=\S)|(?<=\S)\*|(?<![^\W_])_|_(?![^\W_])|<(?=[A-Za-z/!?])|&(?=#|\w+;)|~(?=~)"
 )
@@ -16,13 +16,13 @@ _AT_START = re.compile(r"^(?:[#>+-]|\d+[.)](?=\s))")
 
 
 def escaped(plain: str) -> str:
-    """Text on one line, with what Markdown would take for markup escaped, and nothing else."""
+    """Returns text on one line with exactly the markup characters escaped."""
     line = _SPECIAL.sub(lambda sign: "\\" + sign[0], " ".join(plain.split()))
     return _AT_START.sub(lambda sign: sign[0][:-1] + "\\" + sign[0][-1], line)
 
 
 def code(plain: str) -> str:
-    """A code span, with a fence longer than any run of backticks inside it."""
+    """Returns a code span, with a fence longer than any run of backticks inside it."""
     plain = " ".join(plain.split())
     longest = max((len(ticks) for ticks in re.findall("`+", plain)), default=0)
     fence = "`" * (longest + 1)
@@ -48,7 +48,7 @@ def runs(sentence: Iterable[Run]) -> str:
 
 
 def cell(sentence: Iterable[Run]) -> str:
-    """The same within a table, where a bar ends the cell."""
+    """Returns the text for a table cell, where bars are escaped."""
     spelled = [
         Run(r.content.replace("|", r"\vert "), True) if r.is_math and _is_safe(r.content) else r
         for r in sentence
@@ -57,7 +57,7 @@ def cell(sentence: Iterable[Run]) -> str:
 
 
 def _is_safe(latex: str) -> bool:
-    """Only what the report knows goes between dollars; anything else is shown as source."""
+    """True if the formula can be typeset; others are shown as source."""
     try:
         return bool(atoms_of(latex))
     except LatexNotTypesettable:

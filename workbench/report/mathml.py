@@ -1,8 +1,8 @@
-"""LaTeX to MathML that a browser shows without a script, or None where that is not certain.
+"""LaTeX to MathML that browsers show without scripts; None if the result is not certain.
 
-latex2mathml does the conversion; this adapter mends what browsers show badly or MathML Core dropped
-(accents, bold italic letters, `aligned`), and then compares every character of the result with those
-the formula must have (`glyphs`). A formula that fails the comparison is never shown as MathML.
+latex2mathml does the conversion. This adapter corrects what browsers render badly or MathML Core dropped
+(accents, bold italic letters, `aligned`), and compares every character of the result with those that the
+formula must have (`glyphs`). A formula that fails the comparison is never shown as MathML.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ _BARE_FUNCTIONS = frozenset(glyphs.FUNCTION_NAMES.values())
 def mathml(
     latex: str, display: bool = False, marked: frozenset[int] = frozenset(), mark: str = "changed"
 ) -> str | None:
-    """MathML of a formula; `marked` leaves (indices into its atoms) get the class `mark`.
+    """Returns the MathML of a formula; None if a part cannot be typeset reliably.
 
-    None where the formula holds something that cannot be typeset for certain.
+    marked: indices of the atoms that get the class `mark`.
     """
     try:
         atoms = atoms_of(latex)
@@ -50,7 +50,7 @@ def mathml(
 def mathml_of_atoms(
     atoms: Sequence[Atom], display: bool, marked: Collection[int], alternative: str, mark: str
 ) -> str:
-    """MathML of atoms. Raises LatexNotTypesettable where the result lacks or adds a character."""
+    """Returns the MathML of atoms. Raises LatexNotTypesettable if the result lacks or adds a character."""
     source = latex_of(
         [_for_converter(atom) for atom in atoms], marked, lambda a: rf"\class{{{mark}}}{{{a.latex}}}"
     )
@@ -69,7 +69,7 @@ def mathml_of_atoms(
 
 
 def _for_converter(atom: Atom) -> Atom:
-    """`aligned`, `split` and `gathered` are arrays without a name for the converter."""
+    """Returns `aligned`, `split` and `gathered` as arrays, since the converter does not know them."""
     for name, columns in (("aligned", "rl" * 4), ("split", "rl" * 4), ("gathered", "c")):
         if atom.latex == f"\\begin{{{name}}}":
             return replace(atom, latex=rf"\begin{{array}}{{{columns}}}")
@@ -108,7 +108,7 @@ def _mend(tree: ElementTree.Element, mark: str) -> None:
 
 
 def _tell_signs_from_operators(parent: ElementTree.Element) -> None:
-    """A + or − is an operator only after an operand; alone in a row any operator takes no space."""
+    """Marks + and − that do not follow an operand as prefixes, and removes the space of a single operator."""
     if parent.tag == "math" and len(parent[0]) == 1 and parent[0][0].tag == "mo":
         parent[0][0].attrib.update({"lspace": "0", "rspace": "0"})
     for before, sign in pairwise(parent):
@@ -123,7 +123,7 @@ def _is_word(element: ElementTree.Element) -> bool:
 
 
 def _collapse_marked_leaf(parent: ElementTree.Element, mark: str) -> None:
-    """A sign keeps its spacing when the mark stands on the sign, not on a row around it."""
+    """Moves a mark from a row around a single sign to the sign, so that the sign keeps its spacing."""
     for index, child in enumerate(parent):
         if child.get("class") == mark and len(child) == 1 and child[0].tag == "mo":
             child[0].set("class", mark)
@@ -174,7 +174,7 @@ _GREEK_SYMBOLS = "∂ϵϑϰϕϱϖ"
 
 
 def in_variant(text: str, variant: str) -> str:
-    """Letters of a MathML 3 `mathvariant` as the Unicode letters that MathML Core wants instead."""
+    """Returns letters of a MathML 3 `mathvariant` as the Unicode letters that MathML Core requires."""
     latin, greek, digit = VARIANTS.get(variant, (None, None, None))
 
     def letter(character: str) -> str:

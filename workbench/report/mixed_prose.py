@@ -1,4 +1,4 @@
-"""Sentences with formulas in them, the same for every format: runs of text and of mathematics."""
+"""Sentences with formulas, the same for every format: runs of text and of mathematics."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def formula(latex: str) -> Run:
 
 
 def runs_of(prose: str) -> list[Run]:
-    """A note or statement: what stands between dollar signs is LaTeX, the rest is text; `so` it quotes."""
+    """Returns the runs of a note: LaTeX between dollar signs, text elsewhere; `so` is quoted."""
     pieces = _INLINE_MATH.split(_QUOTED.sub("“\\1”", prose))
     return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
 
@@ -45,7 +45,7 @@ _SYMBOL = re.compile(
 
 
 def runs_with_symbols(text: str) -> list[Run]:
-    """The runs of a reason in which symbols stand as bare LaTeX, such as `a_1`."""
+    """Returns the runs of a reason that contains symbols as bare LaTeX, such as `a_1`."""
     if "$" in text:
         return runs_of(text)
     found, at = [], 0
@@ -56,7 +56,7 @@ def runs_with_symbols(text: str) -> list[Run]:
 
 
 def plain_value(value: Any) -> str:
-    """A figure of the evidence as text."""
+    """Returns a figure of the evidence as text."""
     if isinstance(value, str):
         return value
     if isinstance(value, list | tuple) and all(isinstance(item, str) for item in value):
@@ -68,12 +68,12 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def minus(plain: str) -> str:
-    """With a minus sign before a number."""
+    """Returns the text with minus signs before numbers."""
     return re.sub(r"(?<![\w-])-(?=\d)", "−", plain)
 
 
 def power_of_ten(exponent: int, factor: int = 1) -> str:
-    """10⁻¹⁴, 3·10⁻¹⁴."""
+    """Returns a power of ten as text: 10⁻¹⁴, 3·10⁻¹⁴."""
     return f"{'' if factor == 1 else f'{factor}·'}10{str(exponent).translate(_RAISED)}"
 
 

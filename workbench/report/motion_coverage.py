@@ -1,4 +1,4 @@
-"""Which claims Drake's motions were asked about, and why the others were not."""
+"""Claims that were evaluated on Drake's motions, and the reasons for the others."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from workbench.report.anchors import Place
 
 @dataclass(frozen=True)
 class Unseen:
-    """What has one reason in common. places: headings and anchors, each once."""
+    """Claims that were not evaluated for one reason. places: headings and anchors, each once."""
 
     reason: str
     count: int
@@ -20,7 +20,7 @@ class Unseen:
 
 @dataclass(frozen=True)
 class Motions:
-    """How many of the claims were evaluated on motions, and the others by their reasons."""
+    """The number of claims evaluated on motions, and the other claims by reason."""
 
     seen: int
     claims: int
@@ -28,7 +28,7 @@ class Motions:
 
 
 def motions_of(results: Sequence[ClaimResult], places: Mapping[str, Place]) -> Motions | None:
-    """None for a paper of which nothing was evaluated. places: id → heading and anchor."""
+    """Returns the coverage; None if nothing was evaluated. places: id → (heading, anchor)."""
     reasons: dict[str, list[Place]] = {}
     for result in results:
         if result.on_motions.because is not None:

@@ -1,4 +1,4 @@
-"""How far errors are off on simulated motions: one picture of all, and a small one of each over time."""
+"""Plots of the residuals of errors on simulated motions: one of all errors, and one over time for each."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from workbench.prover.results.motion_summary import Course, courses_of, percent
 from workbench.report.error_rows import ErrorRow
 from workbench.report.mixed_prose import power_of_ten
 
-#: What a residual of 0 is shown as.
+#: The value at which a residual of 0 is plotted.
 LEAST = 1e-17
 
 _WIDTH, _LEFT, _RIGHT, _ROW = 520, 98, 44, 19
@@ -19,7 +19,7 @@ _SPARK_WIDTH, _SPARK_HEIGHT = 150, 34
 
 
 def spark_line(result: ClaimResult) -> str | None:
-    """SVG of both residuals over time, without axes; None where no motion has both forms."""
+    """Returns an SVG of both residuals over time, without axes; None if no motion has both forms."""
     courses, cost = courses_of(result.verdicts), result.on_motions.error
     if courses is None or cost is None:
         return None
@@ -39,8 +39,10 @@ def spark_line(result: ClaimResult) -> str | None:
 
 
 def all_errors(rows: Sequence[ErrorRow]) -> str | None:
-    """SVG of the residual of each error, as printed and as corrected, on one logarithmic axis; None where
-    no motion shows any."""
+    """Returns an SVG of each error's residual as printed and as corrected, on one logarithmic axis.
+
+    Returns None if no motion shows an error.
+    """
     shown = [row for row in rows if row.cost is not None]
     if not shown:
         return None
@@ -68,7 +70,7 @@ def all_errors(rows: Sequence[ErrorRow]) -> str | None:
 
 
 class _Scale:
-    """From decades to places on the page."""
+    """A scale from decades to positions on the page."""
 
     def __init__(self, lowest: float, highest: float, start: float, end: float) -> None:
         self.lowest, self.span = lowest, max(highest - lowest, 1e-9)
@@ -99,7 +101,7 @@ def _dumbbell(row: ErrorRow, scale: _Scale, y: int) -> str:
 
 
 def _points(course: Course, scale: _Scale) -> Iterator[str]:
-    """The stretches of time at which the residual is known."""
+    """Yields the polylines of the time intervals in which the residual is known."""
     first, last = min(course.times), max(course.times)
     run: list[str] = []
     for time, residual in zip(course.times, course.residuals, strict=True):

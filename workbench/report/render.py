@@ -1,4 +1,4 @@
-"""The files of a report: same results, same bytes."""
+"""Writes the files of a report; equal results give equal bytes."""
 
 from __future__ import annotations
 
@@ -29,11 +29,12 @@ from workbench.report.to_json import report_json
 def write_report(
     paper: Paper, results: Sequence[ClaimResult], out: Path, source: Path | None = None
 ) -> list[Path]:
-    """Write the files of `render` into the directory `out`, and return their paths.
+    """Writes the files of `render` to the directory `out`, and returns their paths.
 
-    source: the text that was read, if the paper is not a text itself. All files are written before the first
-    is put in place. Raises ReportError for what cannot be set or read, and if `out` cannot be a directory or
-    has no room.
+    All files are written before the first is moved into place. Raises ReportError for characters that cannot
+    be typeset, or if `out` cannot be a directory or has no space.
+
+    source: the text that was read, if the paper is not a text itself.
     """
     texts = render(paper, results, source)
     try:
@@ -53,8 +54,12 @@ def write_report(
 
 
 def render(paper: Paper, results: Sequence[ClaimResult], source: Path | None = None) -> dict[str, str]:
-    """The text of each file by name: report.json, .html and .md, erratum.tex, errata.json, and errata.diff
-    where the text that was read is at hand. Raises ReportError for what cannot be set or read."""
+    """Returns file name → content: report.json, .html and .md, erratum.tex, errata.json, and errata.diff if
+    the text is available.
+
+    Raises:
+        ReportError: A character cannot be typeset, or a file cannot be read.
+    """
     told = json.dumps(report_json(paper, results), ensure_ascii=False, indent=2, allow_nan=False)
     document = document_of(paper, results)
     texts = {"report.json": told + "\n", "errata.json": errata_json(document)}
@@ -84,7 +89,7 @@ def _filled(environment: Environment, name: str, document: Document, sent: Seque
 
 
 def _own_text(paper: Paper) -> Path | None:
-    """The text that a paper is, if it stands in one file."""
+    """Returns the file of a text, if it consists of one file."""
     files = {result.span.file for result in paper.claims if result.span is not None}
     return next(iter(files)) if len(files) == 1 else None
 
@@ -100,7 +105,8 @@ def _content(source: Path) -> str:
 
 @cache
 def _shared() -> dict[str, Any]:
-    """What pages share: the script with the hash that admits it, and the font."""
+    """Returns the shared parts of pages: the script with its hash for the content security policy, and the
+    font."""
     here = files("workbench.report")
     script = here.joinpath("templates/report.js").read_text("utf-8")
     digest = b64encode(sha256(script.encode()).digest()).decode()
@@ -123,7 +129,7 @@ def _environment(filters: Mapping[str, Any], is_html: bool = False) -> Environme
 
 
 def _tex_environment() -> Environment:
-    """TeX is full of braces and per cents: its template uses << >> and <% %>."""
+    """Returns the environment of the TeX template, which uses << >> and <% %> instead of braces."""
     return _environment(erratum_note.FILTERS).overlay(
         block_start_string="<%",
         block_end_string="%>",

@@ -1,4 +1,4 @@
-"""How verdicts and faults are shown, everywhere: name, sign, words, look."""
+"""Presentation of verdicts and faults: name, sign, words, style."""
 
 from __future__ import annotations
 
@@ -7,8 +7,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Kind:
-    """One verdict or state. sign: for readers who do not see the colour.   style: on a terminal.
-    counted: the words behind a number of equations.   look: the class of its marks on a page."""
+    """One verdict or state.
+
+    Attributes:
+        sign: For readers who do not see the colour.
+        style: On a terminal.
+        counted: The words after a number of equations.
+        look: The class of its marks on a page.
+    """
 
     name: str
     sign: str
@@ -34,7 +40,7 @@ VERDICTS = _by_name(
     Kind("unchecked", "?", "not checked", "never counted as passed", "dim"),
 )
 
-#: What a reader is told of an equation: the worst first. "holds" is said only of what is printed and proved.
+#: The states of an equation, the worst first. "holds" is used only for what is printed and proved.
 STATES = _by_name(
     Kind("error", "✗", "error", "false as meant: an argument or a result changes", "red", "errors", "err"),
     Kind("warning", "!", "warning", "false, unless what is named is meant", "yellow", "warnings", "warn"),
@@ -62,7 +68,7 @@ STATES = _by_name(
     Kind("defines", "·", "definition", "of a symbol of the text", "green", "definitions", "note"),
 )  # fmt: skip
 
-#: The same in the order of a page: first what is wrong, last what is no fault of the author's.
+#: The states in the order of a page: errors first, faults that are not the author's last.
 SHOWN = tuple(
     STATES[name]
     for name in (

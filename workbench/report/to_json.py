@@ -1,4 +1,4 @@
-"""Results as JSON: what `--json` prints and report.json holds (same results, same bytes)."""
+"""Results as JSON, for `--json` and report.json; equal results give equal bytes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from workbench.report.counts import summary, versions, witness_counts
 
 
 def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:
-    """Paper, versions, claims in reading order, and the count of each verdict."""
+    """Returns the paper, the versions, the claims in reading order, and the count of each verdict."""
     return {
         "paper": {
             "title": paper.title,
@@ -30,8 +30,10 @@ def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:
 
 
 def claim_json(result: ClaimResult) -> dict[str, Any]:
-    """One claim with its verdicts. `evidence` is that on the printed form; a reading and a correction bring
-    their own."""
+    """Returns one claim with its verdicts; `evidence` is that on the printed form.
+
+    A reading and a correction have evidence of their own.
+    """
     claim, verdict, against = result.claim, result.verdict, result.counterexample
     return {
         "id": claim.id,
@@ -92,12 +94,13 @@ def _form(formula: Formula | None, verdict: Verdict | None) -> dict[str, Any] | 
 
 
 def _values(example: Counterexample) -> dict[str, Any]:
-    """The values, whose kinds the symbols of the paper say."""
+    """Returns the values without their kinds, which the symbols of the paper determine."""
     return {name: value for name, value in example.to_dict().items() if name not in ("kinds", "kind")}
 
 
 def _mend(claim: Claim) -> dict[str, Any] | None:
-    """The edits that mend the claim; `is_proved`: whether what they make of the print is the proved form."""
+    """Returns the edits that correct the claim. `is_proved`: whether they turn the print into the proved
+    form."""
     if claim.fault is None:
         return None
     mend, right, printed = claim.mend, claim.corrected or claim.reading, claim.printed.latex
@@ -111,7 +114,7 @@ def _mend(claim: Claim) -> dict[str, Any] | None:
 
 
 def _place(claim: Claim) -> dict[str, Any]:
-    """Of a claim in a text: its file, where it stands, and the steps before it in its chain."""
+    """Returns the position of a claim in a text: its file, its span, and the earlier steps of its chain."""
     if claim.span is None:
         return {}
     return {"place": {**vars(claim.span), "file": str(claim.span.file)}, "chain": list(claim.chain)}

@@ -1,4 +1,4 @@
-"""The sentences of a report in words for readers who have not seen the workbench."""
+"""The sentences of a report, for readers who do not know the workbench."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def equations(count: int) -> str:
 
 
 def lead(document: Document) -> tuple[str, str]:
-    """The sentence over the bar: what is wrong in bold type, and the rest."""
+    """Returns the headline in two parts: what is wrong, in bold type, and the rest."""
     total, wrong = document.counted, document.in_state("error")
     misprinted, hold = document.in_state("misprint"), document.in_state("holds")
     unjudged, doubtful = document.in_state("unjudged"), document.in_state("warning")
@@ -50,14 +50,14 @@ def lead(document: Document) -> tuple[str, str]:
 
 
 def counts_line(classes: Sequence[Class]) -> str:
-    """2 errors, 3 not judged, 8 hold as printed."""
+    """Returns a line such as: 2 errors, 3 not judged, 8 hold as printed."""
     return (
         ", ".join(f"{each.count} {counted(each)}" for each in classes if each.count) or "nothing was judged"
     )
 
 
 def counted(each: Class) -> str:
-    """The words behind a number of equations."""
+    """Returns the words after a number of equations."""
     words = each.kind.counted
     if each.count != 1:
         return words
@@ -73,14 +73,14 @@ def counted(each: Class) -> str:
 
 
 def with_scope(word: str, scope: str | None) -> str:
-    """holds for every n ≥ 1, holds for n = 1..8."""
+    """Returns: holds for every n ≥ 1, holds for n = 1..8."""
     if not scope:
         return word
     return f"{word} for {re.sub(r'^all ', 'every ', scope)}"
 
 
 def told(entry: Entry) -> tuple[str, str, str]:
-    """What stands beside a formula: its look, a word in bold type, and how sure that is."""
+    """Returns the style, a word in bold type, and the certainty shown next to a formula."""
     verdict, state = entry.result.verdict, entry.state
     if state.name == "holds":
         if verdict.outcome is Outcome.DEFINITION:
@@ -102,7 +102,7 @@ def told(entry: Entry) -> tuple[str, str, str]:
 
 
 def corrected(outcome: str, scope: str | None) -> str:
-    """How sure a corrected form is."""
+    """Returns the certainty of a corrected form in words."""
     if outcome == Outcome.PROVED:
         return with_scope("proved by two engines", scope)
     if outcome == Outcome.DEFINITION:
@@ -113,12 +113,12 @@ def corrected(outcome: str, scope: str | None) -> str:
 
 
 def method(name: str) -> str:
-    """The name of a method in a table of evidence."""
+    """Returns the name of a method in a table of evidence."""
     return next((short for beginning, short in _METHODS if name.startswith(beginning)), name)
 
 
 def short(heading: str) -> str:
-    """(70) for Eq. (70)."""
+    """Returns (70) for Eq. (70)."""
     return heading.removeprefix("Eqs. ").removeprefix("Eq. ")
 
 
@@ -127,7 +127,7 @@ def cause(name: str) -> str:
 
 
 def foot_line(document: Document) -> str:
-    """What was read, and how many formulas were simulated and certified."""
+    """Returns the line on what was read, and how many formulas were simulated and certified."""
     said, parts = document.citation.get("read", document.file), []
     digest = re.search(r"SHA-256 \w+", said)
     if said:
@@ -141,7 +141,7 @@ def foot_line(document: Document) -> str:
 
 
 def provenance(document: Document) -> str:
-    """All that was read and used."""
+    """Returns the description of all inputs and software used."""
     said = document.citation.get("read", document.file)
     parts = [f"Read: {said}"] if said else []
     parts.append(f"{len(document.entries)} formulas in {equations(document.counted)}")
@@ -155,7 +155,7 @@ def provenance(document: Document) -> str:
     return " · ".join(parts)
 
 
-#: What the templates of all formats call.
+#: The functions that the templates of all formats call.
 FILTERS: dict[str, Callable[..., Any]] = {
     "short": short,
     "cause": cause,

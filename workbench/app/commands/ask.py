@@ -1,4 +1,4 @@
-"""The questions of a draft on the terminal; the answers go into the model beside the text."""
+"""The questions of a draft on the terminal; the answers are written to the model next to the text."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def print_questions(draft: Draft, results: Sequence[ClaimResult]) -> None:
-    """Prints what only the author can answer, with the lines of the model that answer it."""
+    """Prints the questions to the author, with the lines of the model that answer them."""
     from workbench.papers.drafting.questions_to_author import questions_about
 
     questions = questions_about(draft, results)
@@ -28,8 +28,7 @@ def print_questions(draft: Draft, results: Sequence[ClaimResult]) -> None:
 
 
 def ask(draft: Draft, results: Sequence[ClaimResult]) -> Draft | None:
-    """Asks what only the author can answer, and writes the model; returns the draft with the answers, None if
-    there are none."""
+    """Asks the author, and writes the model; returns the draft with the answers, or None without answers."""
     from workbench.papers.drafting.judged_draft import draft_from
     from workbench.papers.drafting.model_file import model_text
     from workbench.papers.drafting.questions_to_author import answered, questions_about

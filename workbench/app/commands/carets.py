@@ -1,4 +1,4 @@
-"""Findings on a terminal: the author's line, and carets under his characters."""
+"""Findings on a terminal: the author's line with carets under the faulty characters."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def marked_lines(span: Span, lines: Sequence[str], style: str) -> Iterator[Text]
 
 
 def faults_text(faults: Sequence[PaperError]) -> str:
-    """Each fault with its place, and a caret under it."""
+    """Returns each fault with its position and a caret."""
     shown = []
     for fault in faults:
         shown.append(f"Error: {printable(str(fault))}")
@@ -40,12 +40,12 @@ def faults_text(faults: Sequence[PaperError]) -> str:
 
 
 def printable(text: str) -> str:
-    """One character for each: what a terminal would obey is shown as a mark."""
+    """Returns the text with control characters replaced, one character for each."""
     return "".join(" " if c == "\t" else c if c.isprintable() else "\ufffd" for c in text)
 
 
 def lines_of(path: Path) -> list[str]:
-    """The lines of a text as they are counted in findings; none if it cannot be read."""
+    """Returns the lines of a text as findings count them; none if it cannot be read."""
     from workbench.source.documents import Source
 
     try:

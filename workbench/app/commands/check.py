@@ -1,4 +1,4 @@
-"""workbench check: the verdict on each claim of paper files, of texts, or of the models beside them."""
+"""`workbench check`: judges the claims of paper files, of texts, or of the models of texts."""
 
 from __future__ import annotations
 
@@ -103,12 +103,12 @@ def check(
     verbose: bool,
     **engines: Any,
 ) -> None:
-    """Judge paper files, texts (.tex, .md, .rst, .html, .ipynb) or the models beside them; - is a TeX text on
-    standard input.
+    """Judge paper files, texts (.tex, .md, .rst, .html, .ipynb) or their models; - is a TeX text on standard
+    input.
 
     Exit status: 0 without an error (with --strict: without an error or a warning), 1 with one, 2 if a file
-    cannot be used, or nothing in it could be judged. A claim whose verdict is not the one that its keys
-    announce is an error; what is unchecked in a text is none.
+    cannot be used, or nothing in it could be judged. A claim with another verdict than its keys expect is an
+    error; an unchecked claim of a text is not.
     """
     if fix and (json_out is not None or form != "text" or diff):
         raise Unusable("--fix: prints text and asks; expected no --diff, --json or --format")
@@ -159,7 +159,7 @@ def check(
 
 
 def _read_from(file: Path) -> Path:
-    """The file itself, or, for -, a copy of standard input, which lasts as long as the command."""
+    """Returns the file, or, for -, a temporary copy of standard input."""
     if str(file) != "-":
         return file
     context = click.get_current_context()
@@ -178,7 +178,7 @@ def _write_report(judged: Judged, out: Path) -> None:
 
 
 def _fixed(edits: dict[Path, list[SourceEdit]]) -> bool:
-    """Makes the corrections, if they are confirmed; whether any was made."""
+    """Applies the corrections if they are confirmed, and returns whether any was made."""
     from workbench.app.commands.fix import confirmed, write_fixes
 
     if not edits:
@@ -192,7 +192,7 @@ def _fixed(edits: dict[Path, list[SourceEdit]]) -> bool:
 
 
 def _asked(judged: Judged, engines: dict[str, Any]) -> Judged:
-    """Returns the results after the author has answered."""
+    """Returns the results after the author has answered the questions."""
     from workbench.app.commands.ask import ask
 
     if judged.draft is None or (draft := ask(judged.draft, judged.results)) is None:

@@ -1,4 +1,4 @@
-"""The click group of all commands: lists them by the table, imports a command when it is used."""
+"""The click group of all commands: lists them from the table, and imports a command at its first use."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class CommandGroups(click.Group):
 
 
 def _loaded(entry: Entry) -> click.Command:
-    """The command, with the examples of its entry at the end of its help text."""
+    """Returns the command, with the examples of its entry at the end of its help text."""
     module, _, name = entry.target.partition(":")
     command: click.Command = getattr(import_module(module), name)
     command.short_help = entry.summary

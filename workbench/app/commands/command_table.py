@@ -1,4 +1,4 @@
-"""The commands in their groups: target, summary and examples of each. Imports no command."""
+"""Table of the commands by group: target, summary and examples of each. Imports no command."""
 
 from __future__ import annotations
 
@@ -9,8 +9,12 @@ from dataclasses import dataclass
 class Entry:
     """One command of the command line.
 
-    target: "module:object".   summary: at most 65 characters, so that it is not cut at 80 columns.
-    examples: complete command lines.   hidden: an old name, which stands in no list."""
+    Attributes:
+        target: "module:object".
+        summary: At most 65 characters, so that it is not cut at 80 columns.
+        examples: Complete command lines.
+        hidden: Whether it is an old name, which no list shows.
+    """
 
     group: str
     name: str

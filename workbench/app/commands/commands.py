@@ -1,5 +1,8 @@
-"""The command line. Exit status: 0 as expected (check: all proved), 1 not so, 2 the input cannot be used,
-3 a defect of the workbench, 130 interrupted."""
+"""The command line.
+
+Exit status: 0 as expected (check: no error), 1 not as expected, 2 unusable input, 3 a defect of the
+workbench, 130 interrupted.
+"""
 
 from __future__ import annotations
 
@@ -37,11 +40,11 @@ from workbench.app.commands.options import (
 @click.version_option(package_name="kinematics-workbench", prog_name="workbench")
 def main() -> None:
     """Checks the printed formulas of kinematics papers: LaTeX in, exact verdict and evidence out."""
-    gc.set_threshold(100_000, 50, 100)  # hardly anything that a paper is read into is let go before the end
-    atexit.register(gc.freeze)  # and then it goes with the process
+    gc.set_threshold(100_000, 50, 100)  # hardly any object of a paper is freed before the end
+    atexit.register(gc.freeze)  # and at the end the process frees them all
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
+            stream.reconfigure(errors="backslashreplace")  # for locales without Φ
 
 
 @click.command("list")

@@ -1,4 +1,4 @@
-"""workbench draft: a first model beside a text."""
+"""`workbench draft`: writes a first model for a text."""
 
 from __future__ import annotations
 

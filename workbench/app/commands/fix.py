@@ -1,4 +1,4 @@
-"""check --fix and --diff: proved corrections made in the author's files, or printed for `patch`."""
+"""check --fix and --diff: applies proved corrections to the author's files, or prints them for `patch`."""
 
 from __future__ import annotations
 
@@ -24,8 +24,7 @@ _FAULTS = (Grade.ERROR, Grade.WARNING)
 
 
 def proved_edits(results: Sequence[ClaimResult]) -> dict[Path, list[SourceEdit]]:
-    """The edits that make errors and warnings right, by file; of two corrections that overlap only the
-    first."""
+    """Returns the edits that correct errors and warnings, by file; of overlapping corrections the first."""
     found: dict[Path, list[SourceEdit]] = {}
     for result in results:
         proposed = result.proposed[0] if result.proposed else None
@@ -48,14 +47,17 @@ def _clash(edit: SourceEdit, other: SourceEdit) -> bool:
 
 
 def diff_of(edits: dict[Path, list[SourceEdit]]) -> str:
-    """The corrections as a unified diff."""
+    """Returns the corrections as a unified diff."""
     texts = ((path, own[0].source.text, own) for path, own in edits.items())
     return "".join(patch_of(text, applied(text, own), os.path.relpath(path)) for path, text, own in texts)
 
 
 def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:
-    """Makes the corrections in the files; how many. Raises Unusable if a file changed since it was read, and
-    then changes none, or if one cannot be written."""
+    """Applies the corrections to the files, and returns their number.
+
+    Raises Unusable if a file cannot be written, or has changed since it was read; in the latter case no file
+    is changed.
+    """
     made = [(path, _edited(path, own[0].source, own)) for path, own in edits.items()]
     for path, data in made:
         draft = path.with_name(f".unfinished-{path.name}")
@@ -69,7 +71,7 @@ def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:
 
 
 def _edited(path: Path, source: Source, edits: Sequence[SourceEdit]) -> bytes:
-    """The bytes of the file with the edits made; all else stays, the ends of lines, too."""
+    """Returns the bytes of the file with the edits applied; everything else is kept, also line endings."""
     raw = file_bytes(path, "a text", MOST_BYTES)
     try:
         text = raw.decode("utf-8-sig")
@@ -85,7 +87,7 @@ def _edited(path: Path, source: Source, edits: Sequence[SourceEdit]) -> bytes:
 
 
 def confirmed(edits: dict[Path, list[SourceEdit]]) -> bool:
-    """Shows the corrections and asks whether to make them."""
+    """Shows the corrections, and returns whether the user confirms them."""
     click.echo(diff_of(edits), nl=False)
     count = sum(len(own) for own in edits.values())
     return click.confirm(f"Make {count} correction{'' if count == 1 else 's'}?", default=False)

@@ -1,4 +1,4 @@
-"""workbench help: a page of the manual, the meaning of a code, or a search."""
+"""`workbench help`: a page of the manual, the meaning of a code, or a search."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def _topics(ctx: click.Context, _parameter: click.Parameter, begun: str) -> list[str]:
-    """The topics that begin so, for the shell's completion."""
+    """Returns the topics with this prefix, for the shell's completion."""
     from workbench.guide.generated import manual
 
     root = ctx.find_root().command

@@ -1,4 +1,4 @@
-"""workbench init: a paper file to begin with."""
+"""`workbench init`: writes a paper file to start from."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ printed = '\frac{d}{dt} (\omega \times a) = \dot{\omega} \times a + \omega \time
 @click.option("--force", is_flag=True, help="Write over a file that is there.")
 @reports_faults
 def init(file: Path, force: bool) -> None:
-    """Write a paper file to begin with: a rigid body, its symbols, and ten true claims."""
+    """Write a paper file to start from: a rigid body, its symbols, and ten true claims."""
     if file.exists() and not force:
         raise Unusable(f"{file}: is there already; --force writes over it")
     write_atomically(file, STARTER)

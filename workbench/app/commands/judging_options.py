@@ -1,4 +1,4 @@
-"""What the commands that judge have in common: options, judging with a bar, printing, writing a file."""
+"""Shared parts of the commands that judge: options, progress bar, printing, writing files."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def engine_options(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def loading(motions: bool, **_: Any) -> Callable[[], None]:
-    """What has to be done before anything is judged, whatever it is."""
+    """Returns a function that makes the preparations which every judgement needs."""
 
     def load() -> None:
         from workbench.app.pipeline.motion_witnesses import load_motions
@@ -93,7 +93,7 @@ def judged_papers(
     cache: bool = True,
     **engines: bool,
 ) -> list[list[ClaimResult]]:
-    """The results of each paper, judged by so many processes or on a cluster."""
+    """Returns the results of each paper, judged by this many processes or on a cluster."""
     from workbench.app.commands.terminal import progress_bar
     from workbench.app.pipeline.many_papers import judge_papers
     from workbench.papers import PaperError
@@ -111,7 +111,7 @@ def judged_papers(
 
 
 def as_expected(paper: Paper, results: Sequence[ClaimResult]) -> bool:
-    """Whether each verdict is the expected one; tells what of a model does not fit its text."""
+    """Returns whether each verdict is the expected one, and prints the faults of a model."""
     print_faults(paper.faults)
     return not paper.faults and all(result.passed for result in results)
 

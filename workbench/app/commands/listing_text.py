@@ -1,6 +1,6 @@
-"""The listing of a text on a terminal: the summary, errors and warnings with their corrections, what is open.
+"""The listing of a text on a terminal: summary, errors and warnings with corrections, open displays.
 
-Only marks and the removed and inserted characters are coloured; without colours the text is the same.
+Only marks and changed characters are coloured; without colours the text is the same.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ STYLES = {Grade.ERROR: "red", Grade.WARNING: "yellow", Grade.NOT_JUDGED: "bold"}
 _GONE, _NEW = "red", "blue"
 _WIDTH = 80
 _INDENT = 4
-#: How many of the places that cannot be read for one reason are shown.
+#: The most unreadable positions that are shown for one reason.
 _MOST_PLACES = 3
 
 
 def listing_lines(found: Listing, quiet: bool = False, verbose: bool = False) -> Iterator[Text]:
-    """quiet: errors only, one line each.   verbose: then every display."""
+    """Yields the lines of a listing. quiet: errors only, one line each.   verbose: also every display."""
     if quiet:
         yield from (_heading(item) for item in found.items if item.grade is Grade.ERROR)
         return
@@ -76,7 +76,7 @@ def _indented(text: str) -> Text:
 
 
 def _diff(edits: Sequence[SourceEdit], lines_in: Callable[[Path], Sequence[str]]) -> Iterator[Text]:
-    """The author's lines before and after, side by side in the order of the text."""
+    """Yields the author's lines before and after the edits, in the order of the text."""
     by_line: dict[tuple[Path, int, int], list[SourceEdit]] = {}
     for edit in edits:
         by_line.setdefault((edit.span.file, edit.span.line, edit.span.end_line), []).append(edit)
@@ -100,7 +100,7 @@ def _diff(edits: Sequence[SourceEdit], lines_in: Callable[[Path], Sequence[str]]
 
 
 def _flat_column(lines: Sequence[str], line: int, column: int) -> int:
-    """The column in the lines joined to one, as `_diff` joins them."""
+    """Returns the column in the lines as `_diff` joins them."""
     if line == 0:
         return column - 1
     joined = len(lines[0].rstrip())
@@ -111,7 +111,7 @@ def _flat_column(lines: Sequence[str], line: int, column: int) -> int:
 
 
 def _side(sign: str, line: str, marks: Sequence[tuple[int, int]], style: str, indent: int) -> Text:
-    """One line of a difference, cut where it is away from what changes."""
+    """Returns one line of a difference, cut far from the changes."""
     room = _WIDTH - _INDENT - 2
     text = Text(line[indent:])
     for start, end in marks:
@@ -155,5 +155,5 @@ def _display_lines(found: Listing) -> Iterator[Text]:
 
 
 def in_ascii(text: str) -> str:
-    """The text for a terminal whose encoding has no mathematical signs."""
+    """Returns the text for a terminal whose encoding lacks mathematical signs."""
     return text.translate(_ASCII)

@@ -1,4 +1,4 @@
-"""The command `motion`: a body of a real robot, order by order, beside Drake; a trajectory beside limits."""
+"""The command `motion`: kinematics of a robot's body compared with Drake, and trajectories with limits."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from workbench.kinematics.robot.peaks import Peak, Violation
     from workbench.kinematics.robot.report import MotionReport
 
-#: Beyond it Drake's numbers, in doubles, have no correct digit left to compare with.
+#: The highest order at which Drake's doubles still have a correct digit.
 HIGHEST_ORDER = 20
 
 
@@ -99,7 +99,7 @@ def motion(
             path = _recorded(trajectory, urdf, base)
             at = (path.start + path.end) / 2 if at is None else at
         at = 0.0 if at is None else at
-        with np.errstate(all="ignore"):  # an overflow ends in a message of its own
+        with np.errstate(all="ignore"):  # an overflow has an error message of its own
             report = motion_report(
                 urdf,
                 body,
@@ -174,7 +174,7 @@ def _recorded(trajectory: Path, urdf: Path, base: str) -> RecordedPath:
 
 
 def _whole(report: MotionReport, until: float | None, wanted: bool) -> Motion | None:
-    """The motion over all the time that peaks and plots are of."""
+    """Returns the motion over the time interval of peaks and plots."""
     import numpy as np
 
     if not wanted:
@@ -188,7 +188,7 @@ def _whole(report: MotionReport, until: float | None, wanted: bool) -> Motion | 
 
 
 def _draw(whole: Motion, body: str, report: MotionReport, bounds: Any, file: Path) -> None:
-    """The file appears when it is whole."""
+    """Saves the figure, which appears when it is complete."""
     figure = whole.plot(body, report.point, bounds, report.relative_to)
     draft = file.with_name(f".unfinished-{os.getpid()}-{file.name}")
     try:
@@ -201,7 +201,8 @@ def _draw(whole: Motion, body: str, report: MotionReport, bounds: Any, file: Pat
 
 
 def _peak_dict(peak: Peak) -> dict[str, Any]:
-    """A number that is not finite is None; "unbounded" says whether that is the value's own."""
+    """Returns a peak as a dict; a number that is not finite is None, and "unbounded" tells whether the peak
+    is."""
     keys = (
         "of",
         "order",
@@ -220,13 +221,16 @@ def _peak_dict(peak: Peak) -> dict[str, Any]:
 
 
 def _finite(numbers: Mapping[str, Any]) -> dict[str, Any]:
-    """The same with None for numbers that are not finite."""
+    """Returns the dict with None for numbers that are not finite."""
     return {k: None if isinstance(x, float) and not math.isfinite(x) else x for k, x in numbers.items()}
 
 
 def _recording_dict(report: MotionReport, path: RecordedPath) -> dict[str, Any]:
-    """noise: the deviation of each coordinate's samples; error: of the position and of each derivative at the
-    time; notes: what was changed in the samples."""
+    """Returns the errors of a recording.
+
+    The keys are noise (deviation of each coordinate's samples), error (of the position and of each derivative
+    at the time) and notes (what was changed in the samples).
+    """
     error = path.error(report.at, report.motion.order)
     return {
         "noise": dict(zip(report.joints, path.noise.tolist(), strict=True)),
@@ -238,11 +242,8 @@ def _recording_dict(report: MotionReport, path: RecordedPath) -> dict[str, Any]:
     }
 
 
-# -- on a terminal ---------------------------------------------------------------------------------
-
-
 def motion_lines(report: Mapping[str, Any]) -> Iterator[Text]:
-    """The motion of a robot's body, order by order, with units."""
+    """Yields the motion of a robot's body, order by order, with units."""
     relative = f" relative to {report['relative_to']}" if report["relative_to"] else ""
     yield Text(f"{report['body']}{relative} of {report['urdf']} at t = {report['time']:g} s", style="bold")
     yield _row("p_WP", report["p_WP"], "m")

@@ -1,4 +1,4 @@
-"""What the commands have in common: their options, how they print JSON, and how faults become messages."""
+"""Shared parts of the commands: options, JSON output, and messages for errors."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ INTERRUPTED = 130
 
 
 class Unusable(click.ClickException):
-    """Input that cannot be used: one message on standard error, exit status 2."""
+    """Unusable input: one message on standard error, exit status 2."""
 
     exit_code = 2
 
 
 class Defect(click.ClickException):
-    """The workbench contradicts itself."""
+    """The workbench contradicts itself: exit status 3."""
 
     exit_code = 3
 
 
 def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
-    """Turns the errors that bad input gets into messages and exit status 2."""
+    """Returns the command with errors of bad input turned into messages and exit status 2."""
 
     @wraps(command)
     def guarded(*arguments: Any, **options: Any) -> None:
@@ -60,14 +60,14 @@ def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def _is_interruption(error: BaseException | None) -> bool:
-    """Whether somebody pressed Ctrl-C, of which a library that is being loaded makes an error of its own."""
+    """True if the error was caused by Ctrl-C; a library that is being imported may wrap it."""
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__
     return error is not None
 
 
 def _installed(_ctx: click.Context, _parameter: click.Parameter, begun: str) -> list[str]:
-    """The installed papers whose names begin so, for the shell's completion."""
+    """Returns the installed papers with this prefix, for the shell's completion."""
     from workbench.papers.installed_papers import installed_names
 
     return [name for name in installed_names() if name.startswith(begun)]
@@ -91,7 +91,7 @@ json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 
 def memory_of_verdicts(wanted: bool) -> AbstractContextManager[Memory | None]:
-    """The verdicts of earlier runs; none if they are not wanted."""
+    """Returns the cache of verdicts as a context; None in it if it is not wanted."""
     if not wanted:
         return nullcontext()
     from workbench.app.pipeline.verdict_keys import Memory
@@ -101,7 +101,7 @@ def memory_of_verdicts(wanted: bool) -> AbstractContextManager[Memory | None]:
 
 
 def named_paper(name: str | None, cache: bool = True, meanwhile: Callable[[], None] = lambda: None) -> Paper:
-    """The paper of `paper_option`. meanwhile: called while other processes read it."""
+    """Returns the paper of `paper_option`. meanwhile: called while other processes read it."""
     from workbench.papers import find_paper
 
     with memory_of_verdicts(cache) as memory:

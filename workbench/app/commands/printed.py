@@ -1,4 +1,4 @@
-"""What `workbench check` prints: for people, as JSON, or for what runs it."""
+"""The output of `workbench check`: for people, as JSON, or for CI."""
 
 from __future__ import annotations
 
@@ -31,8 +31,11 @@ def print_judged(
     verbose: bool = False,
     asks: bool = True,
 ) -> None:
-    """`unusable`: what is wrong in papers of which nothing could be judged.   quiet, verbose: how much of a
-    text is told.   asks: whether the questions of drafts are."""
+    """Prints the results.
+
+    unusable: the faults of papers of which nothing could be judged.
+    quiet, verbose: how much of a text's listing is printed.
+    """
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, unusable, form)
         return
@@ -111,7 +114,7 @@ def _print_listing(paper: TextPaper, results: Sequence[ClaimResult], quiet: bool
 
 
 def _writes(stream: Any, characters: str) -> bool:
-    """Whether the stream's encoding has the characters."""
+    """True if the stream's encoding has the characters."""
     try:
         characters.encode(getattr(stream, "encoding", None) or "utf-8")
     except UnicodeEncodeError:

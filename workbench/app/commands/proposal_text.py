@@ -1,4 +1,4 @@
-"""Proposals on a terminal, in the manner of `workbench.app.commands.terminal`."""
+"""Proposals on a terminal, in the style of `workbench.app.commands.terminal`."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 
 _GONE, _NEW = "red strike", "bold green underline"
 _INDENT = 17
-#: A bar is redrawn after so many candidates.
+#: The number of candidates between redraws of a bar.
 _STRIDE = 50
 
 
 def repair_lines(repair: Repair, coloured: bool = False) -> Iterator[Text]:
-    """What the search on one claim came to."""
+    """Yields the result of the search for one claim."""
     proposed = repair.proposed()
     yield from proposed_lines(repair.claim, proposed, coloured)
     if not proposed:
@@ -43,7 +43,7 @@ def proposed_lines(claim: Claim, proposed: Sequence[Proposed], coloured: bool) -
 
 
 def proposal_lines(proposed: Sequence[Proposed], coloured: bool) -> Iterator[Text]:
-    """coloured: the difference in colours; else it is marked as [-printed-] and {+proposed+}."""
+    """Yields proposals. coloured: with differences in colours, else as [-printed-] and {+proposed+}."""
     for proposal in proposed:
         yield from _field("proposed", proposal.latex)
         yield from _field("edit", proposal.edit)
@@ -53,7 +53,7 @@ def proposal_lines(proposed: Sequence[Proposed], coloured: bool) -> Iterator[Tex
 
 
 def difference_text(parts: Sequence[Mapping[str, str]], coloured: bool) -> Text:
-    """A difference (`Difference.parts`) in one line."""
+    """Returns a difference (`Difference.parts`) in one line."""
     if not coloured:
         return Text(in_one_line(parts))
     styles = {"same": "", "printed": _GONE, "proposed": _NEW}
@@ -63,8 +63,11 @@ def difference_text(parts: Sequence[Mapping[str, str]], coloured: bool) -> Text:
 
 @contextmanager
 def search_bar(name: str, limits: Limits) -> Iterator[Callable[[Repair], None]]:
-    """A bar for the search on one claim, on standard error, if that is a terminal: how much of the time or of
-    the candidates is used up. Yields the function that sees each candidate."""
+    """Shows a progress bar for the search on standard error, if that is a terminal.
+
+    The bar shows how much of the time or of the candidates is used. Yields the function to call with each
+    candidate.
+    """
     if not sys.stderr.isatty():
         yield lambda found: None
         return

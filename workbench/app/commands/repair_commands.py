@@ -1,4 +1,4 @@
-"""The commands that look for right forms: repair, errata; and the proposals in other commands."""
+"""The commands repair and errata, and the proposals in other commands."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def _seconds_option(command: Callable[..., None]) -> Callable[..., None]:
-    """The limit of a search. `--seconds`, its old name, is the limit of one judgement elsewhere."""
+    """Adds the option for the limit of a search; its old name `--seconds` limits one judgement elsewhere."""
     limit = click.option(
         "--search-seconds",
         "seconds",
@@ -95,8 +95,8 @@ def repair_claim(
 @json_flag
 @reports_faults
 def errata(select: Sequence[str], paper_name: str | None, seconds: float, as_json: bool) -> None:
-    """Which of the known errata the machine corrects from the printed form alone, as it was done by hand.
-    SELECT as for verify. Ctrl-C keeps what was found. Exit status 0 if it corrects all of them."""
+    """Show which known errata the repair corrects from the printed form alone, as they were corrected by
+    hand. SELECT as for verify. Ctrl-C keeps what was found. Exit status 0 if it corrects all of them."""
     from workbench.app.commands.terminal import console
     from workbench.papers.selection import select_claims
     from workbench.repair.propose.known_errata import compared, errata_table, known_errata, summary
@@ -130,7 +130,7 @@ def _limits(seconds: float) -> Limits:
 
 
 def _repaired(claims: Sequence[Claim], limits: Limits) -> list[Repair]:
-    """With a bar over the search of a single claim, or over several claims."""
+    """Returns the repairs, with a progress bar over the search of a single claim, or over several claims."""
     from workbench.app.commands.proposal_text import search_bar
     from workbench.app.commands.terminal import progress_bar
     from workbench.repair.propose.parallel_repairs import repair_claims
@@ -144,7 +144,7 @@ def _repaired(claims: Sequence[Claim], limits: Limits) -> list[Repair]:
 
 
 def _repair_definitions(claims: Sequence[Claim], seconds: float, as_json: bool) -> None:
-    """Prints the changes of definitions that mend two or more of these false claims, and exits."""
+    """Prints the changes of definitions that correct two or more of these false claims, and exits."""
     from workbench.repair.propose.definition_repair import repair_definitions
 
     repairs = repair_definitions(claims, seconds=seconds * len(claims))
@@ -163,9 +163,13 @@ def with_proposals(
     paper: Paper | None = None,
     seconds: float = STANDARD.seconds,
 ) -> list[ClaimResult]:
-    """The results with what the machine proposes where a printed form is refuted or ill-formed, and perhaps
-    where a right form is proved; with nothing if that is not wanted.   paper: if it is a text, its own
-    characters are edited.   seconds: of the search for one claim."""
+    """Returns the results with proposals for printed forms that are refuted or ill-formed.
+
+    wanted: whether to search at all.
+    beside_right: whether also to search if a proved right form is given.
+    paper: if it is a text, its own characters are edited.
+    seconds: the limit of the search for one claim.
+    """
     from workbench.app.commands.terminal import progress_bar
     from workbench.app.pipeline.result_proposals import with_proposals
     from workbench.papers.texts.text_paper import TextPaper

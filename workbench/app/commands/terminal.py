@@ -1,4 +1,4 @@
-"""How results look on a terminal. Formulas are Text throughout: their brackets are no markup."""
+"""Results on a terminal. Formulas are Text objects, so that their brackets are not markup."""
 
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ if TYPE_CHECKING:
 _STYLES = {name: kind.style for name, kind in VERDICTS.items()}
 _UNLIMITED = 100_000
 
-#: Of an evidence's figures: what only a picture can show.
+#: Figures of evidence that only a plot can show.
 _UNSHOWN = ("course",)
 
 
 def console(stream: IO[str]) -> Console:
-    """Colours only on a terminal (rich also respects NO_COLOR); elsewhere no line is ever wrapped or cut."""
+    """Returns a console: colours only on a terminal (rich also respects NO_COLOR), and no wrapping
+    elsewhere."""
     width = None if stream.isatty() else _UNLIMITED
     return Console(file=stream, width=width, highlight=False, emoji=False, soft_wrap=False)
 
@@ -77,8 +78,10 @@ def summary_line(results: Sequence[ClaimResult]) -> Text:
 
 
 def motions_line(results: Sequence[ClaimResult]) -> Text | None:
-    """How many claims were evaluated on Drake's motions; `show` says of each other one why not. None if none
-    was."""
+    """Returns the number of claims evaluated on Drake's motions; None if there are none.
+
+    `show` gives the reason for each other claim.
+    """
     counts = witness_counts(results)
     if not (seen := counts.pop("Drake")):
         return None
@@ -88,8 +91,10 @@ def motions_line(results: Sequence[ClaimResult]) -> Text | None:
 
 
 def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[Text]:
-    """One claim in full: what is wrong, for … read …, why, counterexample, evidence; with its id
-    and whether it passed, or without."""
+    """Yields one claim in full: fault, edits, reason, counterexample, evidence.
+
+    with_expectation: also its id, and whether it passed.
+    """
     claim, verdict = result.claim, result.verdict
     if with_expectation:
         yield Text(claim.id, style="bold")
@@ -106,7 +111,7 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
         yield from _field("assuming", condition.latex)
     yield Text.assemble(f"{'verdict':>15}  ", outcome_text(verdict.outcome))
     yield from _field("scope", verdict.scope)
-    if claim.reading is None or not claim.note:  # else the note says what the machine would guess
+    if claim.reading is None or not claim.note:  # else the note explains the reading
         yield from _field("because", coded(verdict.reason))
     yield from _field("unless", "; ".join(verdict.unless))
     yield from _field("hypothesis", result.hypothesis)
@@ -136,7 +141,7 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
 
 
 def _fault(fault: str, claim: Claim) -> Iterator[Text]:
-    """What is wrong, and what an editor does about it."""
+    """Yields what is wrong, and the edits for it."""
     kind, mend = STATES[fault], claim.mend
     yield Text.assemble(f"{'fault':>15}  ", (kind.label, kind.style), f": {kind.meaning}")
     yield from _field("where", mend.place)
@@ -152,7 +157,7 @@ def _fault(fault: str, claim: Claim) -> Iterator[Text]:
 
 @contextmanager
 def progress_bar(total: int, what: str) -> Iterator[Any]:
-    """A bar on standard error, if that is a terminal; yields the function that advances it."""
+    """Shows a progress bar on standard error, if that is a terminal; yields the function that advances it."""
     if not sys.stderr.isatty() or total < 2:
         yield lambda result: None
         return
@@ -163,7 +168,7 @@ def progress_bar(total: int, what: str) -> Iterator[Any]:
 
 
 def certificates_table(certificates: Sequence[Any]) -> Table:
-    """One line for each exact form: its verdict, and what Coq says of it."""
+    """Returns one row for each exact form: its verdict, and Coq's answer."""
     table = _table("claim", "form", "verdict", "scope", "certificate")
     for each in certificates:
         scope = each.certificate.scope if each.certificate else None
@@ -184,5 +189,5 @@ def _field(name: str, value: str | None) -> Iterator[Text]:
 
 
 def _one_line(text: str) -> str:
-    """What a terminal would obey is shown as a mark."""
+    """Returns the text on one line with control characters replaced."""
     return "".join(c if c.isprintable() else "\ufffd" for c in " ".join(text.split()))

@@ -1,4 +1,4 @@
-"""workbench try: the verdict on one formula, with kinds of symbols that are given or inferred."""
+"""`workbench try`: judges one formula, with given or inferred kinds of symbols."""
 
 from __future__ import annotations
 
@@ -66,8 +66,11 @@ def try_formula(
 def judged_formula(
     formula: str, symbols: Mapping[str, str], assume: Sequence[str], paper: str | None = None
 ) -> tuple[list[Checked], dict[str, dict[str, object]]]:
-    """The verdicts on the lines of a formula as somebody typed it, and the kinds that were inferred. Raises
-    ValueError for what cannot be read."""
+    """Returns the verdicts on the lines of a typed formula, and the inferred kinds.
+
+    Raises:
+        ValueError: The formula cannot be read.
+    """
     from workbench import Checked, check
     from workbench.source.rewriting.pasted_formulas import as_typed
 
@@ -85,7 +88,7 @@ def _symbol(text: str) -> tuple[str, str]:
 
 
 def _inferred(latex: str) -> dict[str, dict[str, object]]:
-    """The kinds that the formula and its typefaces make likely."""
+    """Returns the kinds that the formula and its typefaces suggest."""
     from workbench.papers import PaperError
     from workbench.papers.drafting import ingest
 
@@ -112,7 +115,7 @@ def _print(lines: Sequence[Checked], inferred: dict[str, dict[str, object]], pro
 
 
 def _verdict_lines(checked: Checked, proposals: bool) -> Iterator[Text]:
-    """The verdict in a line; then the counterexample and the right form, if there are any."""
+    """Yields the verdict in a line, then the counterexample and the right form, if there are any."""
     from workbench.app.commands.listing_text import MARKS, STYLES, example_lines
     from workbench.report.counterexamples import told
     from workbench.source.typeset.plain_text import in_plain_text

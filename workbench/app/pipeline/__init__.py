@@ -1,1 +1,1 @@
-"""Runs the claims of papers: each form gets a verdict; the claim passes if they are those expected."""
+"""The pipeline: judges the claims of papers in worker processes, with the cache of earlier verdicts."""

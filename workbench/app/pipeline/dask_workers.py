@@ -1,9 +1,8 @@
-"""Judgements past one machine: on Dask's workers, through the interface that the local pool has.
+"""Judging on Dask's workers, with the interface of the local worker pool.
 
-A worker gets the files of a paper and not our terms; its verdict counts only if it arrives at the very key
-under which we would remember it: the same claim, definitions, options, versions and code. Dask's processes
-may have no children, and a judgement must be one that can be ended; so each of them talks to a process of its
-own.
+A worker gets the files of a paper, not our terms. Its verdict counts only if the worker computes the same
+cache key: the same claim, definitions, options, versions and code. Dask's processes may have no children, and
+a judgement must be interruptible, so each worker talks to a separate process.
 """
 
 from __future__ import annotations
@@ -26,13 +25,13 @@ from workbench.core.verdict import Verdict
 from workbench.papers import Paper, find_paper
 from workbench.runtime import Budget, OutOfBudget
 
-#: How often a judgement is tried again when the worker that had it dies.
+#: How often a judgement is retried when its worker dies.
 _RETRIES = 5
 
 
 @dataclass(frozen=True)
 class Bundle:
-    """A paper as its files, by their places below a folder that they share; of an installed one, its name."""
+    """The files of a paper, by their paths in a common folder; the name of an installed paper."""
 
     main: str
     files: Mapping[str, bytes]
@@ -69,12 +68,12 @@ def _may_be_read(path: Path) -> bool:
     return path.is_file() and path.suffix in suffixes and path.stat().st_size < 2_000_000
 
 
-#: A scheduler must answer within so many seconds.
+#: Seconds in which a scheduler must answer.
 CONNECT = 10
 
 
 class Cluster:
-    """Judgements on the cluster at `address`. Raises ValueError if there is none."""
+    """A cluster at `address` for judgements. Raises ValueError if there is none."""
 
     def __init__(self, address: str, options: Mapping[str, Any]) -> None:
         try:
@@ -91,7 +90,7 @@ class Cluster:
     def map(
         self, items: Iterable[tuple[Bundle, str, str, str]], budget: Budget
     ) -> Iterator[Verdict | OutOfBudget]:
-        """The verdict on each form: (paper, claim, form, key), in their order. All is under way at once."""
+        """Yields the verdict on each (paper, claim, form, key), in order; all are submitted at once."""
         bundles: dict[str, Any] = {}
         tasks = []
         for bundle, *rest in items:
@@ -113,7 +112,7 @@ def _answer(told: dict[str, Any] | str) -> Verdict | OutOfBudget:
 
 
 class PaperOnCluster:
-    """The pool for one paper: what is only read or left out is told here."""
+    """The worker pool for one paper, which reports progress."""
 
     def __init__(self, cluster: Cluster, judge: PaperJudge, name: str) -> None:
         self._cluster, self._judge, self._bundle = cluster, judge, Bundle.of(judge.paper, name)
@@ -129,7 +128,7 @@ class PaperOnCluster:
         return (next(answers) if item in sent else self._told(*item) for item in items)
 
     def close(self) -> None:
-        """The cluster is for others too."""
+        """Does nothing: the cluster is shared."""
 
     def _is_judged(self, name: str, form: str) -> bool:
         claim = self._claims[name]
@@ -147,7 +146,7 @@ _TURN = threading.Lock()
 def judged_by_worker(
     bundle: Bundle, name: str, form: str, key: str, options: Mapping[str, Any], budget: Budget
 ) -> dict[str, Any] | str:
-    """On a worker: what its own process says; a text where nothing was decided."""
+    """Returns the answer of the worker's own process; a text if nothing was decided."""
     with _TURN:
         if not _SERVER or _SERVER[-1].poll() is not None:
             call = [sys.executable, "-m", "workbench.app.pipeline.dask_workers"]
@@ -159,7 +158,7 @@ def judged_by_worker(
 
 
 def serve(asked: BinaryIO, told: BinaryIO) -> None:
-    """Answers until its worker ends."""
+    """Answers requests until its worker ends."""
     judges: dict[tuple, Any] = {}
     while True:
         try:
@@ -196,5 +195,5 @@ def _judged(
 
 if __name__ == "__main__":
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what anything prints is no answer
+    os.dup2(2, 1)  # prints of libraries must not mix with the answers
     serve(sys.stdin.buffer, answers)

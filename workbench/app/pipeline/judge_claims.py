@@ -1,5 +1,7 @@
-"""Runs the claims of a paper: each printed form, its reading and its correction get a verdict of their own,
-and the claim passes if the verdicts are those that its keys announce."""
+"""Judges the claims of a paper: printed form, reading and correction get separate verdicts.
+
+A claim passes if these verdicts are those that its keys expect.
+"""
 
 from __future__ import annotations
 
@@ -33,26 +35,31 @@ if TYPE_CHECKING:
     from workbench.prover.decide.decide import Judge
     from workbench.prover.explain.goal_claims import TheoremJudge
 
-#: From this many claims on it pays to start a process for each core.
+#: The number of claims from which on a process for each core is started.
 MANY = 40
 
-#: What no formula of a text should bring about, and what must not cost its other formulas their verdicts.
+#: Errors that no formula should cause; one must not cost the other formulas of a text their verdicts.
 _DEFECTS = (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError)
 
 
 class Pool(Protocol):
-    """Where forms are judged: processes here, or elsewhere."""
+    """A pool that judges forms: local processes, or a cluster."""
 
     def map(self, items: Sequence[tuple[str, str]]) -> Iterator[Verdict | OutOfBudget]:
-        """The verdict on each form of a claim, in their order."""
+        """Yields the verdict on each form of a claim, in order."""
 
     def close(self) -> None:
-        """Ends it."""
+        """Ends the pool."""
 
 
 class ClaimJudge:
-    """The judges of claims: one for each notation, made on first use. theorems: what claims may name.
-    budget: of each judgement.   memory: where verdicts of earlier runs are kept."""
+    """The judges of claims: one for each notation, created on first use.
+
+    Attributes:
+        theorems: The proofs that claims may name.
+        budget: The limits of each judgement.
+        memory: The cache of verdicts.
+    """
 
     def __init__(
         self,
@@ -76,18 +83,19 @@ class ClaimJudge:
         self._witnesses = Witnesses(memory, self._keys) if motions else None
 
     def result(self, claim: Claim) -> ClaimResult:
-        """The result for one of the claims."""
+        """Returns the result for one of the claims."""
         (result,) = self.results([claim])
         return result
 
     def results(
         self, claims: Sequence[Claim], jobs: int | None = None, pool: Pool | None = None
     ) -> Iterator[ClaimResult]:
-        """The results for some of the claims, each as soon as it is there: first those that are remembered,
-        then the others, by notation.
+        """Yields the results for some of the claims as soon as they are ready, cached ones first, then by
+        notation.
 
-        Many claims are judged on all cores, or by so many jobs, or by the pool: a claim does not depend on
-        another. A pool has its work before the first result is asked for."""
+        Many claims are judged on all cores, by `jobs` processes, or by the pool. Claims are independent. A
+        pool gets its work before the first result is requested.
+        """
         known = {claim.id: {form: self._recall(claim, form) for form in forms(claim)} for claim in claims}
         new = _dear_first([claim for claim in claims if None in known[claim.id].values()])
         self._waiting = new
@@ -117,11 +125,11 @@ class ClaimJudge:
                 workers.close()
 
     def key(self, claim: Claim, form: str) -> str:
-        """Under which the verdict on a form is remembered: all that it depends on."""
+        """Returns the cache key of the verdict on a form: a digest of everything that it depends on."""
         return self._keys.of(claim, form)
 
     def judged_now(self, claim: Claim, form: str) -> Verdict | OutOfBudget:
-        """The verdict on one form, whatever is remembered."""
+        """Returns the verdict on one form, bypassing the cache."""
         self._waiting = [claim]
         (answer,) = self._workers.map([(claim.id, form)])
         return answer
@@ -130,7 +138,7 @@ class ClaimJudge:
         return self._memory.recall(self._keys.of(claim, form)) if self._memory else None
 
     def _remember(self, claim: Claim, form: str, answer: Verdict | OutOfBudget) -> Verdict:
-        """The answer as a verdict; kept if it does not hang on how fast this machine is."""
+        """Returns the answer as a verdict, and caches it unless it depends on the speed of the machine."""
         if isinstance(answer, OutOfBudget):
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.OUT_OF_BUDGET(limit=answer))
         if self._memory:
@@ -138,7 +146,7 @@ class ClaimJudge:
         return answer
 
     def close(self) -> None:
-        """Ends the processes in which claims are judged."""
+        """Ends the worker processes."""
         self._workers.close()
 
     def _new_workers(self, count: int) -> Workers:
@@ -180,7 +188,7 @@ class ClaimJudge:
         return in_both_readings(claim, self._in_one_reading(claim), self._in_one_reading)
 
     def _in_one_reading(self, claim: Claim) -> Verdict:
-        if claim.given:  # which may be hard to suppose, and not needed
+        if claim.given:  # the given formulas may be hard to assume, and not needed
             free = replace(claim, given=())
             alone = self._verdict(free, claim.printed, claim.hypothesis)
             if alone.outcome is Outcome.PROVED:
@@ -232,7 +240,7 @@ class ClaimJudge:
         return self._witnesses.seen(verdict, claim, form, hypothesis) if self._witnesses else verdict
 
     def _judge(self, notation: Notation) -> Judge:
-        key = id(notation.definitions), id(notation.motion)  # `JudgedParts` keeps both
+        key = id(notation.definitions), id(notation.motion)  # `JudgedParts` keeps both alive
         if key not in self._judges:
             from workbench.prover.decide.decide import Judge
 
@@ -245,10 +253,10 @@ class ClaimJudge:
 
 
 def _placed(error: PaperError, claim: Claim) -> PaperError:
-    """The error at the place of the claim, which the judges do not see."""
+    """Returns the error with the position of the claim, which the judges do not know."""
     if error.file is not None:
         return error
-    if error.path:  # another table of the file
+    if error.path:  # an entry of another table of the file
         return PaperError(claim.file, None, None, f"{'.'.join(error.path)}: {claim.id}: {error.message}")
     return PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
 
@@ -263,7 +271,7 @@ def _as_given(verdict: Verdict, claim: Claim) -> Verdict:
 
 
 class PaperJudge(ClaimJudge):
-    """The judges of a paper. The budget is that given here, or the paper's, or the standard one."""
+    """The judges of a paper, with the given limits, the paper's, or the standard ones."""
 
     def __init__(self, paper: Paper, budget: Budget | None = None, **options: bool | Memory | None) -> None:
         super().__init__(paper.claims, paper.theorems, budget=budget or paper.budget, **options)
@@ -277,13 +285,16 @@ def judge_paper(
     jobs: int | None = None,
     **options: bool | Budget | Memory | None,
 ) -> list[ClaimResult]:
-    """The results of the selected claims, in reading order; `progress` sees each as soon as it is there.
-    options: those of PaperJudge."""
+    """Returns the results of the selected claims, in reading order.
+
+    progress: called with each result as soon as it is ready.
+    options: those of PaperJudge.
+    """
     return _judged(PaperJudge(paper, **options), select_claims(paper.claims, select), progress, jobs)
 
 
 def judge_claims(claims: Sequence[Claim], **options: bool | Budget | Memory | None) -> list[ClaimResult]:
-    """The results of claims that stand in no paper. options: those of ClaimJudge."""
+    """Returns the results of claims outside of a paper. options: those of ClaimJudge."""
     return _judged(ClaimJudge(claims, **options), claims)
 
 
@@ -302,7 +313,7 @@ def _judged(
 def in_order(
     results: Iterable[ClaimResult], claims: Sequence[Claim], progress: Callable[[ClaimResult], None]
 ) -> list[ClaimResult]:
-    """The results for the claims, one for each, in the order of the claims."""
+    """Returns the results in the order of the claims."""
     found = {}
     for result in results:
         found[result.claim.id] = result
@@ -311,7 +322,7 @@ def in_order(
 
 
 def _dear_first(claims: Sequence[Claim]) -> list[Claim]:
-    """By notation, those with many that are likely to be dear first: no core waits for one in the end."""
+    """Returns the claims by notation, groups with many expensive claims first, to balance the workers."""
     groups: dict[int, list[Claim]] = {}
     for claim in claims:
         groups.setdefault(id(claim.notation), []).append(claim)
@@ -320,7 +331,7 @@ def _dear_first(claims: Sequence[Claim]) -> list[Claim]:
 
 
 def _is_likely_cheap(claim: Claim) -> bool:
-    """Whether it is one relation, and no theorem, family or extremum."""
+    """True if the claim is one relation, and no theorem, family or extremum."""
     said = [getattr(claim, form).statement for form in forms(claim)]
     is_relation = all(statement is None or isinstance(statement, Relation) for statement in said)
     return claim.goal is None and claim.orders is None and is_relation

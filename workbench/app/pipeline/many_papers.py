@@ -1,4 +1,4 @@
-"""Many papers: judged one beside the other, their verdicts remembered as they come."""
+"""Judges many papers together, and caches the verdicts as they arrive."""
 
 from __future__ import annotations
 
@@ -21,11 +21,15 @@ def judge_papers(
     memory: Memory | None = None,
     **options: Any,
 ) -> Iterator[list[ClaimResult]]:
-    """The results of each paper, by its name for `find_paper`, in their order.
+    """Yields the results of each paper, in order.
 
-    jobs: processes here.   scheduler: the address of Dask's, whose workers judge; a worker that dies loses
-    nothing.   What is in the memory is not judged again, so that an interrupted run goes on where it stopped.
-    Raises ValueError for a scheduler that cannot be used."""
+    Cached verdicts are not judged again, so that an interrupted run continues where it stopped.
+
+    papers: (name for `find_paper`, paper).
+    jobs: the number of local processes.
+    scheduler: the address of a Dask scheduler, whose workers judge; a worker that dies loses nothing. Raises
+    ValueError if it cannot be used.
+    """
     judges = [PaperJudge(paper, budget=budget, memory=memory, **options) for _, paper in papers]
     cluster = None
     try:

@@ -1,4 +1,4 @@
-"""Drake as the witness of verdicts: what the forms of a claim are on the motions that their symbols have."""
+"""Drake as the witness of verdicts: evaluates the forms of claims on motions of their symbols."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from workbench.prover.motions.motion_check import Ranges, Witness
     from workbench.prover.motions.motion_source import Bindings, Motion
 
-#: A statement, what it supposes, and its integers.
+#: (statement, premises, ranges of its integers).
 Saying: TypeAlias = "tuple[Statement, tuple[Statement, ...], Ranges | None]"
 
-#: What bound symbols are on motions, and the motions.
+#: (bindings of symbols, motions).
 References: TypeAlias = "tuple[tuple[Bindings, ...], tuple[Motion, ...]]"
 
 #: Verdicts that a motion can contradict.
@@ -34,10 +34,11 @@ _TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outc
 
 
 class Witnesses:
-    """Looks at the forms of a paper's claims on Drake's motions; references are made once and shared.
+    """Evaluates the forms of a paper's claims on Drake's motions, which are created once and shared.
 
-    Before that, the motions are held against their plants, and the bindings against the definitions; with
-    a memory that is done once for all runs."""
+    Before that, the motions are checked against their plants, and the bindings against the definitions. With
+    a cache this is done once for all runs.
+    """
 
     def __init__(self, memory: Memory | None = None, keys: Keys | None = None) -> None:
         self._memory, self._keys = memory, keys
@@ -45,10 +46,13 @@ class Witnesses:
         self._of: dict[tuple[int, int], References] = {}
 
     def seen(self, verdict: Verdict, claim: Claim, form: Formula, under: Formula | None) -> Verdict:
-        """The verdict on a form of the claim, with what the motions say of it among its evidence.
+        """Returns the verdict on a form with the motions' evidence.
 
-        under: the hypothesis with which it holds. Raises PaperError for a binding that contradicts a
-        definition, a formula of [motion.claims] that says nothing, or a robot that Drake cannot load.
+        under: the hypothesis with which the form holds.
+
+        Raises:
+            PaperError: A binding contradicts a definition, a formula of [motion.claims] is useless, or Drake
+                cannot load a robot.
         """
         if verdict.outcome not in _TRUE | {Outcome.REFUTED}:
             return verdict
@@ -72,10 +76,10 @@ class Witnesses:
         return self._ours(replace(verdict, evidence=seen), claim, ours)
 
     def _ours(self, verdict: Verdict, claim: Claim, ours: OnMotions) -> Verdict:
-        """With our formulas for the claim: one that must hold, one that is false if what is printed is."""
+        """Returns the verdict with our formulas for the claim: one must hold, the other fails as printed."""
         if ours.none is not None:
             return replace(verdict, no_motion=_no_motion(ours.none))
-        if ours.printed is not None:  # the false form and the right one, evaluated alike
+        if ours.printed is not None:  # the false form and the right one, evaluated in the same way
             told = tuple(e for e in verdict.evidence if e.method != METHOD)
             verdict = replace(verdict, evidence=told)
         for form in (ours.printed, ours.holds):
@@ -96,7 +100,7 @@ class Witnesses:
     def _witness(
         self, claim: Claim, sayings: Sequence[Saying], course: bool, on: str | None = None
     ) -> Witness:
-        """What the motions say of all of these together; `on`: one of the special motions instead."""
+        """Returns the joint evidence of the motions. on: the name of a special motion to use instead."""
         from workbench.prover.motions.motion_check import Subject, Witness, witness
 
         if not sayings and claim.goal is None:
@@ -111,8 +115,10 @@ class Witnesses:
         return found
 
     def prepare(self, claim: Claim) -> None:
-        """Makes the references of the claim's notation, so that processes forked later share them. Raises as
-        `seen` does."""
+        """Creates the references of the claim's notation, so that forked processes share them.
+
+        Raises as `seen` does.
+        """
         if claim.notation.motion:
             self._known(claim)
 
@@ -120,7 +126,7 @@ class Witnesses:
         notation = claim.notation
         key = id(notation.motion), id(notation.definitions)
         if key not in self._of:
-            bound = self._parts.bound(notation)  # which all claims of a paper share
+            bound = self._parts.bound(notation)  # all claims of a paper share it
             shared = id(bound.motion), id(bound.definitions)
             if shared not in self._of:
                 self._of[shared] = self._checked(bound, claim)
@@ -148,7 +154,7 @@ class Witnesses:
 
 
 def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Saying]:
-    """The equations of a form of the claim: its own, or those of its goal."""
+    """Yields the equations of a form of the claim: its own, or those of its goal."""
     if form is claim.printed and claim.goal is not None:
         from workbench.prover.goals.goal_equations import said
 
@@ -163,7 +169,7 @@ def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Say
 
 
 def _of_motion(claim: Claim) -> bool:
-    """Whether the claim's goal speaks of what is bound."""
+    """True if the claim's goal contains bound symbols."""
     from workbench.language.goals.goals import atoms
     from workbench.prover.motions.motion_check import relations
 
@@ -173,8 +179,10 @@ def _of_motion(claim: Claim) -> bool:
 
 
 def _only_tied(form: Formula, claim: Claim, found: Witness) -> bool:
-    """Whether a refuted equation holds on the motions in every instance: what is bound is free in the exact
-    judge, and the counterexample may be no motion."""
+    """True if a refuted equation holds on the motions in every instance.
+
+    Bound symbols are free for the exact engines, so the counterexample may be no motion.
+    """
     equation = isinstance(form.statement, Relation) and form.statement.operator == "="
     return (
         equation
@@ -193,7 +201,7 @@ def _motions(notation: Notation) -> tuple[Motion, ...]:
 
 
 def load_motions() -> None:
-    """Makes the general motions and holds them against their plants, once for all notations."""
+    """Creates the general motions and checks them against their plants, once for all notations."""
     for motion in _general():
         _require_agreement(motion)
 
@@ -223,5 +231,5 @@ def _general() -> tuple[Motion, ...]:
 
 
 def _no_motion(why: str) -> Reason:
-    """Why no motion shows a claim, as [motion.claims] has it."""
+    """Returns why no motion shows a claim, by its entry in [motion.claims]."""
     return MotionCode.ALGEBRA() if why == "algebra" else MotionCode.AS_STATED(why=why)

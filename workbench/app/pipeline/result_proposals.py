@@ -1,4 +1,4 @@
-"""What the machine proposes beside results, and what of that is remembered."""
+"""Proposals for results, and their cache."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from workbench.repair.propose.parallel_repairs import repair_claims
 from workbench.repair.propose.repair import Repair
 from workbench.repair.propose.search_limits import STANDARD, Limits
 
-#: Verdicts on a printed form that ask for another form.
+#: Verdicts on a printed form for which another form is searched.
 _TO_REPAIR = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
 
 
@@ -24,9 +24,13 @@ def with_proposals(
     memory: Memory | None = None,
     beside_right: bool = True,
 ) -> list[ClaimResult]:
-    """The results, each with what the machine proposes if its printed form is refuted or ill-formed, few
-    changes first; with nothing if there are no limits.   memory: what earlier searches proposed, also those
-    that time cut short.   beside_right: also where a right form is given and proved."""
+    """Returns the results, each with proposals if its printed form is refuted or ill-formed, few changes
+    first.
+
+    limits: of the search; None for no search.
+    memory: the cache of earlier proposals, including those of searches that ran out of time.
+    beside_right: whether also to search if a proved right form is given.
+    """
     claims = [r.claim for r in results if limits and _asks(r, beside_right)]
     keys = Keys({}, {"proposals": limits})
     beside = neighbours_of([result.claim for result in results])

@@ -1,7 +1,7 @@
-"""Verdicts of earlier runs, so that what did not change is not judged again.
+"""Cache of verdicts: unchanged claims are not judged again.
 
-The key of a verdict is a digest of all that its judges see (`judged_parts`), the options, the versions of the
-engines, and the code of the workbench and of the paper's theorems.
+The key of a verdict is a digest of everything that its judges see (`judged_parts`), the options, the versions
+of the engines, and the code of the workbench and of the paper's theorems.
 """
 
 from __future__ import annotations
@@ -23,28 +23,28 @@ from workbench.runtime.store import Store
 
 _ENGINES = ("drake", "python-flint", "sympy", "numpy")
 
-#: Of a notation.
+#: The fields of a notation that concern all claims.
 _OF_ALL_CLAIMS = tuple(each.name for each in fields(Notation) if each.name != "on_motions")
 
 
 class Memory(Store):
-    """The verdicts in a file."""
+    """A file of verdicts."""
 
     def recall(self, key: str) -> Verdict | None:
-        """The verdict that is remembered under the key, if it is there and undamaged."""
+        """Returns the cached verdict; None if it is missing or damaged."""
         with suppress(ValueError, KeyError, TypeError):
             if (text := self.get(key)) is not None:
                 return Verdict.from_dict(json.loads(text))
         return None
 
     def remember(self, key: str, verdict: Verdict) -> None:
-        """Keeps a verdict; one that would not come back as it is is not kept."""
+        """Stores a verdict, unless it cannot be restored exactly."""
         text = json.dumps(verdict.to_dict(), ensure_ascii=False)
         if Verdict.from_dict(json.loads(text)) == verdict:
             self.put(key, text.encode())
 
     def proposals(self, key: str) -> tuple[Proposed, ...] | None:
-        """What an earlier search proposed, if that is there and undamaged."""
+        """Returns the cached proposals of an earlier search; None if they are missing or damaged."""
         with suppress(ValueError, KeyError, TypeError):
             if (text := self.get(key)) is not None:
                 return tuple(
@@ -56,7 +56,7 @@ class Memory(Store):
         self.put(key, json.dumps([asdict(each) for each in proposed], ensure_ascii=False).encode())
 
     def knows(self, key: str) -> bool:
-        """Whether what the key stands for was found to be so."""
+        """True if a check with this key has succeeded before."""
         return self.recall(key) is not None
 
     def know(self, key: str) -> None:
@@ -71,21 +71,21 @@ class Keys:
         self._ground = digest(repr((ground(["workbench"], _ENGINES), sorted(options.items()))))
         self.parts = JudgedParts()
         self._notations: dict[int, tuple[Notation, str]] = {}
-        self._last: tuple[Claim, str] | None = None  # its forms are asked for one after the other
+        self._last: tuple[Claim, str] | None = None  # a claim's forms are requested one after the other
 
     def of(self, claim: Claim, form: str) -> str:
-        """The key of the verdict on one form of a claim."""
+        """Returns the key of the verdict on one form of a claim."""
         if self._last is None or self._last[0] is not claim:
             self._last = claim, self._of_part(self.parts.of(claim))
         return digest(f"{form}\n{self._last[1]}")
 
     def of_proposals(self, claim: Claim, beside: str = "") -> str:
-        """The key of what is proposed for a claim. beside: the formulas that proposals must agree with."""
+        """Returns the key of the proposals for a claim. beside: the formulas that proposals must agree
+        with."""
         return digest(f"proposals\n{beside}\n{self._of_part(self.parts.for_proposals(claim))}")
 
     def of_bindings(self, notation: Notation) -> str:
-        """The key of the agreement of a notation's bindings with its definitions, on motions that agree
-        with their plants."""
+        """Returns the key of the check that a notation's bindings agree with its definitions on motions."""
         return digest(repr(("bindings", self._of_notation(self.parts.bound(notation)), self._ground)))
 
     def _of_part(self, claim: Claim) -> str:
@@ -94,7 +94,7 @@ class Keys:
         return digest(repr((text, self._of_notation(claim.notation), proofs, self._ground)))
 
     def _of_notation(self, notation: Notation) -> str:
-        """The digest of a notation without what it says on motions of single claims."""
+        """Returns the digest of a notation without its [motion.claims]."""
         parts = {name: getattr(notation, name) for name in _OF_ALL_CLAIMS}
         key = tuple(map(id, parts.values()))
         if key not in self._notations:

@@ -1,1 +1,1 @@
-"""Long-lived processes that judge a text as it changes: for editors, assistants, pages, and `--watch`."""
+"""Long-lived processes that judge a text whenever it changes: for editors, assistants, and `--watch`."""

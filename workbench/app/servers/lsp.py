@@ -1,4 +1,4 @@
-"""workbench lsp: the verdicts in an editor, over standard input and output."""
+"""`workbench lsp`: a language server that shows verdicts in an editor, over standard input and output."""
 
 from __future__ import annotations
 
@@ -58,14 +58,14 @@ _PAUSE = 0.3
 
 @dataclass
 class Known:
-    """What is known of one file, and of which files diagnostics were published with it."""
+    """The results for one file, and the files for which diagnostics were published."""
 
     judged: Judged
     told: set[Path] = field(default_factory=set)
 
 
 def server_for(motions: bool) -> LanguageServer:
-    """Raises ImportError without pygls."""
+    """Returns the language server. Raises ImportError without pygls."""
     from lsprotocol import types as lsp_types
     from pygls.lsp.server import LanguageServer
 
@@ -173,7 +173,7 @@ def server_for(motions: bool) -> LanguageServer:
 
 
 def _is_paper(path: Path) -> bool:
-    """Not every TOML file is one."""
+    """True if a TOML file may be a paper file or a model."""
     try:
         text = path.read_text("utf-8", errors="replace")
     except OSError:
@@ -218,7 +218,7 @@ def _tell_judged(server: LanguageServer, known: dict[Path, Known], path: Path, j
 
 
 def _buffers(server: LanguageServer) -> dict[Path, str]:
-    """What stands in the editor and perhaps not on disk."""
+    """Returns the contents of the editor's buffers, which may not be saved."""
     return {Path(each.path): each.source for each in server.workspace.text_documents.values() if each.path}
 
 
@@ -242,7 +242,7 @@ def _publish(server: LanguageServer, file: Path, diagnostics: list[Diagnostic]) 
     server.text_document_publish_diagnostics(PublishDiagnosticsParams(file.resolve().as_uri(), diagnostics))
 
 
-#: What is no fault and waits for its author.
+#: Codes that wait for the author and are no faults.
 _HINTS: frozenset[Code] = WAITS_FOR_ITS_AUTHOR | UNKNOWN_SYMBOLS
 
 
@@ -269,8 +269,8 @@ def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | 
 
 
 def _quick_fix(server: LanguageServer, result: ClaimResult) -> dict[str, Any]:
-    """The title and the edits of a proved correction, each as its file, start, end and new text; nothing if
-    none is known."""
+    """Returns the title and the edits of a proved correction: (file, start, end, new text); empty if none is
+    known."""
     from workbench.source.typeset.plain_text import in_plain_text
 
     edits = [(each.span, each.new) for each in result.edits]
@@ -296,7 +296,7 @@ def _quick_fix(server: LanguageServer, result: ClaimResult) -> dict[str, Any]:
 
 
 def _fix(result: ClaimResult) -> str | None:
-    """What to write for the claim's own characters: the correction or reading that was proved."""
+    """Returns the proved correction or reading for the claim's own characters."""
     from workbench.core.verdict import Outcome
     from workbench.papers.corrections import same_formula
 
@@ -312,7 +312,7 @@ def _fix(result: ClaimResult) -> str | None:
 
 
 def _told(result: ClaimResult) -> str:
-    """Verdict, reading and evidence."""
+    """Returns verdict, reading and evidence as text."""
     from workbench.report.counterexamples import told
 
     verdict = result.verdict
@@ -330,14 +330,14 @@ def _told(result: ClaimResult) -> str:
 
 
 def _whole(result: ClaimResult) -> Span:
-    """All that the claim says, where it stands."""
+    """Returns the span of the whole claim."""
     from workbench.report.findings import place_of
 
     return result.claim.span or place_of(result)
 
 
 def _range(server: LanguageServer, span: Span) -> Range:
-    """In the units that the client counts."""
+    """Returns the range in the units that the client counts."""
     from lsprotocol.types import Position, Range
 
     document = server.workspace.get_text_document(span.file.resolve().as_uri())

@@ -1,4 +1,4 @@
-"""workbench mcp: the workbench as tools for an assistant, by the Model Context Protocol."""
+"""`workbench mcp`: the workbench as tools for an assistant, by the Model Context Protocol."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def mcp() -> None:
 
 
 def server_for_assistants() -> MCPServer:
-    """Raises ImportError without the SDK."""
+    """Returns the server. Raises ImportError without the SDK."""
     from mcp.server.mcpserver import MCPServer
 
     server = MCPServer("workbench", instructions=_INSTRUCTIONS, version=version("kinematics-workbench"))
@@ -153,7 +153,7 @@ def _questions(judged: Judged) -> list[dict[str, Any]]:
 
 
 def _as_guessed(judged: Judged) -> Judged:
-    """What rests on a model that an assistant wrote is guessed."""
+    """Returns the results with the confidence of guessed kinds, as an assistant wrote the model."""
     from workbench.core.verdict import Strength
 
     lowered = [
@@ -201,7 +201,7 @@ def _told(result: ClaimResult) -> dict[str, Any]:
 
 
 def _answer(work: Any) -> dict[str, Any]:
-    """What the work returns; what is wrong with its input, as an error."""
+    """Returns the result of the work; errors of its input as `errors`."""
     try:
         answer: dict[str, Any] = work()
         return answer

@@ -1,4 +1,4 @@
-"""One sequence from a file to its verdicts, once or again and again in one process."""
+"""One text judged repeatedly in one process: for editors and assistants."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
 
-#: Seconds for the search for a correction of one claim, where somebody waits.
+#: Seconds for the search for a correction of one claim in interactive use.
 SEARCH_SECONDS = 5.0
 
 
@@ -38,7 +38,7 @@ class Loaded:
 
 @dataclass(frozen=True)
 class Judged:
-    """A text, or a paper file, with its results. draft: as in `Loaded`."""
+    """A text or a paper file with its results. draft: the model that was drafted for it, if it has none."""
 
     paper: Paper
     results: list[ClaimResult]
@@ -70,9 +70,10 @@ def judged_file(
     progress: Callable[[ClaimResult], None] = lambda result: None,
     folder: Path | None = None,
 ) -> Judged:
-    """Returns the verdicts on a file; verdicts that are remembered are not found again.   buffers: files that
-    read otherwise than on disk.   progress: sees each result as soon as it is there.   folder: outside of it
-    no file is read.   Raises PaperError."""
+    """Returns the verdicts on a file. Raises PaperError.
+
+    buffers: contents of files that are not saved.
+    """
     from workbench.app.pipeline.judge_claims import judge_paper
 
     with unsaved(buffers or {}), within(folder), memory_of_verdicts(True) as memory:
@@ -83,8 +84,7 @@ def judged_file(
 def with_corrections(
     judged: Judged, seconds: float = SEARCH_SECONDS, found: Callable[[], None] = lambda: None
 ) -> Judged:
-    """Returns the same with the corrections that a short search proves, as edits of the text.   found: called
-    after each search; what it raises ends the others."""
+    """Returns the results with the corrections that a short search proves, as edits of the text."""
     from workbench.app.pipeline.result_proposals import with_proposals
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.repair.author_edits import with_author_edits

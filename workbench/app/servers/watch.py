@@ -1,4 +1,4 @@
-"""workbench check --watch: what changes in a paper is judged again, in a process that has all else ready."""
+"""`workbench check --watch`: judges changed papers again, in a process that has everything else loaded."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from workbench.app.commands.options import memory_of_verdicts
 if TYPE_CHECKING:
     from workbench.papers import Paper
 
-#: Milliseconds for which an editor may go on writing before its file is read.
+#: Milliseconds to wait for an editor to finish writing a file.
 _PAUSE = 100
-#: Milliseconds after which it looks by itself: what changes while a paper is judged, nobody gives notice of.
+#: Milliseconds between polls, since changes while a paper is judged give no notification.
 _LOOK = 1000
 
 
@@ -29,7 +29,7 @@ def watch_files(
     cache: bool = True,
     **engines: bool,
 ) -> None:
-    """Judges the files, and again what changes in them or in what they include, until it is interrupted."""
+    """Judges the files, and again what changes in them or in what they include, until interrupted."""
     from watchfiles import watch
 
     from workbench.runtime import Budget
@@ -60,7 +60,7 @@ def watch_files(
 
 
 def _stamp(path: Path) -> tuple[int, int] | None:
-    """What tells a changed file; None if there is none."""
+    """Returns a stamp that differs for a changed file; None if there is no file."""
     try:
         found = path.stat()
     except OSError:
@@ -77,7 +77,7 @@ def _judged(
     memory: Any,
     engines: dict[str, bool],
 ) -> list[Path]:
-    """Judges a file; the paths that it stands on."""
+    """Judges a file, and returns the paths that it depends on."""
     from workbench.app.commands.judging_options import print_faults
     from workbench.app.commands.printed import print_judged
     from workbench.app.pipeline.judge_claims import judge_paper
@@ -100,7 +100,7 @@ def _judged(
 
 
 def paths_of(paper: Paper) -> list[Path]:
-    """The files that a paper is read from, and the model that may come to lie beside it."""
+    """Returns the files of a paper, and the path of a model that may be created for it."""
     from workbench.papers.texts.text_paper import TextPaper
 
     text = paper.text if isinstance(paper, TextPaper) else None

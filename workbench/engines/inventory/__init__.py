@@ -1,4 +1,9 @@
-"""Inventory of a statement before any arithmetic: the only code that the two engines share."""
+"""Inventory of a statement before any arithmetic; the only code that both engines share.
+
+What is this? `inventory` lists the free quantities of a statement with their highest derivatives and its side
+conditions; other modules recognize exponentials, inverses and angles. When do I come here? To add a kind of
+free quantity or a side condition. What may it import? core, language. What checks it? tests/judge.
+"""
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
@@ -11,7 +16,7 @@ __all__ = ["Lookup", "NotExact", "With", "Without", "reached"]
 
 @dataclass(frozen=True)
 class With:
-    """A lookup with additional definitions."""
+    """Definitions extended by further ones, which take precedence."""
 
     definitions: Lookup
     more: Mapping[Symbol, Term]
@@ -22,7 +27,7 @@ class With:
 
 @dataclass(frozen=True)
 class Without:
-    """A lookup without the definitions of some symbols, which become free."""
+    """Definitions without those of some symbols, which are free."""
 
     definitions: Lookup
     free: Collection[Symbol]
@@ -32,7 +37,7 @@ class Without:
 
 
 def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
-    """Yields the subterms of a term and of all definitions in it; each definition is visited once."""
+    """Yields the subterms of the term and of the definitions that it uses, each definition once."""
     waiting, seen = [term], {term}
     while waiting:
         for part in waiting.pop().walk():
@@ -44,4 +49,4 @@ def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
 
 
 class NotExact(ValueError):
-    """A well-formed term that exact arithmetic does not cover; the message says which part and why."""
+    """The term is well-typed but cannot be evaluated exactly; the message states the part and the reason."""

@@ -1,4 +1,10 @@
-"""A robot's motion to any order: see `Robot`."""
+"""A robot's motion to any order: `Robot`.
+
+What is this? `robot` is the entry; `structure` and `joints` describe the mechanism, `paths` and `recordings`
+its motion in time, `states` and `motion` the result, `peaks` the extremes on a trajectory. When do I come
+here? To add a kind of joint, a source of trajectories or a question to a robot. What may it import? algebra,
+drake, kinematics. What checks it? tests/kinematics/test_robot*.py.
+"""
 
 from workbench.kinematics.robot.closed_loops import BallConstraint, ClosedLoops, WeldConstraint
 from workbench.kinematics.robot.inverse import SingularJacobian

@@ -162,7 +162,7 @@ class _Reader:
         return table, frames.definitions
 
     def rates(self) -> dict[Name, tuple[Term, Term] | None]:
-        """Returns the rates as SymbolTable has them; empty if the frame in which a dot differentiates is
+        """Returns the rates as KnownFrames has them; empty if the frame in which a dot differentiates is
         unknown."""
         dot, said = (self.entries["frames"].get(key) for key in ("dot", "rates"))
         if said is not None and said not in _RATES:

@@ -100,7 +100,7 @@ class ThreeAxes:
     perpendicular: Dual
 
     def perpendicular_at(self, slide: Any) -> Dual:
-        """The perpendicular moved by ``slide`` (...) times the angular velocity along the axes.
+        """Returns the perpendicular moved by ``slide`` (...) times the angular velocity along the axes.
 
         Raises `ValueError` where freedom is 0 or 4: what is moved is not a common perpendicular.
         """
@@ -113,7 +113,7 @@ class ThreeAxes:
 
 
 def three_axes(first: Dual, second: Dual, tolerance: float | None = None) -> ThreeAxes:
-    """The axes of two twists and of their sum, how they lie, and their common perpendicular.
+    """Returns the axes of two twists and of their sum, how they lie, and their common perpendicular.
 
     first, second: ω̲₁ and ω̲₂, (..., 3). ``tolerance``: what counts as zero, relative to the terms
     that cancel; exactly 0 for exact scalars unless given, `ROUNDING` for floats.
@@ -149,7 +149,7 @@ def three_axes(first: Dual, second: Dual, tolerance: float | None = None) -> Thr
 def relative_twists(
     plant: "MultibodyPlant", context: "Context", bodies: tuple[str, str, str]
 ) -> tuple[Dual, Dual, Dual]:
-    """Drake's twists of three bodies: 1 relative to 0, 2 to 1, 2 to 0, as dual vectors (3,) in W.
+    """Returns Drake's twists of three bodies: 1 relative to 0, 2 to 1, 2 to 0, as dual vectors (3,) in W.
 
     The dual part is the velocity of the body point that is at Wo. Each comes from Drake, so that
     the third need not be the sum of the others to the last bit. Raises RuntimeError (Drake's) for a
@@ -190,25 +190,26 @@ def _stack(twists: list[Dual]) -> Dual:
 
 
 def _size(a: np.ndarray) -> np.ndarray:
-    """The largest entry of vectors: (..., 3) → (...)."""
+    """Returns the largest entry of vectors: (..., 3) → (...)."""
     return np.abs(a).max(axis=-1)
 
 
 @dataclass(frozen=True)
 class _Judgement:
-    """What is zero: what is not larger than ``tolerance`` times the terms that it is the sum of."""
+    """The test for zero: not larger than ``tolerance`` times the terms that a number is the sum of."""
 
     tolerance: float
 
     def is_zero(self, a: np.ndarray, terms: Any) -> np.ndarray:
-        """Of vectors (..., 3), whose terms have the sizes ``terms`` (...)."""
+        """Returns which vectors (..., 3) are zero. terms (...): the sizes of the terms that they are sums
+        of."""
         return np.asarray(_size(a) <= self.tolerance * terms, dtype=bool)
 
     def has_axis(self, twists: Dual) -> np.ndarray:
         return ~self.is_zero(twists.re, _size(twists.re).max(axis=-1, keepdims=True))
 
     def meet(self, first: Dual, second: Dual) -> np.ndarray:
-        """Whether two lines that are not parallel meet: Du(u̲₁ · u̲₂) = 0."""
+        """Returns whether two lines that are not parallel meet: Du(u̲₁ · u̲₂) = 0."""
         terms = _size(first.re) * _size(second.du) + _size(first.du) * _size(second.re)
         return self.is_zero(as_array(dot(first, second).du)[..., None], terms)
 
@@ -225,18 +226,18 @@ class _Judgement:
 
 
 def _first(vectors: np.ndarray, chosen: np.ndarray) -> np.ndarray:
-    """The first chosen of the vectors (..., 3, 3), the first of all where none is: (..., 3)."""
+    """Returns the first chosen of the vectors (..., 3, 3), the first of all where none is: (..., 3)."""
     place = np.argmax(chosen, axis=-1)[..., None, None]
     return np.take_along_axis(vectors, place, axis=-2)[..., 0, :]
 
 
 def _inner(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """a · b as an array of shape (..., 1), which stays one of exact scalars where they are exact."""
+    """Returns a · b as an array of shape (..., 1), which stays one of exact scalars where they are exact."""
     return (a * b).sum(axis=-1, keepdims=True)
 
 
 def _pitches_and_axes(twists: Dual, has_axis: np.ndarray) -> tuple[np.ndarray, Dual]:
-    """p = ω · v / ω · ω and the line ω + ε (v − p ω), which is (1 − ε p) ω̲."""
+    """Returns p = ω · v / ω · ω and the line ω + ε (v − p ω), which is (1 − ε p) ω̲."""
     exists = has_axis[..., None]
     square = np.where(exists, _inner(twists.re, twists.re), 1)
     pitches = np.where(exists, divide(_inner(twists.re, twists.du), square), 0)
@@ -266,7 +267,7 @@ def _perpendicular(
 
 
 def _members(names: np.ndarray) -> Any:
-    """Names of configurations as an array of them; one member where there is no batch."""
+    """Returns names of configurations as an array of them; one member where there is no batch."""
     members = np.empty(names.shape, dtype=object)
     for place in np.ndindex(names.shape):
         members[place] = Configuration[str(names[place])]

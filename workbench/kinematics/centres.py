@@ -65,7 +65,7 @@ def _triple(x: np.ndarray) -> str:
 
 
 def acceleration_centre(Phi, a, *, rtol=1e-9, Phi_scale=0.0, a_scale=0.0) -> Locus:
-    """Gₙ, the points of zero n-th order acceleration, of Φₙ (..., 3, 3) and aₙ (..., 3); Eq. (50).
+    """Returns Gₙ, the points of zero n-th order acceleration, of Φₙ (..., 3, 3) and aₙ (..., 3); Eq. (50).
 
     For n = 1 these are a line exactly if ω · v = 0 and ω ≠ 0 (a pure rotation's axis).
     Tolerance and errors: see `points_with_acceleration`.
@@ -75,7 +75,7 @@ def acceleration_centre(Phi, a, *, rtol=1e-9, Phi_scale=0.0, a_scale=0.0) -> Loc
 
 
 def points_with_acceleration(Phi, a, prescribed, *, rtol=1e-9, Phi_scale=0.0, a_scale=0.0) -> Locus:
-    """The points with n-th order acceleration `prescribed` (..., 3) in m/sⁿ; Eqs. (11), (49).
+    """Returns the points with n-th order acceleration `prescribed` (..., 3) in m/sⁿ; Eqs. (11), (49).
 
     Phi (..., 3, 3) in 1/sⁿ and a (..., 3) in m/sⁿ are Φₙ and aₙ.
 
@@ -106,7 +106,8 @@ def points_with_acceleration(Phi, a, prescribed, *, rtol=1e-9, Phi_scale=0.0, a_
 
 
 def regular_point(Phi, a, prescribed=0) -> np.ndarray:
-    """ρ = Φₙ⁻¹ (a* - aₙ), (..., 3) in m, for a regular Φₙ and any scalars, symbolic too; Eqs. (49), (50).
+    """Returns ρ = Φₙ⁻¹ (a* - aₙ), (..., 3) in m, for a regular Φₙ and any scalars, symbolic too; Eqs. (49),
+    (50).
 
     Raises ValueError where an exact or float Φₙ is singular; symbolic ones are taken to be regular.
     """
@@ -114,7 +115,7 @@ def regular_point(Phi, a, prescribed=0) -> np.ndarray:
 
 
 def field_scales(omega, v) -> tuple[np.ndarray, np.ndarray]:
-    """The sizes of the terms of Φₙ and aₙ, each (N+1, ...), of float omega, v (N, ..., 3).
+    """Returns the sizes of the terms of Φₙ and aₙ, each (N+1, ...), of float omega, v (N, ..., 3).
 
     The norms' own recurrence: s₀ = 1, sₙ₊₁ = Σₖ C(n,k) |ω⁽ⁿ⁻ᵏ⁾| sₖ; b₀ = 0, bₙ₊₁ = |v⁽ⁿ⁾| + Σₖ C(n,k)
     |ω⁽ⁿ⁻ᵏ⁾| bₖ. So ‖Φₙ‖ <= sₙ, |aₙ| <= bₙ, and their rounding errors are a small multiple of eps times these.
@@ -162,7 +163,8 @@ def _exact_locus(Phi: np.ndarray, target: np.ndarray) -> Locus:
 
 
 def _exact_solution(Phi, b) -> tuple[int, list[np.ndarray], np.ndarray]:
-    """(rank, basis of the null space, shortest least-squares solution ρ of Φ ρ = b) in rationals only."""
+    """Returns (rank, basis of the null space, shortest least-squares solution ρ of Φ ρ = b) in rationals
+    only."""
     cofactors = adjugate(Phi)
     if determinant(Phi) != 0:
         return 3, [], divide(apply(cofactors, b), determinant(Phi))

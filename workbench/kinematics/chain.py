@@ -62,7 +62,7 @@ class SerialChain:
         self._plans: dict[tuple[tuple[int, int], bool], Plan] = {}  # by the shape of a state
 
     def twist_derivatives(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
-        """The twist of the last body and its time derivatives, Eq. (119) differentiated.
+        """Returns the twist of the last body and its time derivatives, Eq. (119) differentiated.
 
         q: (n + 2, ..., dof), where q[k, ..., i] is the k-th time derivative of coordinate i, from
            the coordinate itself (k = 0) to order n + 1. The axes between are states.
@@ -87,20 +87,20 @@ class SerialChain:
         return self._twists(q, out, False)
 
     def twist_taylor(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
-        """The same from and to Taylor coefficients: q[k, ..., i] is q_i^{(k)} / k!.
+        """Returns the same from and to Taylor coefficients: q[k, ..., i] is q_i^{(k)} / k!.
 
         q: (n + 2, ..., dof). Returns (n + 1, ..., 6): entry k is (1/k!) d^k/dt^k (ω; v).
         """
         return self._twists(self._checked(q), out, True)
 
     def workspace(self, order: int, states: tuple[int, ...] = ()) -> tuple[np.ndarray, np.ndarray]:
-        """Zeros (q, out) for `bind`, (order + 2, *states, dof) and (order + 1, *states, 6): in memory the
-        states' numbers lie side by side, which suits the compiled kernel best."""
+        """Returns zeros (q, out) for `bind`, (order + 2, *states, dof) and (order + 1, *states, 6): in
+        memory the states' numbers lie side by side, which suits the compiled kernel best."""
         q, out = np.zeros((order + 2, self.dof, *states)), np.zeros((order + 1, 6, *states))
         return np.moveaxis(q, 1, -1), np.moveaxis(out, 1, -1)
 
     def bind(self, q: np.ndarray, out: np.ndarray) -> Callable[[], bool]:
-        """`twist_derivatives` for a control loop: a call without arguments that reads the arrays q
+        """Returns `twist_derivatives` for a control loop: a call without arguments that reads the arrays q
         (n + 2, ..., dof) and writes out (n + 1, ..., 6) anew each time, in place.
 
         It returns False, with `out` unusable, if an angle exceeds 2⁵⁰ rad. Raises ValueError unless
@@ -116,7 +116,7 @@ class SerialChain:
         return BoundCall(plan.bound_kernel(), plan, rows[0], _as_of_one_frame(rows[1]))
 
     def pose(self, q: ArrayLike) -> np.ndarray:
-        """The pose of the last body in the base frame, Eq. (117).
+        """Returns the pose of the last body in the base frame, Eq. (117).
 
         q: (..., dof) coordinates. Returns (..., 4, 4) homogeneous matrices.
         """
@@ -171,7 +171,7 @@ class SerialChain:
 
 
 def _step(parent: int, before: np.ndarray, joint: Joint, first: int) -> Step:
-    """The step of a moving joint whose coordinates start at `first`."""
+    """Returns the step of a moving joint whose coordinates start at `first`."""
     first_drive = Drive(first, first)
     turn, slide = {
         "revolute": (first_drive, None),
@@ -197,10 +197,11 @@ def _checked_result(q: np.ndarray, out: np.ndarray | None) -> np.ndarray:
 
 
 def _states_in_a_row(array: np.ndarray) -> np.ndarray:
-    """(orders, ..., parts) as (orders, states, parts), a view where the axes of states are one in memory."""
+    """Returns (orders, ..., parts) as (orders, states, parts), a view where the axes of states are one in
+    memory."""
     return array.reshape(len(array), -1, array.shape[-1])
 
 
 def _as_of_one_frame(twists: np.ndarray) -> np.ndarray:
-    """(orders, states, 6) as the (1, states, orders, 6) of the kernel."""
+    """Returns (orders, states, 6) as the (1, states, orders, 6) of the kernel."""
     return twists.swapaxes(0, 1)[None]

@@ -39,27 +39,27 @@ class Joint:
 
     @staticmethod
     def revolute(axis: ArrayLike, point: ArrayLike = (0, 0, 0)) -> "Joint":
-        """Rotation about the line through `point` (m) along `axis` (any length but zero)."""
+        """Returns a rotation about the line through `point` (m) along `axis` (any length but zero)."""
         return _moving("revolute", axis, point)
 
     @staticmethod
     def prismatic(axis: ArrayLike) -> "Joint":
-        """Translation along `axis`, in metres whatever the length of `axis`."""
+        """Returns a translation along `axis`, in metres, independent of the length of `axis`."""
         return _moving("prismatic", axis, (0, 0, 0))
 
     @staticmethod
     def cylindrical(axis: ArrayLike, point: ArrayLike = (0, 0, 0)) -> "Joint":
-        """Rotation about and translation along one line: two coordinates, angle then slide."""
+        """Returns a rotation about and translation along one line: two coordinates, angle then slide."""
         return _moving("cylindrical", axis, point)
 
     @staticmethod
     def helical(axis: ArrayLike, point: ArrayLike = (0, 0, 0), *, pitch: float) -> "Joint":
-        """Rotation about a line with a translation along it of `pitch` metres per radian."""
+        """Returns a rotation about a line with a translation along it of `pitch` metres per radian."""
         return _moving("helical", axis, point, pitch)
 
     @staticmethod
     def fixed(transform: ArrayLike) -> "Joint":
-        """A constant rigid transform (4, 4): what follows is given in the frame it reaches."""
+        """Returns a constant rigid transform (4, 4): what follows is given in the frame it reaches."""
         return Joint("fixed", np.zeros(3), np.zeros(3), 0.0, np.asarray(transform))
 
     @property
@@ -72,7 +72,7 @@ def _moving(kind: str, axis: ArrayLike, point: ArrayLike, pitch: float = 0.0) ->
 
 
 def rigid_matrix(transform: ArrayLike, what: str) -> np.ndarray:
-    """The transform as a (4, 4) matrix of doubles; ValueError unless it is rigid within 1e-9."""
+    """Returns the transform as a (4, 4) matrix of doubles; ValueError unless it is rigid within 1e-9."""
     matrix = np.array(transform, dtype=float)
     if matrix.shape != (4, 4):
         raise ValueError(f"{what}: expected a (4, 4) transform, got shape {matrix.shape}")
@@ -84,7 +84,7 @@ def rigid_matrix(transform: ArrayLike, what: str) -> np.ndarray:
 
 
 def _direction(axis: ArrayLike, what: str) -> np.ndarray:
-    """axis / ‖axis‖, also where the squares of its components overflow or underflow."""
+    """Returns axis / ‖axis‖, also where the squares of its components overflow or underflow."""
     vector = _vector3(axis, what)
     largest = np.abs(vector).max()
     if largest == 0:

@@ -86,7 +86,7 @@ def pass_joint(
     target: Target | None,
     base: Base | None,
 ) -> None:
-    """From the twists V behind a joint to those before it, W, or at the base to the result."""
+    """Computes the twists W before a joint, or at the base the result, from the twists V after it."""
     zero, terms, columns = spread(0.0), constants.terms, constants.terms + 1
     row = constants.rows + 8 * ROW * joint
     angle, sliding, pitch = int(number(row, 0)), int(number(row, 1)), number(row, 2)
@@ -119,7 +119,7 @@ def pass_joint(
 
 @compiled
 def exponentials(blocks: int, room: Room, constants: Constants, exactly: bool) -> None:
-    """The series e^{i(α + constant)} of all joints behind which something moves; adds the squares of the
+    """Computes the series e^{i(α + constant)} of all joints that move something; adds the squares of the
     angles."""
     columns, squares = constants.terms + 1, load(room.squares, 0)
     for joint in range(constants.joints - 1):
@@ -147,8 +147,10 @@ def exponentials(blocks: int, room: Room, constants: Constants, exactly: bool) -
 def twists_of_blocks(
     blocks: int, room: Room, constants: Constants, target: Target, base: Base, exactly: bool
 ) -> None:
-    """From the inputs of some blocks to their results. The blocks' steps take turns, since none waits for
-    another's."""
+    """Computes the results of some blocks from their inputs.
+
+    The steps of the blocks alternate, since they are independent of each other.
+    """
     exponentials(blocks, room, constants, exactly)
     V, W = room.V, room.W
     for joint in range(constants.joints - 1, 0, -1):
@@ -171,7 +173,7 @@ def room_of(plan: int, dof: int, constants: Constants) -> Room:
 
 @compiled
 def pass_of(q: Memory, plan: int, out: Memory, exactly: bool) -> bool:
-    """q (n + 2, states, dof) → out (1, states, n + 1, 6), as the plan at that address says.
+    """Returns q (n + 2, states, dof) → out (1, states, n + 1, 6), as the plan at that address says.
 
     False, with `out` unusable, if an angle is beyond LARGEST_ANGLE and its sine was not computed `exactly`.
     The arrays may lie in memory in any way; states that are neighbours there need no transposition."""
@@ -231,11 +233,11 @@ def bound_chain_pass(arguments: int) -> bool:
 
 @cache
 def chain_kernel() -> Kernel:
-    """`pass_of` for arrays, compiled."""
+    """Returns `pass_of` for arrays, compiled."""
     return compiled_kernel(chain_pass, PARTS, OPTIONS)
 
 
 @cache
 def bound_chain_kernel() -> BoundKernel:
-    """`pass_of` for the arguments of a `BoundCall`, compiled."""
+    """Returns `pass_of` for the arguments of a `BoundCall`, compiled."""
     return compiled_kernel(bound_chain_pass, PARTS, OPTIONS, OF_BOUND)

@@ -26,7 +26,7 @@ NEARLY_PARALLEL = 0.1  # below this sine the foot of the common normal is not us
 
 
 def plan_of_chain(joints: Sequence[Joint], dof: int, order: int, taylor: bool) -> Plan:
-    """The plan for inputs with `order` derivatives; taylor: Taylor coefficients in and out, not
+    """Returns the plan for inputs with `order` derivatives; taylor: Taylor coefficients in and out, not
     derivatives.
 
     In order: how many joints, how many blocks take turns, the base's turn (cos, sin); the factors of the
@@ -55,9 +55,9 @@ def plan_of_chain(joints: Sequence[Joint], dof: int, order: int, taylor: bool) -
 
 
 def _rows(joints: Sequence[Joint]) -> tuple[tuple[float, float], np.ndarray]:
-    """The base's turn, and a row of each moving joint: the coordinates of its rotation and translation (−1:
-    it has none), the translation's factor; twist angle (cos, sin), shift and offset of the step from the
-    leaving frame before; its turn (cos, sin), from its entering to its leaving frame."""
+    """Returns the base's turn, and a row of each moving joint: the coordinates of its rotation and
+    translation (−1: it has none), the translation's factor; twist angle (cos, sin), shift and offset of
+    the step from the leaving frame before; its turn (cos, sin), from its entering to its leaving frame."""
     X, dof, rows, turns = np.eye(4), 0, [], []
     x, z, origin = np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), np.zeros(3)
     for joint in joints:
@@ -81,8 +81,8 @@ def _rows(joints: Sequence[Joint]) -> tuple[tuple[float, float], np.ndarray]:
 def _common_normal(
     z: np.ndarray, origin: np.ndarray, next_z: np.ndarray, next_point: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The shared x axis, the origin of the entering frame on the next axis, and on this axis the origin of
-    the leaving frame: the foot of the perpendicular from there."""
+    """Returns the shared x axis, the origin of the entering frame on the next axis, and on this axis the
+    origin of the leaving frame: the foot of the perpendicular from there."""
     across = np.cross(z, next_z)
     sine = np.linalg.norm(across)
     between = next_point - origin

@@ -1,5 +1,5 @@
-"""The arithmetic of the Taylor recursion of a serial chain from tip to base, on as many states at once as
-`lanes` says.
+"""Arithmetic of the Taylor recursion of a serial chain from tip to base, on as many states at once as
+`simd_lanes` holds.
 
 A twist series is stored as V[6 k + (0, 1, 2, 3, 4, 5)], the k-th coefficients of ωx, ωy, vx, vy, ωz, vz; the
 series of e^{iα} as E[2 k + (0, 1)], those of cos α and sin α.
@@ -47,7 +47,7 @@ def load4(V: int, first: int) -> Across:
 
 @inlined
 def add_turned(total: Pair, rate: Number, e: Pair) -> Pair:
-    """total + i · rate · e, for total and e as (cos, sin)."""
+    """Returns total + i · rate · e, for total and e as (cos, sin)."""
     return total[0] - rate * e[1], total[1] + rate * e[0]
 
 
@@ -62,8 +62,10 @@ def store_exponential(E: int, k: int, reciprocals: int, total: Pair) -> Pair:
 
 @inlined
 def extend_exponential(E: int, rate: int, terms: int, reciprocals: int) -> None:
-    """All coefficients of E = e^{iα} from the 0-th, by E' = i α' E; as many as FOURS allows at a time, since
-    they share their factors."""
+    """Computes all coefficients of E = e^{iα} from the 0-th, by E' = i α' E.
+
+    As many as FOURS allows are computed at a time, since they share their factors.
+    """
     nothing = (spread(0.0), spread(0.0))
     first = 1
     if (terms - 1) & 1:
@@ -128,7 +130,7 @@ def step(W: int, k: int, across: Across, z: Number, vz: Number, link: Link, base
 
 @compiled
 def add_product(total: Across, e: Pair, v: Across) -> Across:
-    """total + e^{iα} v, for e = (cos, sin)."""
+    """Returns total + e^{iα} v, for e = (cos, sin)."""
     c, s = e
     x, y, vx, vy = v
     return (
@@ -148,8 +150,10 @@ def add_along_and_step(
 
 @inlined
 def rotate_and_step(V: int, W: int, E: int, rate: int, terms: int, link: Link, base: Base | None) -> None:
-    """W = step(z α̇ + e^{iα} V), as many coefficients as FOURS allows at a time, since they share their
-    factors."""
+    """Stores W = step(z α̇ + e^{iα} V).
+
+    As many coefficients as FOURS allows are computed at a time, since they share their factors.
+    """
     zero = spread(0.0)
     nothing = (zero, zero, zero, zero)
     if terms & 1:
@@ -187,8 +191,10 @@ def rotate_and_step(V: int, W: int, E: int, rate: int, terms: int, link: Link, b
 
 @compiled
 def slide(V: int, D: int, q: int, pitch: float, reciprocals: int, terms: int) -> None:
-    """v ← v + z ḋ + d z × ω in place, for the slide d = pitch · q; at q its value and then the coefficients
-    of its rate."""
+    """Applies v ← v + z ḋ + d z × ω in place, for the slide d = pitch · q.
+
+    At q are its value and then the coefficients of its rate.
+    """
     store(D, 0, pitch * load(q, 0))
     for k in range(1, terms):
         store(D, k, (pitch * number(reciprocals, k)) * load(q, k))
@@ -207,7 +213,7 @@ def slide(V: int, D: int, q: int, pitch: float, reciprocals: int, terms: int) ->
 def turn_and_step(
     V: int, W: int, cosine: float, sine: float, terms: int, link: Link, base: Base | None
 ) -> None:
-    """W = step(V turned about z by a constant angle)."""
+    """Stores W = step(V rotated about z by a constant angle)."""
     for k in range(terms):
         x, y, vx, vy = load4(V, 6 * k)
         across = (

@@ -1,4 +1,4 @@
-"""Compiled kernels, kept on disk: (q, address of a plan, out, exactly) → whether `out` is right."""
+"""Compiled kernels, cached on disk: (q, address of a plan, out, exactly) → whether `out` is valid."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ def compiled_kernel(
     options: Mapping[str, Any],
     of: str = OF_KERNEL,
 ) -> Callable[..., bool]:
-    """The function with the Numba signature `of`, kept on disk if there is a place for it. Numba would not
-    notice that what it calls, the `parts`, has changed since, so what is older than these files is removed
-    first.
+    """Returns the function with the Numba signature `of`, kept on disk if there is a place for it. Numba
+    would not notice that what it calls, the `parts`, has changed since, so what is older than these files is
+    removed first.
 
     It is called without Numba's look at the arguments' types, which takes 0.1 µs: nothing but what the
     signature says may be given, arrays of native doubles with that many axes. The workspace is the end of the

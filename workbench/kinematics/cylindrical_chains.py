@@ -36,9 +36,9 @@ Rates = Sequence[Sequence[Any]]
 
 
 def current_lines(lines: Sequence[Dual], angles: Sequence[Dual]) -> tuple[Dual, ...]:
-    """Where the joints' lines are at the dual angles α̲ᵢ + ε dᵢ, Eqs. (139)–(140).
+    """Returns the positions of the joints' lines at the dual angles α̲ᵢ + ε dᵢ, Eqs. (139)–(140).
 
-    ``lines[i]``: where line i is, in the base frame, when all angles are zero.
+    ``lines[i]``: line i in the base frame when all angles are zero.
     """
     carried = list(lines)
     for i in reversed(range(len(lines))):
@@ -48,7 +48,7 @@ def current_lines(lines: Sequence[Dual], angles: Sequence[Dual]) -> tuple[Dual, 
 
 
 def twist_derivatives_2c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
-    """ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 2C chain, Eqs. (143)–(146); ``rates[i]`` holds four entries.
+    """Returns ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 2C chain, Eqs. (143)–(146); ``rates[i]`` holds four entries.
 
     Raises `ValueError` for another number of lines or rates.
     """
@@ -72,7 +72,7 @@ def twist_derivatives_2c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...
 
 
 def twist_derivatives_3c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
-    """ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 3C chain, as `latex_3c` prints them; ``rates[i]`` holds four entries.
+    """Returns ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 3C chain, as `latex_3c` prints them; ``rates[i]`` holds four entries.
 
     Raises `ValueError` for another number of lines or rates.
     """
@@ -120,13 +120,13 @@ def twist_derivatives_3c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...
 
 
 def _third_rate_across(inner: Sequence[Any], outer: Sequence[Any]) -> Any:
-    """The coefficient of u̲ᵢ × u̲ⱼ in ω̲⃛; its last term is ω̲ᵢ³ ω̲ⱼ ũ̲ᵢ³ u̲ⱼ, and ũ̲³ = −ũ̲."""
+    """Returns the coefficient of u̲ᵢ × u̲ⱼ in ω̲⃛; its last term is ω̲ᵢ³ ω̲ⱼ ũ̲ᵢ³ u̲ⱼ, and ũ̲³ = −ũ̲."""
     (w, dw, ddw, _), (v, dv, ddv, _) = inner, outer
     return ddw * v + 3 * dw * dv + 3 * w * ddv - w * w * w * v
 
 
 def twist_derivatives(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
-    """ω̲ and its derivatives to order n of any number of cylindrical joints.
+    """Returns ω̲ and its derivatives to order n of any number of cylindrical joints.
 
     ``rates[i]`` holds n + 1 entries. Eq. (133) with the joints nested: the twist of the bodies from
     joint i on has the derivatives ω̲ᵢ⁽ᵏ⁾ u̲ᵢ + Σⱼ C(k, j) Φ̲ⱼ(ω̲ᵢ u̲ᵢ) V̲⁽ᵏ⁻ʲ⁾, V̲ being that of the
@@ -145,7 +145,7 @@ def twist_derivatives(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
 
 
 def _carried(u: Dual, w: Sequence[Any], V: Sequence[Dual]) -> list[Dual]:
-    """Σⱼ C(k, j) Φ̲ⱼ(ω̲ u̲) V̲⁽ᵏ⁻ʲ⁾ for every k; about a fixed line Φ̲ⱼ = aⱼ ũ̲ + bⱼ ũ̲², j ≥ 1."""
+    """Returns Σⱼ C(k, j) Φ̲ⱼ(ω̲ u̲) V̲⁽ᵏ⁻ʲ⁾ for every k; about a fixed line Φ̲ⱼ = aⱼ ũ̲ + bⱼ ũ̲², j ≥ 1."""
     a, b = _fixed_axis_coefficients(w)
     first = [cross(u, v) for v in V]
     second = [cross(u, v) for v in first]
@@ -161,7 +161,7 @@ def _carried(u: Dual, w: Sequence[Any], V: Sequence[Dual]) -> list[Dual]:
 
 
 def _fixed_axis_coefficients(w: Sequence[Any]) -> tuple[list[Any], list[Any]]:
-    """a₁ … aₙ and b₁ … bₙ with Φ̲ⱼ(ω̲ u̲) = aⱼ ũ̲ + bⱼ ũ̲², by Φⱼ₊₁ = Σᵢ C(j, i) ω̲⁽ⁱ⁾ ũ̲ Φⱼ₋ᵢ."""
+    """Returns a₁ … aₙ and b₁ … bₙ with Φ̲ⱼ(ω̲ u̲) = aⱼ ũ̲ + bⱼ ũ̲², by Φⱼ₊₁ = Σᵢ C(j, i) ω̲⁽ⁱ⁾ ũ̲ Φⱼ₋ᵢ."""
     a, b = [w[0]], [0 * w[0]]
     for j in range(1, len(w) - 1):
         before = [(comb(j, i) * w[i], j - i - 1) for i in range(j)]

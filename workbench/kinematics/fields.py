@@ -35,7 +35,7 @@ from workbench.kinematics.tensors import as_tensors, as_vectors, divide, identit
 
 
 def paired_derivatives(x, y, names: tuple[str, str]) -> tuple[np.ndarray, np.ndarray]:
-    """Two vectors with as many derivatives of one as of the other, each (N, ..., 3), or ValueError."""
+    """Returns two vectors, each (N, ..., 3). Raises ValueError unless both have equally many derivatives."""
     x, y = _derivatives(x, names[0]), _derivatives(y, names[1])
     if len(x) != len(y):
         raise ValueError(
@@ -53,7 +53,7 @@ def _derivatives(x, name: str) -> np.ndarray:
 
 
 def acceleration_tensors(omega) -> np.ndarray:
-    """Φ₀ ... Φ_N of omega (N, ..., 3), as (N+1, ..., 3, 3): Φₙ = R⁽ⁿ⁾ Rᵀ, Eq. (15).
+    """Returns Φ₀ ... Φ_N of omega (N, ..., 3), as (N+1, ..., 3, 3): Φₙ = R⁽ⁿ⁾ Rᵀ, Eq. (15).
 
     By Leibniz on Ṙ = ω̃ R, and so free of derivatives of Φ (equivalent to Eq. (20)):
         Φₙ₊₁ = Σₖ C(n,k) ω̃⁽ⁿ⁻ᵏ⁾ Φₖ,  k = 0..n,  Φ₀ = I.
@@ -68,7 +68,7 @@ def acceleration_tensors(omega) -> np.ndarray:
 
 
 def invariant_vectors(omega, v) -> np.ndarray:
-    """a₀ ... a_N of omega, v (N, ..., 3), as (N+1, ..., 3): the aₙ of Eqs. (16), (20).
+    """Returns a₀ ... a_N of omega, v (N, ..., 3), as (N+1, ..., 3): the aₙ of Eqs. (16), (20).
 
     By Leibniz on ρ̇ = v + ω × ρ for the body point at the origin:
         aₙ₊₁ = v⁽ⁿ⁾ + Σₖ C(n,k) ω⁽ⁿ⁻ᵏ⁾ × aₖ,  k = 1..n,  a₀ = 0.
@@ -83,7 +83,7 @@ def invariant_vectors(omega, v) -> np.ndarray:
 
 
 def homogeneous_tensors(Phi, a) -> np.ndarray:
-    """Ψₙ = [Φₙ aₙ; 0 0], (..., 4, 4), of Phi (..., 3, 3) and a (..., 3); Eq. (29)."""
+    """Returns Ψₙ = [Φₙ aₙ; 0 0], (..., 4, 4), of Phi (..., 3, 3) and a (..., 3); Eq. (29)."""
     Phi, a = as_tensors(Phi, "Phi"), as_vectors(a, "a")
     Phi, a = np.broadcast_arrays(Phi, a[..., None])
     upper = np.concatenate([Phi, a[..., :1]], axis=-1)
@@ -91,7 +91,7 @@ def homogeneous_tensors(Phi, a) -> np.ndarray:
 
 
 def twist_from_field(Phi, a) -> tuple[np.ndarray, np.ndarray]:
-    """(omega, v), each (N, ..., 3), of Phi (N+1, ..., 3, 3) and a (N+1, ..., 3): the way back.
+    """Returns (omega, v), each (N, ..., 3), of Phi (N+1, ..., 3, 3) and a (N+1, ..., 3): the way back.
 
     The inverse of `acceleration_tensors` and `invariant_vectors`, order by order (cf. Eq. (22)):
         ω⁽ⁿ⁾ = vect(Φₙ₊₁ - Σₖ C(n,k) ω̃⁽ⁿ⁻ᵏ⁾ Φₖ),   v⁽ⁿ⁾ = aₙ₊₁ - Σₖ C(n,k) ω⁽ⁿ⁻ᵏ⁾ × aₖ,  k = 1..n.
@@ -115,7 +115,7 @@ def twist_from_field(Phi, a) -> tuple[np.ndarray, np.ndarray]:
 
 
 def acceleration(Phi, a, rho) -> np.ndarray:
-    """aₙ + Φₙ ρ, (..., 3), in m/sⁿ: the n-th order acceleration of the body point at rho; Eq. (19).
+    """Returns aₙ + Φₙ ρ, (..., 3), in m/sⁿ: the n-th order acceleration of the body point at rho; Eq. (19).
 
     Phi (..., 3, 3), a (..., 3) and rho (..., 3) in m broadcast: whole stacks of orders with one
     point, or one order (Phi[n], a[n]) with many points.
@@ -124,27 +124,27 @@ def acceleration(Phi, a, rho) -> np.ndarray:
 
 
 def t(Phi) -> np.ndarray:
-    """tₙ = vect Φₙ, (..., 3); recurrence Eq. (54)."""
+    """Returns tₙ = vect Φₙ, (..., 3); recurrence Eq. (54)."""
     return vect(as_tensors(Phi, "Phi"))
 
 
 def S(Phi) -> np.ndarray:
-    """Sₙ = sym Φₙ, (..., 3, 3); recurrence Eq. (55)."""
+    """Returns Sₙ = sym Φₙ, (..., 3, 3); recurrence Eq. (55)."""
     return sym(as_tensors(Phi, "Phi"))
 
 
 def divergence(Phi) -> np.ndarray:
-    """div of the n-th order acceleration field, (...): tr Φₙ; Eq. (52)."""
+    """Returns div of the n-th order acceleration field, (...): tr Φₙ; Eq. (52)."""
     return trace(as_tensors(Phi, "Phi"))
 
 
 def curl(Phi) -> np.ndarray:
-    """curl of the n-th order acceleration field, (..., 3): 2 vect Φₙ; Eq. (52)."""
+    """Returns curl of the n-th order acceleration field, (..., 3): 2 vect Φₙ; Eq. (52)."""
     return 2 * t(Phi)
 
 
 def invariant_I(Phi, a_rho, rho) -> np.ndarray:
-    """Iₙ = a_ρ⁽ⁿ⁾ - Φₙ ρ, (..., 3), the same at every point (and equal to aₙ); Eq. (46).
+    """Returns Iₙ = a_ρ⁽ⁿ⁾ - Φₙ ρ, (..., 3), the same at every point (and equal to aₙ); Eq. (46).
 
     a_rho (..., 3): the n-th order acceleration of the body point at rho (..., 3).
     """
@@ -152,13 +152,13 @@ def invariant_I(Phi, a_rho, rho) -> np.ndarray:
 
 
 def invariant_J(Phi, a_rho, rho) -> np.ndarray:
-    """Jₙ = Φₙ* a_ρ⁽ⁿ⁾ - (det Φₙ) ρ, (..., 3), the same at every point (Φₙ* aₙ); Eq. (48)."""
+    """Returns Jₙ = Φₙ* a_ρ⁽ⁿ⁾ - (det Φₙ) ρ, (..., 3), the same at every point (Φₙ* aₙ); Eq. (48)."""
     Phi, rho = as_tensors(Phi, "Phi"), as_vectors(rho, "rho")
     return apply(adjugate(Phi), as_vectors(a_rho, "a_rho")) - np.asarray(determinant(Phi))[..., None] * rho
 
 
 def invariant_K(Phi_m, a_rho_m, Phi_n, a_rho_n) -> np.ndarray:
-    """K_{m,n} = a_ρ⁽ᵐ⁾ - Φₘ Φₙ⁻¹ a_ρ⁽ⁿ⁾, (..., 3), the same at every point; Eq. (51).
+    """Returns K_{m,n} = a_ρ⁽ᵐ⁾ - Φₘ Φₙ⁻¹ a_ρ⁽ⁿ⁾, (..., 3), the same at every point; Eq. (51).
 
     Equal to aₘ - Φₘ Φₙ⁻¹ aₙ, the m-th order acceleration of the n-th order centre.
     Raises ValueError where Φₙ is singular, as `solve` does.
@@ -169,7 +169,7 @@ def invariant_K(Phi_m, a_rho_m, Phi_n, a_rho_n) -> np.ndarray:
 
 
 def solve(T, x) -> np.ndarray:
-    """T⁻¹ x = T* x / det T, (..., 3), of a regular tensor T (..., 3, 3) and x (..., 3).
+    """Returns T⁻¹ x = T* x / det T, (..., 3), of a regular tensor T (..., 3, 3) and x (..., 3).
 
     Floats go through LU. Raises ValueError where an exact or float T is singular; symbolic scalars are
     taken to be regular, as nobody can know.

@@ -19,7 +19,7 @@ from .fields import paired_derivatives
 
 
 def chapter_twist(w_WB, v_WBo, p_WBo) -> tuple[np.ndarray, np.ndarray]:
-    """The chapter's (omega, v), each (N, ..., 3), of a body B moving in W, all expressed in W.
+    """Returns the chapter's (omega, v), each (N, ..., 3), of a body B moving in W, all expressed in W.
 
     w_WB (N, ..., 3): angular velocity and its derivatives, rad/s¹⁺ᵏ; v_WBo (N, ..., 3): velocity of Bo
     and its derivatives, m/s¹⁺ᵏ; p_WBo (..., 3): position of Bo in m. Eq. (106) with ρ = p_WBo:
@@ -33,7 +33,7 @@ def chapter_twist(w_WB, v_WBo, p_WBo) -> tuple[np.ndarray, np.ndarray]:
 
 
 def drake_twist(omega, v, p_WBo) -> tuple[np.ndarray, np.ndarray]:
-    """(w_WB, v_WBo), each (N, ..., 3), of the chapter's (omega, v): the inverse of `chapter_twist`.
+    """Returns (w_WB, v_WBo), each (N, ..., 3), of the chapter's (omega, v): the inverse of `chapter_twist`.
 
     p⁽ⁿ⁺¹⁾ = v⁽ⁿ⁾ + Σₖ C(n,k) ω⁽ⁿ⁻ᵏ⁾ × p⁽ᵏ⁾,  k = 0..n,  p = p_WBo (..., 3) in m. As p is any body point,
     this is also how to get the velocity and its derivatives of one. Raises ValueError for a wrong shape.
@@ -46,7 +46,7 @@ def drake_twist(omega, v, p_WBo) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _transport(omega: np.ndarray, p: list[np.ndarray], n: int) -> np.ndarray:
-    """(ω × p)⁽ⁿ⁾ by Leibniz."""
+    """Returns (ω × p)⁽ⁿ⁾ by Leibniz."""
     return sum(
         (comb(n, k) * cross(omega[n - k], p[k]) for k in range(1, n + 1)),
         start=cross(omega[n], p[0]),
@@ -54,7 +54,8 @@ def _transport(omega: np.ndarray, p: list[np.ndarray], n: int) -> np.ndarray:
 
 
 def about_origin(Phi, a, p_WO) -> tuple[np.ndarray, np.ndarray]:
-    """(Phi, a) about another fixed origin O at the constant p_WO (..., 3): Φ stays, a becomes a + Φ p_WO.
+    """Returns (Phi, a) about another fixed origin O at the constant p_WO (..., 3): Φ stays, a becomes a + Φ
+    p_WO.
 
     Phi (..., 3, 3), a (..., 3) of orders n >= 1 (a₀ = 0 has no other origin).
     Follows from Eq. (19) with ρ = p_WO + ρ'.
@@ -64,6 +65,7 @@ def about_origin(Phi, a, p_WO) -> tuple[np.ndarray, np.ndarray]:
 
 
 def expressed_in(Phi, a, R_FW) -> tuple[np.ndarray, np.ndarray]:
-    """(R Phi Rᵀ, R a): the field of Phi (..., 3, 3), a (..., 3) expressed in F, R_FW (..., 3, 3) constant."""
+    """Returns (R Phi Rᵀ, R a): the field of Phi (..., 3, 3), a (..., 3) expressed in F, R_FW (..., 3, 3)
+    constant."""
     Phi, a, R = as_tensors(Phi, "Phi"), as_vectors(a, "a"), as_tensors(R_FW, "R_FW")
     return R @ Phi @ transpose(R), apply(R, a)

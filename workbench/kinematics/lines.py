@@ -17,21 +17,21 @@ PARALLEL = 4 * np.finfo(float).eps  # ‖u₁ × u₂‖ of float lines whose di
 
 @takes_reals
 def line_through(point: np.ndarray, direction: np.ndarray) -> Dual:
-    """The line through a point along a direction of any length but zero (`ZeroDivisor`)."""
+    """Returns the line through a point along a direction of any length but zero (`ZeroDivisor`)."""
     point, direction = as_vector(point), as_vector(direction)
     return unit(Dual(direction, cross(point, direction)))
 
 
 @takes_reals
 def line_joining(p: np.ndarray, q: np.ndarray) -> Dual:
-    """The line from p to q; raises `ZeroDivisor` if they are one point."""
+    """Returns the line from p to q; raises `ZeroDivisor` if they are one point."""
     p, q = as_vector(p), as_vector(q)
     return line_through(p, q - p)
 
 
 @takes_numbers
 def is_line(a: Dual, tolerance: float = 0.0) -> bool:
-    """Whether a·a = 1 in both parts: unit direction, and the Plücker condition u · u₀ = 0.
+    """True if a·a = 1 in both parts: unit direction, and the Plücker condition u · u₀ = 0.
 
     With ``tolerance`` 0 exactly; else within it, the dual part relative to max(1, ‖u₀‖).
     """
@@ -45,25 +45,25 @@ def is_line(a: Dual, tolerance: float = 0.0) -> bool:
 
 @takes_numbers
 def nearest_point_to_origin(line: Dual) -> np.ndarray:
-    """The foot u × u₀ of the perpendicular from the origin."""
+    """Returns the foot u × u₀ of the perpendicular from the origin."""
     return cross(line.re, line.du)
 
 
 @takes_numbers
 def nearest_point(line: Dual, point: np.ndarray) -> np.ndarray:
-    """The foot of the perpendicular from a point."""
+    """Returns the foot of the perpendicular from a point."""
     return nearest_point_to_origin(line) + scale(dot(line.re, point), line.re)
 
 
 @takes_reals
 def distance_to_point(line: Dual, point: np.ndarray) -> Any:
-    """‖u₀ − p × u‖, the distance of a point p from a line."""
+    """Returns ‖u₀ − p × u‖, the distance of a point p from a line."""
     return norm(line.du - cross(point, line.re))
 
 
 @takes_reals
 def dual_angle(first: Dual, second: Dual) -> Dual:
-    """The dual angle θ̲ = θ + ε h with u̲₁ · u̲₂ = cos θ̲, for float lines: shape (...).
+    """Returns the dual angle θ̲ = θ + ε h with u̲₁ · u̲₂ = cos θ̲, for float lines: shape (...).
 
     θ in [0, π] is the angle of the directions, |h| the distance; where the lines are not parallel, h
     has the sign of (p₂ − p₁) · (u₁ × u₂), where they are, h ≥ 0. Directions are taken as parallel
@@ -80,19 +80,19 @@ def dual_angle(first: Dual, second: Dual) -> Dual:
 
 @takes_reals
 def angle(first: Dual, second: Dual) -> Any:
-    """The angle of two oriented float lines, in [0, π]."""
+    """Returns the angle of two oriented float lines, in [0, π]."""
     return dual_angle(first, second).re
 
 
 @takes_reals
 def distance(first: Dual, second: Dual) -> Any:
-    """The distance of two float lines, ≥ 0; skew, crossing or parallel."""
+    """Returns the distance of two float lines, ≥ 0; skew, crossing or parallel."""
     return np.abs(dual_angle(first, second).du)
 
 
 @takes_reals
 def common_normal(first: Dual, second: Dual) -> Dual:
-    """The line u̲₁ × u̲₂ / |u̲₁ × u̲₂| that meets both lines at right angles.
+    """Returns the line u̲₁ × u̲₂ / |u̲₁ × u̲₂| that meets both lines at right angles.
 
     Raises `ZeroDivisor` if the lines are exactly parallel: then it is not unique.
     """

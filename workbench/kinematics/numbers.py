@@ -1,8 +1,8 @@
-"""What every function of lines, screws and reduced accelerations does with the numbers it is given.
+"""Conversion of the arguments of functions of lines, screws and reduced accelerations.
 
-Lists become arrays. Exact and symbolic scalars stay what they are. A float that is not finite is refused,
-as `workbench.kinematics.tensors.as_vectors` refuses it. Integers and fractions are exact scalars; where the
-result needs a root or an angle, which the rational numbers do not have, they become floats.
+Lists become arrays. Exact and symbolic scalars are kept. A float that is not finite is rejected, as by
+`workbench.kinematics.tensors.as_vectors`. Integers and fractions are exact scalars; if the result needs a
+root or an angle, which the rational numbers do not have, they become floats.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ T = TypeVar("T")
 
 
 def takes_numbers(function: Callable[P, T]) -> Callable[P, T]:
-    """The function on arrays of finite numbers, made of its positional arguments. Raises ValueError."""
+    """Returns the function on arrays of finite numbers, made of its positional arguments. Raises
+    ValueError."""
 
     @wraps(function)
     def on_arrays(*arguments: Any, **options: Any) -> Any:

@@ -44,14 +44,14 @@ class TensorPolynomial:
 
     @classmethod
     def letter(cls, derivative: int = 0) -> TensorPolynomial:
-        """The `derivative`-th time derivative of ω̃."""
+        """Returns the `derivative`-th time derivative of ω̃."""
         if derivative < 0:
             raise ValueError(f"derivative: expected an order >= 0, got {derivative}")
         return cls({(derivative,): 1})
 
     @classmethod
     def integer(cls, value: int) -> TensorPolynomial:
-        """value · I."""
+        """Returns value · I."""
         return cls({(): value})
 
     @property
@@ -59,7 +59,7 @@ class TensorPolynomial:
         return dict(self._terms)
 
     def derivative(self, order: int = 1) -> TensorPolynomial:
-        """The `order`-th time derivative, by the product rule letter by letter."""
+        """Returns the `order`-th time derivative, by the product rule letter by letter."""
         result = self
         for _ in range(order):
             result = TensorPolynomial(
@@ -105,7 +105,7 @@ class TensorPolynomial:
         return f"TensorPolynomial({self._terms})"
 
     def to_latex(self, symbol: str = OMEGA_TILDE) -> str:
-        """Short words first, among equals the higher derivatives first, as Eq. (40) is printed."""
+        """Returns LaTeX: short words first, among equals the higher derivatives first, as in Eq. (40)."""
         order = sorted(self._terms, key=lambda word: (len(word), tuple(-k for k in word)))
         return _signed_sum([_term_latex(self._terms[w], _word_latex(w, symbol)) for w in order])
 
@@ -166,12 +166,13 @@ class OperatorPolynomial:
         return self.coefficients[power] if power <= self.degree else TensorPolynomial()
 
     def of(self, X: TensorPolynomial) -> TensorPolynomial:
-        """The operator applied to a tensor: Σ A_k X⁽ᵏ⁾. (The product self * X would be an operator.)"""
+        """Returns the operator applied to a tensor: Σ A_k X⁽ᵏ⁾. (The product self * X would be an
+        operator.)"""
         terms = (A * X.derivative(k) for k, A in enumerate(self.coefficients))
         return sum(terms, start=TensorPolynomial())
 
     def apply(self, omega, x) -> np.ndarray:
-        """The operator applied to the vector or tensor x of one motion (or of a batch of them).
+        """Returns the operator applied to the vector or tensor x of one motion (or of a batch of them).
 
         omega (N, ..., 3): ω and its derivatives; x (M, ..., 3) or a tensor x (M, ..., 3, 3) (taken
         for one if it has one axis more than omega): x and its derivatives. N and M must reach the
@@ -200,7 +201,8 @@ class OperatorPolynomial:
         return result
 
     def to_latex(self, symbol: str = OMEGA_TILDE, operator: str = r"\mathbf{D}") -> str:
-        r"""Highest power of D first, e.g. P₃: \mathbf{D}^2 + ω̃ \mathbf{D} + 2 ω̃' + ω̃² as Eq. (40)."""
+        r"""Returns LaTeX, highest power of D first, e.g. P₃: \mathbf{D}^2 + ω̃ \mathbf{D} + 2 ω̃' + ω̃² as in
+        Eq. (40)."""
         pieces = []
         for power in range(self.degree, -1, -1):
             A = self.coefficients[power]
@@ -234,13 +236,13 @@ I = OperatorPolynomial((TensorPolynomial.integer(1),))  # noqa: E741
 
 
 def multiplication(A: TensorPolynomial) -> OperatorPolynomial:
-    """The operator x ↦ A x."""
+    """Returns the operator x ↦ A x."""
     return OperatorPolynomial((A,))
 
 
 @lru_cache(maxsize=64)
 def P(n: int) -> OperatorPolynomial:
-    """Pₙ with aₙ = Pₙ v and Φₙ = Pₙ ω̃, n >= 1: P₁ = I, Pₙ₊₁ = D Pₙ + (Pₙ ω̃); Eq. (39).
+    """Returns Pₙ with aₙ = Pₙ v and Φₙ = Pₙ ω̃, n >= 1: P₁ = I, Pₙ₊₁ = D Pₙ + (Pₙ ω̃); Eq. (39).
 
     The bracket is the tensor Φₙ as a factor, not the product of operators Pₙ * ω̃. Pₙ has degree
     n - 1 and about 2ⁿ terms. Raises ValueError unless n is an integer >= 1 (Eq. (37), which starts at

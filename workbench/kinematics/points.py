@@ -1,8 +1,8 @@
-"""A rigid body's field from what was measured at some of its points.
+"""A rigid body's acceleration field from measurements at some of its points.
 
-The points lie on the axis before the last: points (..., P, 3) in m, their n-th order accelerations
-(..., P, 3) in m/sⁿ. Given more than is needed, or measurements with noise, the answer is the least-squares
-one; `fields.acceleration` at the points then shows the misfit.
+The points lie on the axis before the last: points (..., P, 3) in m, their n-th order accelerations (..., P,
+3) in m/sⁿ. The answer is the least-squares solution for redundant or noisy measurements;
+`fields.acceleration` at the points then shows the misfit.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ or below the rounding of their coordinates. Exact points are so only when they a
 
 
 def field_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
-    """(Φₙ, aₙ), (..., 3, 3) and (..., 3), from the n-th order accelerations of at least 4 points.
+    """Returns (Φₙ, aₙ), (..., 3, 3) and (..., 3), from the n-th order accelerations of at least 4 points.
 
     points, accelerations (..., P, 3). Any affine field fits 4 points; whether it is that of a rigid body
     is not asked. Solves Eq. (17) about the centroid. Raises ValueError for a wrong shape, fewer than 4
@@ -42,7 +42,7 @@ def field_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
 
 
 def twist_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
-    """(omega, v), each (N, ..., 3), from the accelerations of orders 1..N of at least 3 points.
+    """Returns (omega, v), each (N, ..., 3), from the accelerations of orders 1..N of at least 3 points.
 
     points (..., P, 3); accelerations (N, ..., P, 3), accelerations[n-1] in m/sⁿ. Because the body is
     rigid, only ω⁽ⁿ⁻¹⁾ of Φₙ is not known from the orders below, and 3 points that are not collinear give
@@ -76,7 +76,7 @@ def twist_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _turn(arms: np.ndarray, displacements: np.ndarray) -> np.ndarray:
-    """The ω with ω × arms = displacements, in least squares."""
+    """Returns the ω with ω × arms = displacements, in least squares."""
     if scalar_kind(arms, displacements) == "float":
         arms, displacements = arms.astype(float), displacements.astype(float)
         rows = -skew(arms)
@@ -107,7 +107,7 @@ def _centred(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _require_spread(points: np.ndarray, dimension: int) -> None:
-    """ValueError unless the points span `dimension` (2: not collinear, 3: not coplanar)."""
+    """Raises ValueError unless the points span `dimension` (2: not collinear, 3: not coplanar)."""
     _, arms = _centred(points)
     kind = scalar_kind(points)
     if kind == "symbolic":

@@ -20,20 +20,20 @@ from workbench.kinematics.numbers import takes_numbers, takes_reals
 
 @takes_numbers
 def dual_angular_velocity(R: Dual, R_dot: Dual) -> Dual:
-    """ω̲ = vect(Ṙ̲ R̲ᵀ), Eq. (89), of an orthogonal dual tensor and its time derivative."""
+    """Returns ω̲ = vect(Ṙ̲ R̲ᵀ), Eq. (89), of an orthogonal dual tensor and its time derivative."""
     return vect(R_dot @ transpose(R))
 
 
 @takes_numbers
 def twist(rho: np.ndarray, velocity: np.ndarray, omega: np.ndarray) -> Dual:
-    """ω̲ = ω + ε (ρ̇ − ω × ρ), Eqs. (90) and (92), from one body point's place and velocity."""
+    """Returns ω̲ = ω + ε (ρ̇ − ω × ρ), Eqs. (90) and (92), from one body point's place and velocity."""
     return Dual(omega, velocity - cross(omega, rho))
 
 
 def reduced_acceleration(
     point_derivatives: Sequence[np.ndarray], omega_derivatives: Sequence[np.ndarray]
 ) -> np.ndarray:
-    """A^[n] of a body point from its motion and the body's, Eq. (100) at every order n.
+    """Returns a^[n] of a body point from its motion and the body's, Eq. (100) at every order n.
 
     A^[n] = ρ⁽ⁿ⁺¹⁾ − Σ_{k=0}^{n−1} C(n, k) ω⁽ᵏ⁾ × ρ⁽ⁿ⁻ᵏ⁾
 
@@ -57,7 +57,7 @@ def reduced_acceleration(
 def dual_reduced_acceleration(
     point_derivatives: Sequence[np.ndarray], omega_derivatives: Sequence[np.ndarray]
 ) -> Dual:
-    """ω⁽ⁿ⁾ + ε A^[n], Eqs. (93) and (99), from [ρ̇, …, ρ⁽ⁿ⁺¹⁾] and [ω, …, ω⁽ⁿ⁾] or longer."""
+    """Returns ω⁽ⁿ⁾ + ε A^[n], Eqs. (93) and (99), from [ρ̇, …, ρ⁽ⁿ⁺¹⁾] and [ω, …, ω⁽ⁿ⁾] or longer."""
     n = len(point_derivatives) - 1
     if len(omega_derivatives) <= n:
         raise ValueError(f"expected ω and its derivatives up to order {n}")
@@ -66,31 +66,31 @@ def dual_reduced_acceleration(
 
 @takes_numbers
 def invariant(at_point: Dual, rho: np.ndarray) -> Dual:
-    """ω̲⁽ⁿ⁾ = e^{ε ρ̃} A̲_ρ, the same for every body point, Eqs. (95), (98), (103)."""
+    """Returns ω̲⁽ⁿ⁾ = e^{ε ρ̃} A̲_ρ, the same for every body point, Eqs. (95), (98), (103)."""
     return shift(at_point, rho)
 
 
 @takes_numbers
 def field(omega_n: Dual, rho: np.ndarray) -> Dual:
-    """A̲_ρ = e^{−ε ρ̃} ω̲⁽ⁿ⁾ = ω⁽ⁿ⁾ + ε (v⁽ⁿ⁾ + ω⁽ⁿ⁾ × ρ), the inverse of Eq. (103)."""
+    """Returns a̲_ρ = e^{−ε ρ̃} ω̲⁽ⁿ⁾ = ω⁽ⁿ⁾ + ε (v⁽ⁿ⁾ + ω⁽ⁿ⁾ × ρ), the inverse of Eq. (103)."""
     return shift(omega_n, -rho)
 
 
 @takes_numbers
 def transport(at_Q: Dual, PQ: np.ndarray) -> Dual:
-    """A̲_P = e^{ε P̃Q} A̲_Q with PQ = ρ_Q − ρ_P, Eqs. (97) and (101)."""
+    """Returns a̲_P = e^{ε P̃Q} A̲_Q with PQ = ρ_Q − ρ_P, Eqs. (97) and (101)."""
     return shift(at_Q, PQ)
 
 
 @takes_numbers
 def shift(a: Dual, r: np.ndarray) -> Dual:
-    """e^{ε r̃} a = (I + ε r̃) a = a + ε r × Re a, Eq. (94)."""
+    """Returns e^{ε r̃} a = (I + ε r̃) a = a + ε r × Re a, Eq. (94)."""
     return Dual(a.re, a.du + cross(r, a.re))
 
 
 @takes_reals
 def minimum_of_reduced_acceleration(omega_n: Dual) -> Any:
-    """min over all ρ of ‖A_ρ^[n]‖ = |Du |ω̲⁽ⁿ⁾||, Eq. (102), by the norm (74).
+    """Returns min over all ρ of ‖A_ρ^[n]‖ = |Du |ω̲⁽ⁿ⁾||, Eq. (102), by the norm (74).
 
     It is |ω⁽ⁿ⁾·v⁽ⁿ⁾| / ‖ω⁽ⁿ⁾‖, and ‖v⁽ⁿ⁾‖ where ω⁽ⁿ⁾ = 0, when the field is uniform.
     """
@@ -99,7 +99,7 @@ def minimum_of_reduced_acceleration(omega_n: Dual) -> Any:
 
 @takes_reals
 def locus_of_minimum(omega_n: Dual) -> Dual:
-    """The line, a unit dual vector, of the points where ‖A_ρ^[n]‖ is least.
+    """Returns the line, a unit dual vector, of the points where ‖A_ρ^[n]‖ is least.
 
     It is the axis of the screw ω̲⁽ⁿ⁾, ω̲⁽ⁿ⁾ / |ω̲⁽ⁿ⁾|. Raises `ZeroDivisor` if ω⁽ⁿ⁾ = 0: the field is
     then uniform and every point of space is one of least reduced acceleration.

@@ -12,12 +12,12 @@ from workbench.kinematics.tensors import as_vectors
 
 
 def sine_and_versine(angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """sin α and 1 − cos α, the latter without cancellation near α = 0."""
+    """Returns sin α and 1 − cos α, the latter without cancellation near α = 0."""
     return np.sin(angle), 2 * np.sin(angle / 2) ** 2
 
 
 def rotation(angle: ArrayLike, axis: ArrayLike) -> np.ndarray:
-    """R = I + sin α ũ + (1 − cos α) ũ², (..., 3, 3), the first line of Eq. (83).
+    """Returns R = I + sin α ũ + (1 − cos α) ũ², (..., 3, 3), the first line of Eq. (83).
 
     angle (...) in rad, axis (..., 3), a unit vector; their leading axes broadcast. Raises
     ValueError for an axis of another shape and for one that is not finite.
@@ -28,14 +28,14 @@ def rotation(angle: ArrayLike, axis: ArrayLike) -> np.ndarray:
 
 
 def length_and_direction(a: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """‖a‖ and a / ‖a‖, the direction of the zero vector being e₃: (..., 3) → (...), (..., 3)."""
+    """Returns ‖a‖ and a / ‖a‖, the direction of the zero vector being e₃: (..., 3) → (...), (..., 3)."""
     length = np.hypot(np.hypot(a[..., 0], a[..., 1]), a[..., 2])
     is_zero = (length == 0)[..., None]
     return length, np.where(is_zero, [0.0, 0.0, 1.0], a / np.where(is_zero, 1, length[..., None]))
 
 
 def angle_and_axis(R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The angle in [0, π] and the axis of a rotation tensor; the axis is e₃ for R = I.
+    """Returns the angle in [0, π] and the axis of a rotation tensor; the axis is e₃ for R = I.
 
     At α = π, where u and −u give the same rotation, u is the one whose first component that is not
     zero is positive. The tensor is not checked; see `workbench.kinematics.screws.log`.
@@ -46,7 +46,7 @@ def angle_and_axis(R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _quaternion(R: np.ndarray) -> np.ndarray:
-    """The unit quaternion (w, x, y, z) of R with w ≥ 0, up to sign if w = 0: Shepperd's method.
+    """Returns the unit quaternion (w, x, y, z) of R with w ≥ 0, up to sign if w = 0: Shepperd's method.
 
     Each row of the symmetric 4 q ⊗ q can be read off R; the row of the largest entry of q is the
     one where nothing cancels.

@@ -43,13 +43,13 @@ TOLERANCE = 1e-9  # how far from orthogonal a float tensor may be and still be r
 
 @takes_numbers
 def displacement(R: np.ndarray, rho: np.ndarray) -> Dual:
-    """R̲ = (I + ε ρ̃) R, Eqs. (79) and (84), from (..., 3, 3) and (..., 3)."""
+    """Returns R̲ = (I + ε ρ̃) R, Eqs. (79) and (84), from (..., 3, 3) and (..., 3)."""
     return Dual(R, skew(rho) @ R)
 
 
 @takes_numbers
 def structural_invariants(R: Dual) -> tuple[np.ndarray, np.ndarray]:
-    """(R, ρ) = (Re R̲, vect(Du R̲ · Rᵀ)), Eq. (85): (..., 3, 3) and (..., 3).
+    """Returns (R, ρ) = (Re R̲, vect(Du R̲ · Rᵀ)), Eq. (85): (..., 3, 3) and (..., 3).
 
     Raises `ValueError` for a float tensor that is not in the group of Eq. (78).
     """
@@ -58,13 +58,13 @@ def structural_invariants(R: Dual) -> tuple[np.ndarray, np.ndarray]:
 
 
 def from_sine_and_cosine(sine: Any, cosine: Any, u: Dual) -> Dual:
-    """R̲ = I + sin α̲ ũ̲ + (1 − cos α̲) ũ̲², Eq. (80), over any ring with sine² + cosine² = 1."""
+    """Returns R̲ = I + sin α̲ ũ̲ + (1 − cos α̲) ũ̲², Eq. (80), over any ring with sine² + cosine² = 1."""
     return _rodrigues(sine, 1 - cosine, u)
 
 
 @takes_reals
 def from_natural_invariants(alpha: Dual, u: Dual) -> Dual:
-    """R̲ of the dual angle α̲ (...) and the unit dual vector u̲ (..., 3), Eqs. (80) and (83)."""
+    """Returns R̲ of the dual angle α̲ (...) and the unit dual vector u̲ (..., 3), Eqs. (80) and (83)."""
     half_sine = dual_functions.sin(alpha / 2)
     return _rodrigues(dual_functions.sin(alpha), 2 * half_sine * half_sine, u)
 
@@ -75,13 +75,13 @@ def _rodrigues(sine: Any, versine: Any, u: Dual) -> Dual:
 
 
 def identity_like(a: Dual) -> np.ndarray:
-    """The unit tensor in floats or in Python integers, as the entries of a are."""
+    """Returns the unit tensor in floats or in Python integers, as the entries of a are."""
     return identity() if _is_symbolic(a) else np.eye(3)
 
 
 @takes_reals
 def natural_invariants(R: Dual) -> tuple[Dual, Dual]:
-    """(α̲, u̲) of a displacement with 0 ≤ α ≤ π, Theorem 6: shapes (...) and (..., 3).
+    """Returns (α̲, u̲) of a displacement with 0 ≤ α ≤ π, Theorem 6: shapes (...) and (..., 3).
 
     Not unique where the theorem leaves a choice: at α = π both ±u̲ (with ±d) serve, and u has its
     first component that is not zero positive; a pure translation (α = 0, d = ‖ρ‖) moves along every
@@ -117,7 +117,7 @@ def _natural_invariants_of_objects(R: Dual) -> tuple[Dual, Dual]:
 
 @takes_reals
 def exp(psi: Dual) -> Dual:
-    """exp ψ̲̃, Eqs. (80) and (81), of the screw ψ̲ = ψ + ε ψ₀: (..., 3) → (..., 3, 3)."""
+    """Returns exp ψ̲̃, Eqs. (80) and (81), of the screw ψ̲ = ψ + ε ψ₀: (..., 3) → (..., 3, 3)."""
     if _is_symbolic(psi):
         if is_zero(psi.re):
             return Dual(identity(), skew(psi.du))
@@ -135,7 +135,7 @@ def exp(psi: Dual) -> Dual:
 
 @takes_reals
 def log(R: Dual, turns: int = 0) -> Dual:
-    """The screw ψ̲ with exp ψ̲ = R̲, Eq. (82): (..., 3, 3) → (..., 3).
+    """Returns the screw ψ̲ with exp ψ̲ = R̲, Eq. (82): (..., 3, 3) → (..., 3).
 
     ``turns`` = 0 gives the principal one, ‖ψ‖ ≤ π, which is continuous up to α = π and near α = 0;
     any other integer k adds k full turns about the same axis, ψ̲ = (α̲ + 2πk) u̲, which near α = 0
@@ -157,20 +157,21 @@ def log(R: Dual, turns: int = 0) -> Dual:
 
 @takes_numbers
 def from_rodrigues_vector(b: Dual) -> Dual:
-    """R̲ = I + 2 (b̲̃ + b̲̃²) / (1 + b̲·b̲) of b̲ = tan(α̲/2) u̲: rational, so exact over any field."""
+    """Returns R̲ = I + 2 (b̲̃ + b̲̃²) / (1 + b̲·b̲) of b̲ = tan(α̲/2) u̲: rational, so exact over any
+    field."""
     B = skew(b)
     return identity_like(b) + scale(2 / (1 + dot(b, b)), B + B @ B, rank=2)
 
 
 @takes_numbers
 def rodrigues_vector(R: Dual) -> Dual:
-    """b̲ = tan(α̲/2) u̲ = 2 vect R̲ / (1 + tr R̲); raises `ZeroDivisor` at α = π."""
+    """Returns b̲ = tan(α̲/2) u̲ = 2 vect R̲ / (1 + tr R̲); raises `ZeroDivisor` at α = π."""
     return scale(2 / (1 + trace(R)), vect(R))
 
 
 @takes_reals
 def mozzi_chasles_axis(R: Dual) -> Dual:
-    """The unit dual vector u̲ of the axis: (..., 3, 3) → (..., 3).
+    """Returns the unit dual vector u̲ of the axis: (..., 3, 3) → (..., 3).
 
     Raises `ValueError` if a displacement of the batch is the identity, which fixes every line; of a
     pure translation it is the line through the origin (see `natural_invariants`).
@@ -183,7 +184,7 @@ def mozzi_chasles_axis(R: Dual) -> Dual:
 
 @takes_numbers
 def kind(R: Dual, tolerance: float | None = None) -> str:
-    """ "identity", "translation", "rotation" or "roto-translation", of one displacement.
+    """Returns "identity", "translation", "rotation" or "roto-translation", of one displacement.
 
     A test on R̲ and not on ψ̲, because a ψ̲ of a full turn is no rotation. Exact scalars are decided
     exactly and without a root: adj(R − I) = 2 (1 − cos α) u ⊗ u, so it annuls ρ iff d = u·ρ = 0.
@@ -211,13 +212,13 @@ def _is_within(a: np.ndarray, tolerance: float) -> bool:
 
 
 def from_rigid_transform(X: "RigidTransform") -> Dual:
-    """Φ of Eq. (84): the dual tensor of a pydrake.math.RigidTransform of any scalar type."""
+    """Returns Φ of Eq. (84): the dual tensor of a pydrake.math.RigidTransform of any scalar type."""
     return displacement(X.rotation().matrix(), X.translation())
 
 
 @takes_reals
 def to_rigid_transform(R: Dual) -> "RigidTransform":
-    """Φ⁻¹ of Eq. (85): the Drake RigidTransform, of the scalar type of R's entries.
+    """Returns Φ⁻¹ of Eq. (85): the Drake RigidTransform, of the scalar type of R's entries.
 
     Raises `ValueError` if R has not shape (3, 3) or is a float tensor that is not orthogonal,
     `TypeError` if the entries are neither floats nor Drake scalars.

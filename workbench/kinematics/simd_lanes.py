@@ -1,7 +1,7 @@
-"""A few doubles as one number: a Numba type whose operations act on as many states at once.
+"""SIMD lanes: a Numba type of a few doubles whose operations act on as many states at once.
 
-There are as many as one register of the processor holds that Numba compiles for. In compiled code
-`memory` is the byte address of an array of them, aligned to SIZE bytes; indices count numbers.
+Their number is that of one register of the processor for which Numba compiles. In compiled code `memory` is
+the byte address of an array of them, aligned to SIZE bytes; indices count numbers.
 """
 
 import operator
@@ -21,12 +21,13 @@ intrinsic: Callable[[Callable[..., Any]], Any] = untyped_intrinsic
 
 
 def _width() -> int:
-    """Doubles in one register of the processor: of AVX-512, of AVX, and of all others (SSE2, NEON)."""
+    """Returns the number of doubles in one register of the processor: AVX-512, AVX, or others (SSE2,
+    NEON)."""
     return 8 if "avx512f" in FEATURES else 4 if "avx" in FEATURES else 2
 
 
 def _features() -> set[str]:
-    """What the processor has that Numba compiles for; of one that is only named no more is known."""
+    """Returns the features of the processor for which Numba compiles; empty if only its name is known."""
     features, name = _CONFIG.CPU_FEATURES, _CONFIG.CPU_NAME
     if features is not None:
         return {feature[1:] for feature in features.split(",") if feature.startswith("+")}
@@ -126,7 +127,7 @@ def spread(typing_context, value):
 
 @intrinsic
 def fused_multiply_add(typing_context, a, b, c):
-    """a·b + c with one rounding, on any machine."""
+    """Returns a·b + c with one rounding, on any machine."""
 
     def generate(context, builder, sig, args):
         return _call(builder, f"llvm.fma.v{WIDTH}f64", args)
@@ -136,7 +137,7 @@ def fused_multiply_add(typing_context, a, b, c):
 
 @intrinsic
 def turned_by_quarters(typing_context, shifted, c, s):
-    """(c, s) turned by as many quarter turns as the last two bits of `shifted` say."""
+    """Returns (c, s) turned by as many quarter turns as the last two bits of `shifted` say."""
     pair = types.UniTuple(lanes, 2)
 
     def generate(context, builder, sig, args):
@@ -172,15 +173,15 @@ def _transpose_pieces(builder, rows):
 
 
 def _pieces(builder, first, stride):
-    """Pointers to CHUNK doubles of each of WIDTH states, `stride` bytes apart."""
+    """Returns pointers to CHUNK doubles of each of WIDTH states, `stride` bytes apart."""
     addresses = (builder.add(first, builder.mul(stride, INT64(lane))) for lane in range(WIDTH))
     return [builder.inttoptr(address, PIECE.as_pointer()) for address in addresses]
 
 
 @intrinsic
 def load_states(typing_context, source, stride, factors, memory, index, step):
-    """CHUNK doubles of each of WIDTH states, `stride` bytes apart, into memory[index + i step], i < CHUNK,
-    times factors[index + i step]."""
+    """Loads CHUNK doubles of each of WIDTH states, `stride` bytes apart, to memory[index + i step], i <
+    CHUNK, times factors[index + i step]."""
 
     def generate(context, builder, sig, args):
         source, stride, factors, memory, index, step = args
@@ -201,7 +202,8 @@ def load_states(typing_context, source, stride, factors, memory, index, step):
 
 @intrinsic
 def store_states(typing_context, memory, index, step, target, stride):
-    """memory[index + i step], i < CHUNK, as CHUNK doubles of each of WIDTH states, `stride` bytes apart."""
+    """Stores memory[index + i step], i < CHUNK, as CHUNK doubles of each of WIDTH states, `stride` bytes
+    apart."""
 
     def generate(context, builder, sig, args):
         memory, index, step, target, stride = args
@@ -220,7 +222,7 @@ def store_states(typing_context, memory, index, step, target, stride):
 
 
 def _ask_for(builder, address, will_write):
-    """Has the line of memory that holds the address brought to the cache, if there is such an address."""
+    """Prefetches the cache line of an address, if the address exists."""
     pointer = builder.inttoptr(address, ir.IntType(8).as_pointer())
     function_type = ir.FunctionType(ir.VoidType(), [pointer.type, INT32, INT32, INT32])
     fetch = cgutils.get_or_insert_function(builder.module, function_type, "llvm.prefetch.p0")
@@ -229,8 +231,10 @@ def _ask_for(builder, address, will_write):
 
 @intrinsic
 def load_side_by_side(typing_context, source, ahead):
-    """The number of the WIDTH doubles from the address `source` on, which need not be aligned; what lies
-    `ahead` bytes further will be read later."""
+    """Returns the number of the WIDTH doubles from the address `source` on, which need not be aligned.
+
+    The memory `ahead` bytes further is prefetched.
+    """
 
     def generate(context, builder, sig, args):
         source, ahead = args
@@ -242,7 +246,7 @@ def load_side_by_side(typing_context, source, ahead):
 
 @intrinsic
 def store_side_by_side(typing_context, target, ahead, value):
-    """The same for writing."""
+    """Stores a number from the address `target` on, which need not be aligned."""
 
     def generate(context, builder, sig, args):
         target, ahead, value = args
@@ -255,7 +259,7 @@ def store_side_by_side(typing_context, target, ahead, value):
 
 @intrinsic
 def number(typing_context, memory, index):
-    """One double of an array of doubles."""
+    """Returns one double of an array of doubles."""
 
     def generate(context, builder, sig, args):
         pointer = builder.inttoptr(args[0], DOUBLE.as_pointer())
@@ -276,7 +280,7 @@ def set_number(typing_context, memory, index, value):
 
 @intrinsic
 def store_past_caches(typing_context, target, value):
-    """The same to an aligned address, past the caches: no line of memory is read before it is written."""
+    """Stores a number at an aligned address, past the caches: no cache line is read before it is written."""
 
     def generate(context, builder, sig, args):
         pointer = builder.inttoptr(args[0], VECTOR.as_pointer())
@@ -289,7 +293,7 @@ def store_past_caches(typing_context, target, value):
 
 @intrinsic
 def scalar_cosines_and_sines(typing_context, x):
-    """cos x and sin x by the C library, one lane after the other: of any size of x."""
+    """Returns cos x and sin x by the C library, one lane after the other: of any size of x."""
     pair = types.UniTuple(lanes, 2)
 
     def generate(context, builder, sig, args):

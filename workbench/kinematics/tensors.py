@@ -1,4 +1,4 @@
-"""What the numbers of vectors and tensors are: checked on the way in, and exact, floating or symbolic.
+"""Checks and conversions of vectors and tensors with exact, floating or symbolic entries.
 
 A vector is an array (..., 3), a tensor an array (..., 3, 3); leading axes broadcast. The products are those
 of `workbench.algebra.dual_tensors`, which take real arrays too. The scalars are float64, or (dtype object)
@@ -18,7 +18,7 @@ from workbench.algebra.dual_tensors import transpose
 
 
 def as_vectors(x, name: str) -> np.ndarray:
-    """`x` as an array (..., 3): float64, or object where its scalars are exact or symbolic.
+    """Returns `x` as an array (..., 3): float64, or object where its scalars are exact or symbolic.
 
     Raises ValueError if the last axis is not 3 long or a float is not finite.
     """
@@ -26,7 +26,7 @@ def as_vectors(x, name: str) -> np.ndarray:
 
 
 def as_tensors(x, name: str) -> np.ndarray:
-    """`x` as an array (..., 3, 3), by the rules of `as_vectors`."""
+    """Returns `x` as an array (..., 3, 3), by the rules of `as_vectors`."""
     return _as_array(x, (3, 3), name)
 
 
@@ -58,7 +58,7 @@ def _is_exact_scalar(x) -> bool:
 
 
 def scalar_kind(*arrays: np.ndarray) -> str:
-    """'float', 'exact' (rational numbers) or 'symbolic' (anything else, such as a Drake Expression).
+    """Returns 'float', 'exact' (rational numbers) or 'symbolic' (anything else, such as a Drake Expression).
 
     Mixed with floats, exact scalars count as floats: what was computed from a float is not exact.
     """
@@ -71,10 +71,10 @@ def scalar_kind(*arrays: np.ndarray) -> str:
 
 
 def identity_like(T: np.ndarray) -> np.ndarray:
-    """The unit tensor I in the shape and scalar type of the tensors T."""
+    """Returns the unit tensor I in the shape and scalar type of the tensors T."""
     return 0 * T + np.eye(3, dtype=int)
 
 
 def sym(T: np.ndarray) -> np.ndarray:
-    """S = (T + Tᵀ)/2, (..., 3, 3), so that T = t̃ + S with t = vect T."""
+    """Returns S = (T + Tᵀ)/2, (..., 3, 3), so that T = t̃ + S with t = vect T."""
     return divide(T + transpose(T), 2)

@@ -1,4 +1,4 @@
-"""The arithmetic of the Taylor recursion over a tree of joints, on as many states at once as `lanes` says.
+"""Arithmetic of the Taylor recursion over a tree of joints, on as many states at once as `simd_lanes` holds.
 
 A series of vectors is stored as u[3 k + (0, 1, 2)], its k-th Taylor coefficient. A frame is stored as a slot:
 its rotation's three columns R (9 numbers), then the series of its origin p (N + 1 vectors) and of its angular
@@ -41,7 +41,8 @@ ROUNDING = 1.5 * 2.0**52  # adding it rounds to a whole number, which the last b
 
 @compiled
 def cosine_and_sine(x: Number) -> tuple[Number, Number]:
-    """Within 2^-52 of the values, by reduction to |r| ≤ π/4 and the polynomials of Sun's fdlibm there."""
+    """Returns cos and sin within 2^-52, by reduction to |r| ≤ π/4 and the polynomials of Sun's fdlibm
+    there."""
     shifted = 0.6366197723675814 * x + spread(ROUNDING)
     n = shifted - spread(ROUNDING)
     r = fused_multiply_add(n, spread(-HALF_PI[0]), x)
@@ -108,7 +109,7 @@ def add_scaled(t: Vector, s: Number, v: Vector) -> Vector:
 
 @inlined
 def add_cross(t: Vector, a: Vector, b: Vector) -> Vector:
-    """t + a × b."""
+    """Returns t + a × b."""
     return (
         t[0] + a[1] * b[2] - a[2] * b[1],
         t[1] + a[2] * b[0] - a[0] * b[2],
@@ -123,18 +124,19 @@ def constant3(row: int, at: int) -> Vector:
 
 @inlined
 def turned_constant(slot: int, row: int, at: int) -> Vector:
-    """R c of a constant vector c (three doubles at row[at]) and the rotation R of a slot."""
+    """Returns R c of a constant vector c (three doubles at row[at]) and the rotation R of a slot."""
     x, y, z = number(row, at), number(row, at + 1), number(row, at + 2)
     X, Y, Z = load3(slot, 0), load3(slot, 3), load3(slot, 6)
     return add_scaled(add_scaled(scaled(x, X), y, Y), z, Z)
 
 
-IDENTITY, ABOUT_X, GENERAL = 0, 1, 2  # what a constant rotation is
+IDENTITY, ABOUT_X, GENERAL = 0, 1, 2  # kinds of constant rotations
 
 
 @inlined
 def turned_axes(slot: int, row: int, at: int, turn: int) -> Axes:
-    """The columns of R C for the rotation R of a slot and a constant rotation C, its columns at row[at]."""
+    """Returns the columns of R C for the rotation R of a slot and a constant rotation C, its columns at
+    row[at]."""
     X, Y, Z = load3(slot, 0), load3(slot, 3), load3(slot, 6)
     if turn == ABOUT_X:
         c, s = number(row, at + 4), number(row, at + 5)
@@ -173,7 +175,7 @@ def carry(w: int, u: int, last: int, reciprocals: int) -> None:
 
 @inlined
 def carry_last(w: int, u: int, k: int, reciprocals: int) -> None:
-    """u_k alone, its terms in the order in which `carry` adds them."""
+    """Fills u_k alone, adding its terms in the same order as `carry`."""
     t, even = zero3(), 1 - (k & 1)
     for j in range(even, k):
         t = add_cross(t, load3(w, 3 * j), load3(u, 3 * (k - 1 - j)))
@@ -184,7 +186,7 @@ def carry_last(w: int, u: int, k: int, reciprocals: int) -> None:
 
 @inlined
 def carry_both(w: int, u: int, v: int, last: int, reciprocals: int) -> None:
-    """`carry` of two series."""
+    """Applies `carry` to two series."""
     if not MANY_REGISTERS:
         carry(w, u, last, reciprocals)
         carry(w, v, last, reciprocals)
@@ -204,7 +206,7 @@ def carry_both(w: int, u: int, v: int, last: int, reciprocals: int) -> None:
 
 @inlined
 def add_product(t: Vector, k: int, u: int, rate: int, rate_first: int) -> Vector:
-    """t + Σⱼ uⱼ · rate₍ₖ₋ⱼ₎, the coefficients of the rate from index rate_first on."""
+    """Returns t + Σⱼ uⱼ · rate₍ₖ₋ⱼ₎, the coefficients of the rate from index rate_first on."""
     for j in range(k + 1):
         t = add_scaled(t, load(rate, rate_first + k - j), load3(u, 3 * j))
     return t

@@ -37,7 +37,7 @@ ALIGNED, AT_ONCE, PAST_CACHES = 0, 1, 2  # where the numbers of a body go
 
 @inlined
 def put(target: int, way: int, value: Number) -> None:
-    """A number of one row, to the workspace (aligned) or to where the caller wants it."""
+    """Stores a number of one row in the workspace (aligned) or in the caller's memory."""
     if way == ALIGNED:
         store(target, 0, value)
     elif way == AT_ONCE:
@@ -48,9 +48,11 @@ def put(target: int, way: int, value: Number) -> None:
 
 @compiled
 def body_out(row: int, slot: int, v: int, N: int, constants: Any, rows: tuple[int, ...], way: int) -> None:
-    """The pose and the twists to `rows`: (address of the pose, bytes of its row, address of the twists,
-    bytes of an order and of a part). v gets the series of the body's origin. In the workspace the pose's
-    last row is there already."""
+    """Writes the pose and the twists to `rows`, and the series of the body's origin to v.
+
+    rows: (address of the pose, bytes of its row, address of the twists, bytes of an order and of a part). In
+    the workspace the pose's last row is already set.
+    """
     columns = N + 1
     frame_p, w = slot + 9 * SIZE, slot + (9 + 3 * columns) * SIZE
     pose, of_row, twists, of_order, of_part = rows
@@ -87,8 +89,11 @@ def body_out(row: int, slot: int, v: int, N: int, constants: Any, rows: tuple[in
 def jacobian_out(
     entries: int, count: int, where: tuple[int, ...], J: int, orders: int, velocities: int, factors: int
 ) -> None:
-    """J(k, a, velocity), k < orders, of the body whose origin's series is v, from the rows of its `count`
-    columns. where: the addresses and size of slots, the axes, v, and d, room for a series."""
+    """Writes J(k, a, velocity), k < orders, of the body whose origin has the series v.
+
+    The rows are those of its `count` columns. where: the addresses and size of slots, the axes, v, and d,
+    space for a series.
+    """
     S, slot_size, U, v, d = where
     zero = spread(0.0)
     for i in range(orders * 6 * velocities):
@@ -122,8 +127,10 @@ def jacobian_out(
 def turning_out(
     entries: int, count: int, U: int, w: int, D: int, orders: int, velocities: int, factors: int
 ) -> None:
-    """D(k, a, velocity), k < orders: ż − ω × z and its derivatives of the axes z of turns, with the
-    body's own angular velocity ω, whose series is w; 0 of shifts."""
+    """Writes D(k, a, velocity), k < orders: ż − ω × z and its derivatives for the axes z of rotations.
+
+    ω is the body's own angular velocity, with the series w. D is 0 for translations.
+    """
     zero = spread(0.0)
     for i in range(orders * 3 * velocities):
         store(D, i, zero)

@@ -1,7 +1,7 @@
-"""Evaluates a tree of joints by the compiled kernel, which is loaded when something is first computed.
+"""Evaluates a tree of joints by the compiled kernel, which is loaded at the first computation.
 
-Loading takes some tenths of a second; the first time on a machine the kernel is compiled, which takes some
-seconds, and kept on disk.
+Loading takes some tenths of a second. The first time on a machine the kernel is compiled, which takes some
+seconds, and stored on disk.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class TreeEngine:
         self._plans: dict[tuple, Plan] = {}
 
     def plan(self, names: str | tuple[str, ...], order: int, jacobians: int = 0, turning: int = 0) -> Plan:
-        """The plan for one frame or more, inputs with `order` derivatives, and so many orders of
+        """Returns the plan for one frame or more, inputs with `order` derivatives, and so many orders of
         Jacobians and of their turning parts."""
         key = names, order, jacobians, turning
         if key not in self._plans:
@@ -44,7 +44,7 @@ class TreeEngine:
         return self._plans[key]
 
     def of_one_state(self, q: np.ndarray, name: str, order: int) -> np.ndarray:
-        """The pose's 16 numbers and the twists (16 + 6 order,) of a frame at one state q (order + 1,
+        """Returns the pose's 16 numbers and the twists (16 + 6 order,) of a frame at one state q (order + 1,
         channels)."""
         plan = self._plans.get((name, order, 0, 0)) or self.plan(name, order)
         record = empty(plan.rows)
@@ -74,7 +74,7 @@ def compute(q: np.ndarray, plan: Plan, out: np.ndarray) -> None:
 
 
 def states_side_by_side(frames: int, states: int, rows: int) -> np.ndarray:
-    """Fresh memory (frames, states, rows) in which the states' numbers are neighbours, on whole cache
+    """Returns new memory (frames, states, rows) in which the states' numbers are adjacent, on whole cache
     lines."""
     from workbench.kinematics.simd_lanes import SIZE, WIDTH
 

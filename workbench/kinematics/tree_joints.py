@@ -28,7 +28,8 @@ TURN, SLIDE, SCREW, BALL = 0, 1, 2, 3  # kinds of steps
 
 @inlined
 def scaled_rates(Q: int, channel: int, factor: float, offset: float, F: int, N: int) -> int:
-    """The address of a drive's coefficients: [value, rate₀, rate₁, …] of factor · (channel) + offset."""
+    """Returns the address of a drive's coefficients: [value, rate₀, rate₁, …] of factor · (channel) +
+    offset."""
     source = Q + SIZE * channel * (N + 1)
     if factor == 1.0 and offset == 0.0:
         return source
@@ -40,7 +41,7 @@ def scaled_rates(Q: int, channel: int, factor: float, offset: float, F: int, N: 
 
 @inlined
 def turned_by_quaternion(X: Vector, Y: Vector, Z: Vector, Q: int, first: int, columns: int) -> Axes:
-    """The axes times the rotation of a unit quaternion, the 0-th coefficients of four channels."""
+    """Returns the axes times the rotation of a unit quaternion, the 0-th coefficients of four channels."""
     w, x = load(Q, first * columns), load(Q, (first + 1) * columns)
     y, z = load(Q, (first + 2) * columns), load(Q, (first + 3) * columns)
     one, two = spread(1.0), spread(2.0)
@@ -59,7 +60,7 @@ def turned_by_quaternion(X: Vector, Y: Vector, Z: Vector, Q: int, first: int, co
 def store_rotation(
     slot: int, kind: int, X: Vector, Y: Vector, Z: Vector, E: int, Q: int, channel: int, columns: int
 ) -> None:
-    """The rotation after the joint, of the axes before it."""
+    """Stores the rotation after the joint, from the axes before it."""
     if kind == BALL:
         X, Y, Z = turned_by_quaternion(X, Y, Z, Q, channel, columns)
     elif kind != SLIDE:
@@ -74,7 +75,7 @@ def store_rotation(
 def first_step(
     row: int, kind: int, drives: tuple[int, ...], slot: int, u: int, N: int, reciprocals: int
 ) -> None:
-    """A joint on the world: its frame from what the world is."""
+    """Stores the frame of a joint on the world."""
     columns = N + 1
     E, Q, channel, turn_rate, slide_rate = drives
     p, w = slot + 9 * SIZE, slot + (9 + 3 * columns) * SIZE
@@ -114,7 +115,7 @@ def first_step(
 
 @inlined
 def store_turning(before: int, w: int, u: int, rate: int, N: int) -> None:
-    """ω' = ω + z α̇, two coefficients at a time."""
+    """Stores ω' = ω + z α̇, two coefficients at a time."""
     for k in range(0, N - 1, 2):
         t, s, r = load3(before, 3 * k), load3(before, 3 * k + 3), load(rate, k + 2)
         for j in range(k + 1):
@@ -142,7 +143,8 @@ def turn_ball(before: int, w: int, u: int, Q: int, N: int, reciprocals: int) -> 
 
 @inlined
 def add_shift(t: Vector, k: int, u: int, rate: int, reciprocals: int) -> Vector:
-    """t + (z d)₍ₖ₎ of a shift d, whose coefficients after the first are those of its rate over 1, 2, …"""
+    """Returns t + (z d)₍ₖ₎ of a shift d, whose coefficients after the first are those of its rate over 1, 2,
+    …"""
     for j in range(k):
         t = add_scaled(t, number(reciprocals, k - j) * load(rate, k - j), load3(u, 3 * j))
     return add_scaled(t, load(rate, 0), load3(u, 3 * k))
@@ -161,8 +163,11 @@ def next_step(
     N: int,
     reciprocals: int,
 ) -> None:
-    """A joint on the frame in the slot `before`; u gets its axis (of a ball three), v is room for its offset.
-    keep: whether the last coefficient of the axis is wanted, too."""
+    """Stores the frame of a joint on the frame in the slot `before`.
+
+    u receives its axis (three for a ball), v is space for its offset. keep: whether the last coefficient of
+    the axis is also needed.
+    """
     columns = N + 1
     E, Q, channel, turn_rate, slide_rate = drives
     before_p, before_w = before + 9 * SIZE, before + (9 + 3 * columns) * SIZE

@@ -141,7 +141,7 @@ def read_states(
 
 @compiled
 def sines_of_steps(Q: int, E: int, steps: int, table: int, columns: int, exactly: bool) -> Number:
-    """cos and sin of all angles of a block, to E; the sum of the squares of the angles."""
+    """Returns cos and sin of all angles of a block, to E; the sum of the squares of the angles."""
     squares = spread(0.0)
     for step in range(steps):
         row = table + 8 * STEP * step
@@ -159,7 +159,7 @@ def sines_of_steps(Q: int, E: int, steps: int, table: int, columns: int, exactly
 
 @inlined
 def move_joint(step: int, blocks: int, constants: Constants, room: Room, keep: bool, N: int) -> None:
-    """The frame after a step, of each block."""
+    """Computes the frame after a step, for each block."""
     row = constants.steps + 8 * STEP * step
     kind, parent, own, channel = (
         int(number(row, 0)), int(number(row, 1)), int(number(row, 2)), int(number(row, 4)),
@@ -196,8 +196,11 @@ def write_body(
     jacobians: tuple[int, int, int],
     N: int,
 ) -> None:
-    """The results of a body, of each block. way: AT_ONCE or PAST_CACHES to the result itself, else by way of
-    W. jacobians: orders of these and of their turning parts, and velocities."""
+    """Writes the results of a body, for each block.
+
+    way: AT_ONCE or PAST_CACHES writes directly to the result, else through W.
+    jacobians: (orders of the Jacobian, orders of its rotational parts, velocities).
+    """
     orders, turning, velocities = jacobians
     target = out.address + out.strides[0] * int(number(row, 2))
     here, of_state = min(WIDTH, out.shape[1]), out.strides[1]
@@ -229,7 +232,7 @@ def write_body(
 
 @inlined
 def way_of(out: Memory, orders: int) -> int:
-    """How results are written: straight to where states are neighbours, past the caches if they are many."""
+    """Returns how results are written: directly if states are adjacent, past the caches if they are many."""
     if out.shape[1] < WIDTH or out.strides[1] != 8 or orders > 0:
         return ALIGNED
     size = out.shape[0] * out.shape[1] * out.shape[2] * out.shape[3]
@@ -239,9 +242,10 @@ def way_of(out: Memory, orders: int) -> int:
 
 @compiled
 def pass_of(q: Memory, plan: int, out: Memory, exactly: bool) -> bool:
-    """q (N + 1, states, channels) → out (bodies, states, orders, parts), as the plan at that address says.
-    False, with `out` unusable, if an angle is beyond LARGEST_ANGLE and its sine was not computed `exactly`.
-    The arrays may lie in memory in any way; states that are neighbours there need no transposition."""
+    """Returns q (N + 1, states, channels) → out (bodies, states, orders, parts), as the plan at that
+    address says. False, with `out` unusable, if an angle is beyond LARGEST_ANGLE and its sine was not
+    computed `exactly`. The arrays may lie in memory in any way; states that are neighbours there need no
+    transposition."""
     columns, states, channels = q.shape
     steps, bodies, together = int(number(plan, 0)), int(number(plan, 1)), int(number(plan, 3))
     keep, orders = number(plan, 7) != 0.0, int(number(plan, 4))
@@ -283,11 +287,11 @@ def bound_tree_pass(arguments: int) -> bool:
 
 @cache
 def tree_kernel() -> Kernel:
-    """`pass_of` for arrays, compiled."""
+    """Returns `pass_of` for arrays, compiled."""
     return compiled_kernel(tree_pass, PARTS, OPTIONS)
 
 
 @cache
 def bound_tree_kernel() -> BoundKernel:
-    """`pass_of` for the arguments of a `BoundCall`, compiled."""
+    """Returns `pass_of` for the arguments of a `BoundCall`, compiled."""
     return compiled_kernel(bound_tree_pass, PARTS, OPTIONS, OF_BOUND)

@@ -1,4 +1,4 @@
-"""States of an array in memory, into the kernel's workspace and out of it."""
+"""Transfer of an array's states to the kernel's workspace and back."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def memory_of(array: np.ndarray) -> Memory:
 
 @inlined
 def bound_input(record: int) -> Memory:
-    """Of the arguments of a `BoundCall`: q."""
+    """Returns q from the arguments of a `BoundCall`."""
     return Memory(
         int(number(record, 0)),
         (int(number(record, 1)), int(number(record, 2)), int(number(record, 3))),
@@ -65,9 +65,9 @@ Axis = tuple[int, int, int]  # count, bytes between numbers, distance of their r
 
 @compiled
 def runs(first: Axis, second: Axis) -> tuple[Axis, Axis]:
-    """The two axes of one state of an array, each (count, bytes between numbers, distance of their rows in
-    the workspace), that whose numbers are neighbours first. Where one axis continues the other they are
-    one."""
+    """Returns the two axes of one state of an array, each (count, bytes between numbers, distance of their
+    rows in the workspace), that whose numbers are neighbours first. Where one axis continues the other
+    they are one."""
     inner, outer = first, second
     if inner[1] != 8:
         inner, outer = outer, inner
@@ -80,8 +80,11 @@ def runs(first: Axis, second: Axis) -> tuple[Axis, Axis]:
 def read_side_by_side(
     source: int, last: int, blocks: int, axes: tuple[Axis, Axis], factors: int, Q: int, apart: int
 ) -> None:
-    """Blocks of states side by side, the first from `source` on but none beyond `last`, times their factors,
-    into Q. It goes row by row, as they lie in memory, and asks for what the next turn will read."""
+    """Reads blocks of states that are adjacent in memory, from `source` up to `last`, times their factors,
+    into Q.
+
+    Rows are read in the order of memory, with prefetching of those that the next turn reads.
+    """
     (count, of_row, rows), (runs_there, of_run, rows_apart) = axes
     for run in range(runs_there):
         for i in range(count):
@@ -94,7 +97,8 @@ def read_side_by_side(
 
 @compiled
 def read_block(source: int, of_state: int, here: int, axes: tuple[Axis, Axis], factors: int, Q: int) -> None:
-    """`here` states, `of_state` bytes apart, times their factors, into Q; the first in all other lanes."""
+    """Reads `here` states, `of_state` bytes apart, times their factors, into Q; other lanes get the first
+    one."""
     (count, apart, rows), (runs_there, runs_apart, rows_apart) = axes
     for run in range(runs_there):
         row, start = run * rows_apart, source + run * runs_apart
@@ -113,7 +117,7 @@ def read_block(source: int, of_state: int, here: int, axes: tuple[Axis, Axis], f
 
 @compiled
 def write_block(W: int, here: int, axes: tuple[Axis, Axis], target: int, of_state: int) -> None:
-    """`here` states of the rows of W to memory, `of_state` bytes apart."""
+    """Writes `here` states of the rows of W to memory, `of_state` bytes apart."""
     (count, apart, rows), (runs_there, runs_apart, rows_apart) = axes
     for run in range(runs_there):
         row, start = run * rows_apart, target + run * runs_apart
@@ -150,8 +154,8 @@ def _copier() -> Callable[[int, int, int, int], bool]:
 
 
 def finite_copy(numbers: np.ndarray) -> np.ndarray | None:
-    """A copy of a large contiguous array of doubles in one pass over memory, which caches are spared of; None
-    unless all numbers, and their sum, are finite."""
+    """Returns a copy of a large contiguous array of doubles in one pass over memory, which caches are
+    spared of; None unless all numbers, and their sum, are finite."""
     memory = np.empty(numbers.size + 2 * WIDTH)
     start = -memory.ctypes.data % SIZE // 8
     copy = memory[start : start + numbers.size]

@@ -1,4 +1,4 @@
-"""The plan of a pass over a tree of joints: its steps, its bodies, all constants and the workspace, one
+"""The plan of a pass over a tree of joints: its steps, its bodies, all constants and the workspace in one
 array."""
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Plan:
 def plan_of(
     steps: Sequence[Step], frames: Sequence[Frame], channels: int, velocities: int, wanted: Wanted
 ) -> Plan:
-    """The plan of a pass for some frames of a tree with so many input channels and velocities."""
+    """Returns the plan of a pass for some frames of a tree with so many input channels and velocities."""
     return _Planner(steps, frames, channels, velocities, wanted).plan()
 
 
@@ -65,8 +65,10 @@ class _Planner:
         return sorted(needed)
 
     def _choose_slots(self) -> None:
-        """The slot of each step: with Jacobians its own, else one that no later step or body needs. Slot 0 is
-        the world's."""
+        """Chooses the slot of each step: with Jacobians its own, else one that no later step or body needs.
+
+        Slot 0 is the world's.
+        """
         last_use: dict[int, int] = {}
         for at in self.order:
             last_use[self.steps[at].parent] = at
@@ -120,7 +122,8 @@ class _Planner:
         return Plan(memory, memory.ctypes.data, rows, tree_kernel(), bound_tree_kernel)
 
     def _place_axes(self) -> int:
-        """Where the series of each step's axis are (of a ball three): with Jacobians each its own room."""
+        """Places the series of each step's axis (three for a ball), and returns the space; with Jacobians
+        each has its own."""
         columns, at = 3 * (self.wanted.order + 1), 0
         for step in self.order:
             self.axes_of[step] = at if self.wanted.jacobians else 0
@@ -128,8 +131,8 @@ class _Planner:
         return at if self.wanted.jacobians else 3 * columns
 
     def _input_factors(self) -> list[float]:
-        """From the derivatives (or coefficients) of a channel to its value and the coefficients of its
-        rate."""
+        """Returns the factors from a channel's derivatives (or coefficients) to its value and its rate's
+        coefficients."""
         N = self.wanted.order
         return [1.0, *(1.0 / factorial(k) for k in range(N))]
 
@@ -169,8 +172,8 @@ class _Planner:
         return bodies, entries
 
     def _columns(self, at: int) -> list[np.ndarray]:
-        """The columns of the Jacobian of what follows a step: whether it slides, where its axis and the
-        origin on it are, its velocity and its factor."""
+        """Returns the columns of the Jacobian of what follows a step: whether it slides, where its axis
+        and the origin on it are, its velocity and its factor."""
         found = []
         while at != WORLD:
             step = self.steps[at]
@@ -203,7 +206,7 @@ def _transform(R: np.ndarray | None = None, p: np.ndarray | None = None) -> np.n
 
 
 def _aligned(axis: np.ndarray) -> np.ndarray:
-    """A rotation (3, 3) whose third column is the axis: the identity if that is z."""
+    """Returns a rotation (3, 3) whose third column is the axis: the identity if that is z."""
     if np.abs(axis - [0, 0, 1]).max() < EXACT:
         return np.eye(3)
     x = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])

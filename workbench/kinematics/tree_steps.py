@@ -1,4 +1,4 @@
-"""A tree of joints as a pass over it sees them: steps of one turn, shift, screw or ball each, and frames."""
+"""A tree of joints as steps of one rotation, translation, screw or ball each, and frames."""
 
 from __future__ import annotations
 

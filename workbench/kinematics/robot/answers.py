@@ -52,7 +52,7 @@ def table(
 
 
 def write_csv(columns: Mapping[str, np.ndarray], file: str | Path) -> None:
-    """One row a state; the file appears when it is whole."""
+    """Writes one row for each state; the file appears when it is complete."""
     file = Path(file)
     draft = file.with_name(f".unfinished-{os.getpid()}-{file.name}")
     try:

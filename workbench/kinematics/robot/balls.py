@@ -11,7 +11,7 @@ from workbench.kinematics.chain import Joint, SerialChain
 
 
 def rotation_of_rpy(rpy: np.ndarray) -> np.ndarray:
-    """R = Rz(yaw) Ry(pitch) Rx(roll) of (roll, pitch, yaw), (..., 3) → (..., 3, 3)."""
+    """Returns R = Rz(yaw) Ry(pitch) Rx(roll) of (roll, pitch, yaw), (..., 3) → (..., 3, 3)."""
     (cx, cy, cz), (sx, sy, sz) = (np.moveaxis(f(rpy), -1, 0) for f in (np.cos, np.sin))
     rows = [
         [cy * cz, sx * sy * cz - cx * sz, cx * sy * cz + sx * sz],
@@ -22,7 +22,7 @@ def rotation_of_rpy(rpy: np.ndarray) -> np.ndarray:
 
 
 def quaternion_of_rpy(rpy: np.ndarray) -> np.ndarray:
-    """The unit quaternion (..., 4), w x y z, of (roll, pitch, yaw), (..., 3)."""
+    """Returns the unit quaternion (..., 4), w x y z, of (roll, pitch, yaw), (..., 3)."""
     (cx, cy, cz), (sx, sy, sz) = (np.moveaxis(f(rpy / 2), -1, 0) for f in (np.cos, np.sin))
     return np.stack(
         [
@@ -36,8 +36,8 @@ def quaternion_of_rpy(rpy: np.ndarray) -> np.ndarray:
 
 
 def quaternion_of_rotation(R: np.ndarray) -> np.ndarray:
-    """The unit quaternion (..., 4), w x y z with w >= 0, of a rotation (..., 3, 3), from the largest of its
-    four squares (Shepperd's method)."""
+    """Returns the unit quaternion (..., 4), w x y z with w >= 0, of a rotation (..., 3, 3), from the
+    largest of its four squares (Shepperd's method)."""
     xx, yy, zz = (R[..., i, i] for i in range(3))
     squares = np.stack([1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz], axis=-1)
     wx, wy, wz = (R[..., i, j] - R[..., j, i] for i, j in ((2, 1), (0, 2), (1, 0)))
@@ -59,8 +59,8 @@ def quaternion_of_rotation(R: np.ndarray) -> np.ndarray:
 
 
 def rpy_of_rotation(R: np.ndarray) -> np.ndarray:
-    """(roll, pitch, yaw), (..., 3), of a rotation (..., 3, 3). Yaw is taken out before roll is measured, so
-    that R is met next to pitch = ±π/2, too; there roll is 0."""
+    """Returns (roll, pitch, yaw), (..., 3), of a rotation (..., 3, 3). Yaw is taken out before roll is
+    measured, so that R is met next to pitch = ±π/2, too; there roll is 0."""
     level = np.hypot(R[..., 0, 0], R[..., 1, 0])
     straight = level < 1e-12
     yaw = np.where(straight, np.arctan2(-R[..., 0, 1], R[..., 1, 1]), np.arctan2(R[..., 1, 0], R[..., 0, 0]))
@@ -71,7 +71,7 @@ def rpy_of_rotation(R: np.ndarray) -> np.ndarray:
 
 
 def unit_quaternion(kind: str, coordinates: np.ndarray) -> np.ndarray:
-    """The unit quaternion (..., 4) of a ball's coordinates, of the kind "quaternion" or "rpy"."""
+    """Returns the unit quaternion (..., 4) of a ball's coordinates, of the kind "quaternion" or "rpy"."""
     if kind == "rpy":
         return quaternion_of_rpy(coordinates)
     largest = np.abs(coordinates).max(axis=-1, keepdims=True)  # its square may be too small for a double
@@ -83,13 +83,14 @@ _YAW_PITCH_ROLL = (Joint.revolute([0, 0, 1]), Joint.revolute([0, 1, 0]), Joint.r
 
 
 def angular_velocity_of_rpy(rpy: np.ndarray) -> np.ndarray:
-    """ω and its derivatives (N, ..., 3), in the frame that is turned from, of (roll, pitch, yaw) (N + 1,
-    ..., 3)."""
+    """Returns ω and its derivatives (N, ..., 3), in the frame that is turned from, of (roll, pitch, yaw)
+    (N + 1, ..., 3)."""
     return SerialChain(_YAW_PITCH_ROLL).twist_derivatives(rpy[..., ::-1])[..., :3]
 
 
 def angular_velocity_of_quaternion(q: np.ndarray) -> np.ndarray:
-    """ω and its derivatives (N, ..., 3), in the frame that is turned from, of a quaternion (N + 1, ..., 4).
+    """Returns ω and its derivatives (N, ..., 3), in the frame that is turned from, of a quaternion (N + 1,
+    ..., 4).
 
     ω = 2 Im(q̇ q̄) / |q|², by division of Taylor series.
     """

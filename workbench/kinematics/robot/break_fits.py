@@ -1,5 +1,7 @@
-"""Compiled fits on both sides of a break of samples (t, q): how far one polynomial reaches, where it
-breaks, and the derivatives of both sides there. The polynomials are those of `local_polynomials`."""
+"""Compiled fits on both sides of a break of samples (t, q), with the polynomials of `local_polynomials`.
+
+They tell how far one polynomial reaches, where it breaks, and the derivatives of both sides there.
+"""
 
 from __future__ import annotations
 
@@ -26,8 +28,8 @@ BREAK_SAMPLES = 160  # on each side of a break, at most
 
 @compiled
 def misfit(t: np.ndarray, q: np.ndarray, first: int, count: int, floor: float) -> float:
-    """How far the coefficients beyond degree 7 (of up to 11) and the residuals exceed the noise, as a
-    ratio."""
+    """Returns by which ratio the coefficients beyond degree 7 (up to 11) and the residuals exceed the
+    noise."""
     degree = min(SIDE_DEGREE + TAIL, count - 3)
     alpha, beta, c = np.zeros(degree + 2), np.zeros(degree + 2), np.zeros(degree + 1)
     centre, half = basis(t, first, count, degree, alpha, beta)
@@ -41,7 +43,7 @@ def misfit(t: np.ndarray, q: np.ndarray, first: int, count: int, floor: float) -
 
 @compiled
 def longest_fit(t: np.ndarray, q: np.ndarray, first: int, last: int, floor: float) -> int:
-    """The longest stretch from `first` on that a polynomial of degree 7 fits, in samples."""
+    """Returns the longest stretch from `first` on that a polynomial of degree 7 fits, in samples."""
     good, bad, count = min(LEAST, last - first), -1, min(LEAST, last - first)
     while count >= LEAST:
         if misfit(t, q, first, count, floor) < EXCESS + 4 / np.sqrt(count):
@@ -97,8 +99,8 @@ def one_side(
 
 @compiled
 def best_cut(t: np.ndarray, q: np.ndarray, low: int, guess: int, high: int) -> int:
-    """The first sample behind the cut, at or before the guess, where polynomials on both sides leave least
-    per degree of freedom."""
+    """Returns the first sample after the cut, at or before the guess, that minimizes the residuals of
+    polynomials on both sides per degree of freedom."""
     reach = max(12, min(60, (guess - low) // 3))
     lo, hi = max(low + 6, guess - reach), min(high - 6, guess + 3)
     best, where = np.inf, guess

@@ -1,15 +1,14 @@
-"""Closed loops: a robot whose bodies are held together by frames that coincide, with its rates of every
-order.
+"""Closed loops: a robot with constraints between its bodies, and its rates of every order.
 
-The tree of the robot is opened where a loop closes. A constraint says that a frame P of a body A and a
-frame Q of a body B coincide, or that their origins do. Their velocities then agree at all times, V_WP =
-V_WQ, and so do all derivatives. With J = J_Q − J_P, Eq. (119) of *Higher-Order Kinematics in Dual Lie
-Algebra* on both ways from the world, and v the velocities,
+The tree of the robot is opened where a loop closes. A constraint states that a frame P of a body A and a
+frame Q of a body B coincide, or that their origins do. Their velocities then agree at all times, V_WP = V_WQ,
+and so do all derivatives. With J = J_Q − J_P, Eq. (119) of *Higher-Order Kinematics in Dual Lie Algebra* on
+both paths from the world, and v the velocities,
 
     Σᵢ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ = 0,     k = 0, 1, …,
 
-which is solved order by order for v⁽ᵏ⁾, always by the same matrix J, beside the rates that are driven.
-A loop that closes by another joint than a ball: give the joint to the tree, and weld its child.
+which is solved order by order for v⁽ᵏ⁾, always with the same matrix J, together with the driven rates. If a
+loop closes by a joint other than a ball, add the joint to the tree, and weld its child.
 """
 
 from __future__ import annotations
@@ -103,22 +102,24 @@ class ClosedLoops:
         self.robot = robot
 
     def gap(self, q: ArrayLike) -> np.ndarray:
-        """How far the frames are apart at the coordinates q (..., positions): (..., rows), rad and m."""
+        """Returns the gaps of the frames at the coordinates q (..., positions): (..., rows), rad and m."""
         return self._gap(self._at_rest(self._coordinates(q)))
 
     def jacobian(self, q: ArrayLike) -> np.ndarray:
-        """J = J_Q − J_P of all constraints, (..., rows, velocities): J v = 0 is the motion that they
+        """Returns J = J_Q − J_P of all constraints, (..., rows, velocities): J v = 0 is the motion that they
         allow."""
         return self._jacobian(self._at_rest(self._coordinates(q)))
 
     def mobility(self, q: ArrayLike) -> np.ndarray:
-        """How many independent velocities the constraints allow at q (..., positions), (...) of integers:
-        more in a singular position than beside it."""
+        """Returns the number of independent velocities at q (..., positions), (...) of integers.
+
+        It is larger in a singular position than near it.
+        """
         values = np.linalg.svd(self._scaled(self.jacobian(q))[0], compute_uv=False)
         return len(self.robot.velocities) - (values > self.rtol * values[..., :1]).sum(axis=-1)
 
     def singular_values(self, q: ArrayLike, driven: Iterable[str] = ()) -> np.ndarray:
-        """The singular values (..., velocities), largest first, of the constraints with the driven
+        """Returns the singular values (..., velocities), largest first, of the constraints with the driven
         velocities: the last one is 0 where these do not determine the motion. Lengths count in those of
         the mechanism."""
         A, _, _ = self._system(self.jacobian(q), self._indices(driven))
@@ -127,10 +128,11 @@ class ClosedLoops:
         return np.concatenate([values, np.zeros((*values.shape[:-1], max(missing, 0)))], axis=-1)
 
     def close(self, q: ArrayLike, driven: Iterable[str] = ()) -> np.ndarray:
-        """Coordinates (..., positions) near q (..., positions) at which the frames coincide, by Newton's
-        method with the least steps; velocities named in `driven` keep the coordinates of q.
+        """Returns coordinates (..., positions) near q (..., positions) at which the frames coincide.
 
-        Raises ValueError where none is found, with the gap that is left."""
+        Newton's method with least steps is used; velocities named in `driven` keep the coordinates of q.
+        Raises ValueError if it fails, with the remaining gap.
+        """
         q = self._coordinates(q).copy()
         held, shape = self._indices(driven), q.shape
         free = [i for i in range(len(self.robot.velocities)) if i not in held]
@@ -153,7 +155,8 @@ class ClosedLoops:
         return q.reshape(shape)
 
     def rates(self, q: ArrayLike, driven: Mapping[str, ArrayLike]) -> np.ndarray:
-        """The velocities and their derivatives (N, ..., velocities) of the motion with the driven rates.
+        """Returns the velocities and their derivatives (N, ..., velocities) of the motion with the driven
+        rates.
 
         q (..., positions): a closed position. driven: by the name of a velocity its rate and the
         derivatives of that, (N, ...), in rad or m per s, s², … Raises SingularJacobian, a ValueError,
@@ -184,7 +187,7 @@ class ClosedLoops:
         return rates
 
     def motion(self, q: ArrayLike, driven: Mapping[str, ArrayLike]) -> Motion:
-        """The motion of all bodies with the driven rates; see `rates` and `Robot.motion`."""
+        """Returns the motion of all bodies with the driven rates; see `rates` and `Robot.motion`."""
         return self.robot.motion(self._coordinates(q), self.rates(q, driven))
 
     # -- the equations --------------------------------------------------------------------------------
@@ -196,7 +199,7 @@ class ClosedLoops:
         return q
 
     def _wanted(self, q: np.ndarray, driven: Mapping[str, ArrayLike]) -> np.ndarray:
-        """The driven rates, (N, ..., driven)."""
+        """Returns the driven rates, (N, ..., driven)."""
         if not isinstance(driven, Mapping) or not driven:
             raise ValueError("driven: expected the rates of at least one velocity, by its name")
         columns = [reals(values, f"driven {name!r}") for name, values in driven.items()]
@@ -244,14 +247,14 @@ class ClosedLoops:
         return np.concatenate(parts, axis=-2)
 
     def _difference(self, states: States, k: int) -> np.ndarray:
-        """The k-th derivative of V_WQ − V_WP, (..., rows)."""
+        """Returns the k-th derivative of V_WQ − V_WP, (..., rows)."""
         parts = [
             (states.frame(Q).twists[k] - states.frame(P).twists[k])[..., rows] for P, Q, rows in self._pairs
         ]
         return np.concatenate(parts, axis=-1)
 
     def _scaled(self, J: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """J without units, and the factors of its rows and columns: lengths count in those of the
+        """Returns J without units, and the factors of its rows and columns: lengths count in those of the
         mechanism."""
         rows = np.concatenate([np.arange(6)[rows] >= 3 for _, _, rows in self._pairs])
         slides = np.array([self.robot.units[name] == "m" for name in self.robot.velocities], dtype=bool)
@@ -261,8 +264,8 @@ class ClosedLoops:
         return row_scale[:, None] * J * column_scale, row_scale, column_scale
 
     def _system(self, J: np.ndarray, held: Sequence[int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The matrix of the constraints and the driven velocities, without units, and the factors of J's rows
-        and columns."""
+        """Returns the matrix of the constraints and the driven velocities, without units, and the factors
+        of J's rows and columns."""
         scaled, row_scale, column_scale = self._scaled(J)
         driven = np.broadcast_to(np.eye(J.shape[-1])[held], (*J.shape[:-2], len(held), J.shape[-1]))
         return np.concatenate([scaled, driven], axis=-2), row_scale, column_scale
@@ -294,7 +297,7 @@ class ClosedLoops:
             raise ValueError(f"{expected}: the frames are apart by {self._gap(states)[worst]} rad and m")
 
     def _moved(self, q: np.ndarray, step: np.ndarray) -> np.ndarray:
-        """q (states, positions) after a step along the velocities."""
+        """Returns q (states, positions) after a step along the velocities."""
         q = q.copy()
         for own in self.robot._free_moves():
             positions, velocities = own.move.sizes
@@ -320,17 +323,17 @@ def _shift(p: ArrayLike) -> np.ndarray:
 
 
 def _padded(column: np.ndarray, axes: int) -> np.ndarray:
-    """(N,) as (N, 1, …) of so many axes; others as they are."""
+    """Returns (N,) as (N, 1, …) of so many axes; others as they are."""
     return column.reshape(-1, *[1] * (axes - 1)) if column.ndim == 1 else column
 
 
 def _least_squares(A: np.ndarray, b: np.ndarray, rtol: float) -> np.ndarray:
-    """The least y with A y = b as nearly as possible, (..., columns)."""
+    """Returns the least y with A y = b as nearly as possible, (..., columns)."""
     return (np.linalg.pinv(A, rcond=rtol) @ b[..., None])[..., 0]
 
 
 def _turned_quaternion(by: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """The unit quaternion (..., 4) of the rotation vector `by` (..., 3) after q (..., 4)."""
+    """Returns the unit quaternion (..., 4) of the rotation vector `by` (..., 3) after q (..., 4)."""
     angle = np.linalg.norm(by, axis=-1, keepdims=True)
     w, u = np.cos(angle / 2), 0.5 * np.sinc(angle / (2 * np.pi)) * by
     q = q / np.linalg.norm(q, axis=-1, keepdims=True)

@@ -1,8 +1,7 @@
-"""Which coordinates move one body relative to another, and the motion of both without what they have in
-common.
+"""Relative motion of two bodies without the motion of their common base.
 
 The twist of B relative to A does not depend on how their common base moves. Without that motion its terms,
-which would cancel, are not there.
+which would cancel, do not occur.
 """
 
 from __future__ import annotations
@@ -18,14 +17,14 @@ if TYPE_CHECKING:
 
 
 def coordinates_that_move(robot: Structure, body: str, relative_to: str | None = None) -> list[int]:
-    """The indices of the coordinates that move a body relative to another one, or to the world."""
+    """Returns the indices of the coordinates that move a body relative to another one, or to the world."""
     between = _between(robot, body, relative_to)
     matrix, _ = robot.follow([name for joint in between for name in joint.coordinates])
     return np.flatnonzero(np.abs(matrix).sum(axis=0)).tolist()
 
 
 def _between(robot: Structure, body: str, relative_to: str | None) -> list[TreeJoint]:
-    """The joints on the way from one body to the other that not both of them are moved by."""
+    """Returns the joints on the way from one body to the other that not both of them are moved by."""
     first = _from_world(robot, robot.body(body).name)
     second = [] if relative_to is None else _from_world(robot, robot.body(relative_to).name)
     shared = {joint.name for joint in first} & {joint.name for joint in second}
@@ -44,8 +43,8 @@ def _from_world(robot: Structure, body: str) -> list[TreeJoint]:
 def without_common_base(
     robot: Structure, body: str, relative_to: str, q: np.ndarray, rates: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """q (..., positions) and rates (N, ..., velocities) with those coordinates at rest in their default
-    positions that do not move a body relative to the other."""
+    """Returns q (..., positions) and rates (N, ..., velocities) with those coordinates at rest in their
+    default positions that do not move a body relative to the other."""
     moving = set(coordinates_that_move(robot, body, relative_to))
     still = [i for i in range(len(robot.positions)) if i not in moving]
     names = {robot.positions[i] for i in still}

@@ -4,10 +4,10 @@ ORDERS = ("position", "velocity", "acceleration", "jerk", "snap")
 
 
 def per_second(n: int) -> str:
-    """The unit of the n-th time derivative over that of the quantity: "", "/s", "/s^2", …"""
+    """Returns the unit of the n-th time derivative over that of the quantity: "", "/s", "/s^2", …"""
     return ("", "/s")[n] if n < 2 else f"/s^{n}"
 
 
 def order_name(n: int) -> str:
-    """The name of the n-th derivative of a position."""
+    """Returns the name of the n-th derivative of a position."""
     return ORDERS[n] if n < len(ORDERS) else f"derivative {n}"

@@ -60,7 +60,7 @@ def torques(
 def _wrench(
     twists: np.ndarray, pose: np.ndarray, of_com: np.ndarray, body: Inertia, order: int, g: np.ndarray
 ) -> np.ndarray:
-    """(order + 1, ..., 6): moment about the centre of mass, and force, with their derivatives, in W's
+    """Returns (order + 1, ..., 6): moment about the centre of mass, and force, with their derivatives, in W's
     axes."""
     omega = twists[: order + 2, ..., :3]
     R = rotation_derivatives(omega, pose[..., :3, :3])

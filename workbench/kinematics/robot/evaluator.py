@@ -1,4 +1,4 @@
-"""A frame's motion for a control loop: arrays that a call reads and writes, with no checks and no new
+"""A frame's motion for a control loop: a call reads and writes fixed arrays, without checks and new
 memory."""
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class Evaluator(BoundCall):
 
 
 def evaluator_of(plan: Plan, order: int, coordinates: int, jacobians: int) -> Evaluator:
-    """The evaluator of a plan for one frame."""
+    """Returns the evaluator of a plan for one frame."""
     q, record = np.zeros((order + 1, coordinates)), np.zeros(plan.rows)
     call = Evaluator(plan.bound_kernel(), plan, q[:, None], record[None, None, None])
     call.q, call.pose = q, record[:16].reshape(4, 4)

@@ -1,7 +1,7 @@
-"""Peaks along a path whose derivatives are exact: looked for on a grid, then refined to the last digits.
+"""Peaks along a path with exact derivatives: searched on a grid, then refined to the last digits.
 
-A peak is refined in brackets of the grid and closed by the maximum of a polynomial through the last one.
-Where a derivative jumps at a break of the path, the next ones have no bound.
+A peak is refined in brackets of the grid, and finally by the maximum of a polynomial through the last
+bracket. If a derivative jumps at a break of the path, the next ones have no bound.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ JUMP = 1e-8  # of a derivative's largest size: a change at a break that counts
 
 
 class Curves(NamedTuple):
-    """What peaks are sought of, at times: q, rates (N, ..., velocities), and `body_curves`."""
+    """The curves whose peaks are sought, at given times: q, rates (N, ..., velocities), and `body_curves`."""
 
     q: np.ndarray
     rates: np.ndarray
@@ -48,7 +48,7 @@ class Curves(NamedTuple):
 def exact_peaks(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
 ) -> list[Peak]:
-    """The peaks on the times from the motion's first to its last."""
+    """Returns the peaks on the times from the motion's first to its last."""
     search = _search(motion, body, point, relative_to, asked)
     found = []
     for one, value, time, at in zip(
@@ -65,7 +65,8 @@ def exact_peaks(
 def exact_violations(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
 ) -> list[Violation]:
-    """The stretches beyond the limits, of the times from the motion's first to its last, and the jumps."""
+    """Returns the stretches beyond the limits, of the times from the motion's first to its last, and the
+    jumps."""
     search = _search(motion, body, point, relative_to, asked)
     times = np.unique(np.concatenate([search.times, search.best_time]))
     sizes = _sizes(search.curves_at(times), asked)
@@ -89,7 +90,7 @@ def exact_violations(
 def _crossing(
     size_at: Callable[[np.ndarray], np.ndarray], outside: float, inside: float, limit: float
 ) -> float:
-    """The time nearest to `inside`, between both, from which on the size is beyond the limit."""
+    """Returns the time nearest to `inside`, between both, from which on the size is beyond the limit."""
     while abs(inside - outside) > 4 * np.spacing(max(abs(inside), abs(outside))):
         times = np.linspace(inside, outside, REFINED)
         at = int(np.argmin(np.append(size_at(times)[1:] > limit, False)))  # the last one before it is not
@@ -101,7 +102,7 @@ def _crossing(
 
 
 def _top(size_at: Callable[[np.ndarray], np.ndarray], low: float, high: float) -> tuple[float, float]:
-    """The largest size in a bracket and its time."""
+    """Returns the largest size in a bracket and its time."""
     for _ in range(6):
         times = np.linspace(low, high, REFINED)
         sizes = size_at(times)
@@ -111,8 +112,8 @@ def _top(size_at: Callable[[np.ndarray], np.ndarray], low: float, high: float) -
 
 
 class Search(NamedTuple):
-    """What a motion is looked at for: the times of the grid, the curves at any times, the peak of each
-    quantity and its time, and the breaks at which it has no bound."""
+    """A search for peaks: the grid, the curves at any times, the peak of each quantity with its time, and the
+    breaks at which it has no bound."""
 
     times: np.ndarray
     curves_at: Callable[[np.ndarray], Curves]
@@ -140,7 +141,7 @@ def _search(
 
 
 def _grid(start: float, end: float, breaks: np.ndarray, near: float, asked: np.ndarray) -> np.ndarray:
-    """Times that see every piece between two breaks, and both sides of each break."""
+    """Returns times that see every piece between two breaks, and both sides of each break."""
     edges = np.concatenate([[start], breaks, [end]])
     share = np.linspace(0, 1, PER_PIECE if len(edges) < MOST_PIECES else 3)
     inside = (edges[:-1, None] + np.diff(edges)[:, None] * share).ravel()
@@ -152,12 +153,12 @@ def _grid(start: float, end: float, breaks: np.ndarray, near: float, asked: np.n
 def sizes_on(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
 ) -> np.ndarray:
-    """The sizes (asked, ...) at the motion's own states of what peaks are asked of."""
+    """Returns the sizes (asked, ...) at the motion's own states of what peaks are asked of."""
     return _sizes(Curves(motion.q, motion.rates, body_curves(motion, body, point, relative_to)), asked)
 
 
 def _sizes(curves: Curves, asked: list[Asked]) -> np.ndarray:
-    """(asked, ...): what is largest where the peaks are."""
+    """Returns (asked, ...): what is largest where the peaks are."""
     return np.array([_size(curves, one) for one in asked])
 
 
@@ -176,7 +177,7 @@ def _size(curves: Curves, one: Asked) -> np.ndarray:
 def _refined(
     values: np.ndarray, times: np.ndarray, sizes_at: Callable[[np.ndarray], np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(value, time) of each quantity's maximum: from its highest local maxima on the grid into their
+    """Returns (value, time) of each quantity's maximum: from its highest local maxima on the grid into their
     brackets."""
     rows = np.arange(len(values))
     padded = np.pad(values, ((0, 0), (1, 1)), constant_values=-np.inf)
@@ -201,14 +202,14 @@ def _refined(
 def _better(
     best: np.ndarray, best_time: np.ndarray, value: np.ndarray, time: np.ndarray, slack: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The larger ones; within the slack, relative, which is the rounding, the time counts and the value
-    stays."""
+    """Returns the larger ones; within the slack, relative, which is the rounding, the time counts and the
+    value stays."""
     moves = value > best - slack * np.abs(best) if slack else value > best
     return np.where(moves, np.maximum(value, best), best), np.where(moves, time, best_time)
 
 
 def _closing_time(times: np.ndarray, sizes: np.ndarray) -> float:
-    """Where the least-squares polynomial through a bracket is largest, in s."""
+    """Returns the time at which the least-squares polynomial through a bracket is largest, in s."""
     centre, half = (times[0] + times[-1]) / 2, max((times[-1] - times[0]) / 2, 1e-300)
     u = (times - centre) / half
     fit = np.polynomial.chebyshev.Chebyshev.fit(u, sizes, CLOSING_DEGREE, domain=[-1, 1])
@@ -225,7 +226,8 @@ def _jumps(
     near: float,
     asked: list[Asked],
 ) -> list[list[Break]]:
-    """Of each quantity the breaks at which a lower derivative jumps; curves: at all times of the grid."""
+    """Returns, for each quantity, the breaks at which a lower derivative jumps. curves: at all times of the
+    grid."""
     sides = curves_at(np.stack([breaks - near, breaks + near]))
     found = []
     for one in asked:
@@ -241,11 +243,11 @@ def _jumps(
 
 
 def _with_slope(curves: Curves, one: Asked, k: int) -> tuple[np.ndarray, np.ndarray]:
-    """The k-th derivative of what was asked and its derivative, each (..., components)."""
+    """Returns the k-th derivative of what was asked and its derivative, each (..., components)."""
     if one.velocity is None:
         return curves.of_body[one.of][k], curves.of_body[one.of][k + 1]
     own = one.velocity
-    if k == 0:  # a ball's velocity is no rate of a coordinate: its quaternion is one that is continuous
+    if k == 0:  # a ball's velocity is no rate of a coordinate, but its quaternion is continuous
         rate = curves.rates[0][..., own, None]
         return (rate * 0 if one.position is None else curves.q[..., one.position, None]), rate
     return curves.rates[k - 1][..., own, None], curves.rates[k][..., own, None]

@@ -42,7 +42,7 @@ class Task(NamedTuple):
             )
 
     def jacobian(self, states: States) -> np.ndarray:
-        """(..., rows, velocities)"""
+        """Returns (..., rows, velocities)"""
         frame = states.frame(self.body)
         if self.relative_to is not None:
             relative: Any = frame.relative_to(states.frame(self.relative_to))
@@ -52,7 +52,7 @@ class Task(NamedTuple):
         return J[..., list(self.rows), :]
 
     def velocity(self, states: States, k: int) -> np.ndarray:
-        """The k-th derivative of the twist, (..., rows)."""
+        """Returns the k-th derivative of the twist, (..., rows)."""
         frame = states.frame(self.body)
         if self.relative_to is not None:
             V = frame.relative_to(states.frame(self.relative_to)).twists[k]
@@ -127,8 +127,10 @@ def _order_by_order(
     null_space: ArrayLike | None,
     solver: Callable[[np.ndarray, np.ndarray], Solve],
 ) -> DampedInverse:
-    """Order by order V⁽ᵏ⁾ = J v⁽ᵏ⁾ + Σᵢ≥₁ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ is solved for v⁽ᵏ⁾: the sum is what the motion
-    with v⁽ᵏ⁾ = 0 has for V⁽ᵏ⁾."""
+    """Returns the velocities, by solving V⁽ᵏ⁾ = J v⁽ᵏ⁾ + Σᵢ≥₁ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ for v⁽ᵏ⁾, order by order.
+
+    The sum is V⁽ᵏ⁾ of the motion with v⁽ᵏ⁾ = 0.
+    """
     q, wanted = reals(q, "q"), reals(twist_derivatives, "twist_derivatives")
     task.check()
     rows = len(task.rows)

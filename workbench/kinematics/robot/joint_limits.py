@@ -1,4 +1,4 @@
-"""The limits that peaks are held against: those of the robot, and others by joint or from a TOML file."""
+"""The limits for peaks: those of the robot, and others by joint or from a TOML file."""
 
 from __future__ import annotations
 
@@ -17,21 +17,22 @@ KINDS = (*ORDERS[1:], "deceleration")
 
 
 class OfBody(NamedTuple):
-    """What the point and the rotation of a body are called among the names of limits and peaks."""
+    """The names of a body's point and rotation in limits and peaks."""
 
     point: str
     rotation: str
 
 
 def of_body(robot: Structure) -> OfBody:
-    """ "point" and "rotation"; where the robot has a joint of that name, "body point" or "body rotation"."""
+    """Returns "point" and "rotation"; where the robot has a joint of that name, "body point" or "body
+    rotation"."""
     taken = {*robot.velocities, *robot.limits}
     return OfBody(*(f"body {name}" if name in taken else name for name in OfBody._fields))
 
 
 def known_limits(robot: Structure, limits: LimitTables | None) -> dict[str, dict[str, float]]:
-    """All limits by the name of a joint, and of a body's point and rotation (`of_body`), which have none of
-    their own: kind → value.
+    """Returns all limits by the name of a joint, and of a body's point and rotation (`of_body`), which have
+    none of their own: kind → value.
 
     limits: by joint, joints that follow others among them, "*" for all of the robot's velocities,
     "point", "rotation" ("body point", "body rotation" where a joint has that name): velocity,
@@ -67,9 +68,11 @@ def _require(name: str, entries: object, names: tuple[str, ...], bodily: bool) -
 
 
 def read_limits(file: str | Path) -> dict[str, dict[str, float]]:
-    """Limits from a TOML file: a table [NAME] for a joint, ["*"] for all of them, [point] and [rotation]
-    for the body, with velocity, acceleration, jerk, snap (per s, s², ...), deceleration, lower, upper. Raises
-    ValueError."""
+    """Returns limits from a TOML file. Raises ValueError.
+
+    A table [NAME] is for a joint, ["*"] for all of them, [point] and [rotation] for the body. The keys are
+    velocity, acceleration, jerk, snap (per s, s², ...), deceleration, lower, upper.
+    """
     try:
         data = tomllib.loads(Path(file).read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:

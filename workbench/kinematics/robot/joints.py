@@ -1,22 +1,22 @@
-"""The joints of a robot's tree, and the steps of one kind of motion each that they are made of.
+"""The joints of a robot's tree, and the elementary motions that they are composed of.
 
 A joint leads from the parent body's frame P over a frame F fixed in it to a frame M fixed in the child C:
 X_PC(q) = X_PF · X_FM(q) · X_MC. Its coordinates and velocities are Drake's, in Drake's order:
 
-    kind              coordinates                    velocities
-    fixed             –                              –
-    revolute          angle about the axis           its rate        (URDF: also continuous)
-    prismatic         shift along the axis           its rate
-    helical           angle; shift = pitch · angle   its rate
-    cylindrical       angle, shift                   their rates
-    universal         angles about x, then y         their rates
-    planar            x, y, angle about z            their rates
-    ball              quaternion w x y z             ω of M in F, in F
-    ball_rpy          roll, pitch, yaw               ω of M in F, in F
-    floating          quaternion, then x y z         ω and velocity of Mo, in F
-    floating_rpy      roll, pitch, yaw, x y z        ω and velocity of Mo, in F
+kind              coordinates                    velocities
+fixed             –                              –
+revolute          angle about the axis           its rate        (URDF: also continuous)
+prismatic         shift along the axis           its rate
+helical           angle; shift = pitch · angle   its rate
+cylindrical       angle, shift                   their rates
+universal         angles about x, then y         their rates
+planar            x, y, angle about z            their rates
+ball              quaternion w x y z             ω of M in F, in F
+ball_rpy          roll, pitch, yaw               ω of M in F, in F
+floating          quaternion, then x y z         ω and velocity of Mo, in F
+floating_rpy      roll, pitch, yaw, x y z        ω and velocity of Mo, in F
 
-Units: rad, m, s; pitch in m/rad. A quaternion need not have length 1: its direction counts.
+Units: rad, m, s; pitch in m/rad. A quaternion need not be normalized: only its direction matters.
 """
 
 from __future__ import annotations
@@ -121,14 +121,15 @@ class TreeJoint:
         return tuple(self.name + suffix for suffix in COORDINATES[self.kind][1])
 
     def unit(self, name: str) -> str:
-        """Of a coordinate or velocity: m of a shift, rad of an angle, 1 of a quaternion's component."""
+        """Returns the unit of a coordinate or velocity: m, rad, or 1 for a quaternion's component."""
         part = name.removeprefix(self.name)
         if self.kind in ("ball", "floating") and part in QUATERNION:
             return "1"
         return "m" if self.kind == "prismatic" or part in (*PLACE, *SPEED, "_shift") else "rad"
 
     def moves(self) -> tuple[Move, ...]:
-        """X_FM as a product of motions, from F to M; their coordinates and velocities within the joint's."""
+        """Returns X_FM as a product of motions, from F to M; their coordinates and velocities within the
+        joint's."""
         if self.kind == "fixed":
             return ()
         if self.kind == "revolute":

@@ -19,34 +19,35 @@ from workbench.kinematics.fields import acceleration_tensors
 def product_derivatives(
     product: Callable[[np.ndarray, np.ndarray], np.ndarray], x: np.ndarray, y: np.ndarray
 ) -> np.ndarray:
-    """(x ∘ y)⁽ᵏ⁾ = Σᵢ C(k,i) x⁽ⁱ⁾ ∘ y⁽ᵏ⁻ⁱ⁾ of a bilinear product; as many orders as the shorter one has."""
+    """Returns (x ∘ y)⁽ᵏ⁾ = Σᵢ C(k,i) x⁽ⁱ⁾ ∘ y⁽ᵏ⁻ⁱ⁾ of a bilinear product; as many orders as the shorter one
+    has."""
     orders = min(len(x), len(y))
     return np.stack([sum(comb(k, i) * product(x[i], y[k - i]) for i in range(k + 1)) for k in range(orders)])
 
 
 def about_moving_point(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """(ω; v + ω × p) with its derivatives: the velocity of the body point that passes p(t), (n + 1, ...,
-    3)."""
+    """Returns (ω; v + ω × p) with its derivatives: the velocity of the body point that passes p(t), (n +
+    1, ..., 3)."""
     omega, v = twist[..., :3], twist[..., 3:]
     carried = product_derivatives(cross, omega, p)
     return np.concatenate([omega[: len(carried)], v[: len(carried)] + carried], axis=-1)
 
 
 def turned(R: np.ndarray, twist: np.ndarray) -> np.ndarray:
-    """(R ω; R v) with its derivatives, of R(t) (n + 1, ..., 3, 3)."""
+    """Returns (R ω; R v) with its derivatives, of R(t) (n + 1, ..., 3, 3)."""
     return np.concatenate(
         [product_derivatives(apply, R, part) for part in (twist[..., :3], twist[..., 3:])], axis=-1
     )
 
 
 def rotation_derivatives(omega: np.ndarray, R: np.ndarray) -> np.ndarray:
-    """R, Ṙ, …, R⁽ᴺ⁾ (N + 1, ..., 3, 3) of ω (N, ..., 3) and R (..., 3, 3): R⁽ⁿ⁾ = Φₙ R, Eq. (15)."""
+    """Returns R, Ṙ, …, R⁽ᴺ⁾ (N + 1, ..., 3, 3) of ω (N, ..., 3) and R (..., 3, 3): R⁽ⁿ⁾ = Φₙ R, Eq. (15)."""
     return acceleration_tensors(omega) @ R
 
 
 def carried_vector(omega: np.ndarray, r: np.ndarray) -> np.ndarray:
-    """r, ṙ, …, r⁽ᴺ⁾ (N + 1, ..., 3) of a vector r (..., 3) fixed in what turns with ω (N, ..., 3): ṙ = ω ×
-    r."""
+    """Returns r, ṙ, …, r⁽ᴺ⁾ (N + 1, ..., 3) of a vector r (..., 3) fixed in what turns with ω (N, ..., 3):
+    ṙ = ω × r."""
     found = [np.broadcast_to(r, (*omega.shape[1:-1], 3))]
     for n in range(len(omega)):
         found.append(sum(comb(n, k) * cross(omega[n - k], found[k]) for k in range(n + 1)))
@@ -54,19 +55,20 @@ def carried_vector(omega: np.ndarray, r: np.ndarray) -> np.ndarray:
 
 
 def origin_derivatives(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """p, ṗ, …, p⁽ᴺ⁾ (N + 1, ..., 3) of a frame's origin at p (..., 3), from its twist (N, ..., 6)."""
+    """Returns p, ṗ, …, p⁽ᴺ⁾ (N + 1, ..., 3) of a frame's origin at p (..., 3), from its twist (N, ..., 6)."""
     return np.concatenate([np.broadcast_to(p, (*twist.shape[1:-1], 3))[None], twist[..., 3:]])
 
 
 def about_world_origin(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """The chapter's twist, of the body point at the world's origin, of the twist of a frame at p (..., 3)."""
+    """Returns the chapter's twist, of the body point at the world's origin, of the twist of a frame at p
+    (..., 3)."""
     return about_moving_point(twist, -origin_derivatives(twist, p))
 
 
 def relative_twist(
     twist_WA: np.ndarray, X_WA: np.ndarray, twist_WB: np.ndarray, X_WB: np.ndarray
 ) -> np.ndarray:
-    """The twist of B as an observer in A sees it, in A's axes, with its derivatives there.
+    """Returns the twist of B as an observer in A sees it, in A's axes, with its derivatives there.
 
     twist_WA, twist_WB (N, ..., 6): in W. X_WA, X_WB (..., 4, 4). The twist composes by addition (Eq. (118)):
     at Bo it is V_WB − V_WA; the derivatives are those of its components in the moving A."""
@@ -77,7 +79,7 @@ def relative_twist(
 
 
 def inverse_pose(X: np.ndarray) -> np.ndarray:
-    """X⁻¹ of rigid X (..., 4, 4)."""
+    """Returns X⁻¹ of rigid X (..., 4, 4)."""
     R = transpose(X[..., :3, :3])
     inverse = np.zeros_like(X)
     inverse[..., :3, :3], inverse[..., :3, 3], inverse[..., 3, 3] = R, -apply(R, X[..., :3, 3]), 1

@@ -32,7 +32,7 @@ LEAST = 12  # samples of a window
 
 
 def compiled(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
-    """The function compiled by Numba, kept on disk where there is a place for it.
+    """Returns the function compiled by Numba, kept on disk where there is a place for it.
 
     Numba would not notice that a function of this module, which it calls, has changed since: what was kept
     before is removed.
@@ -121,7 +121,7 @@ project = compiled(_project, fastmath=True)
 def basis_derivatives(
     u: float, count: int, degree: int, alpha: np.ndarray, beta: np.ndarray, P: np.ndarray
 ) -> None:
-    """P[j, k] = dᵏPⱼ/duᵏ at u, by k derivatives of the recurrence."""
+    """Fills P[j, k] = dᵏPⱼ/duᵏ at u, by k derivatives of the recurrence."""
     P[0, :] = 0.0
     P[0, 0] = 1 / np.sqrt(count)
     for j in range(degree):
@@ -146,7 +146,7 @@ def least_error(
     estimate: np.ndarray,
     error: np.ndarray,
 ) -> None:
-    """Of each order, the estimate of the degree whose stated error is least, at the point whose basis is
+    """Fills the estimate of the degree with the least stated error for each order, at the point with basis
     P."""
     for k in range(ORDERS):
         unit = half**-k
@@ -167,7 +167,7 @@ def least_error(
 
 @compiled
 def degree_of(count: int) -> int:
-    """The degree of the basis in a window of so many samples."""
+    """Returns the degree of the basis in a window of so many samples."""
     return min(HIGHEST_DEGREE, count - 1 if count <= 16 else count - 5)
 
 
@@ -185,7 +185,8 @@ def mean_squares(t: np.ndarray, q: np.ndarray, count: int, degree: int, found: n
 
 @compiled
 def window_sigma(degree: int, square: float, first: int, count: int, sums: np.ndarray, floor: float) -> float:
-    """The deviation of the noise in a window; infinite where the polynomial leaves more than the noise.
+    """Returns the deviation of the noise in a window; infinite where the polynomial leaves more than the
+    noise.
 
     sums[i]: the sum of the local variances of the samples before i.
     """

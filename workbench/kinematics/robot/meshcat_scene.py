@@ -121,7 +121,7 @@ class _Scene:
                     self.animation.SetTransform(step, place, RigidTransform(point))
 
     def _rod(self, place: str, radius: float, length: float, colour: tuple[float, ...]) -> None:
-        """A cylinder from the origin of `place` along its z axis."""
+        """Adds a cylinder from the origin of `place` along its z axis."""
         from workbench.drake.gate import Cylinder, Rgba, RigidTransform
 
         self.meshcat.SetObject(f"{place}/rod", Cylinder(radius, length), Rgba(*colour))
@@ -136,7 +136,7 @@ class _Scene:
 
 
 def _along(start: np.ndarray, direction: np.ndarray) -> Any:
-    """The pose at `start` with z along the direction (world's z if it is zero)."""
+    """Returns the pose at `start` with z along the direction (world's z if it is zero)."""
     from workbench.drake.gate import RigidTransform, RotationMatrix
 
     length = np.linalg.norm(direction)

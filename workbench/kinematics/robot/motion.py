@@ -1,4 +1,4 @@
-"""A robot's motion, and the answers that are asked of it along a path: peaks, tables, plots, MeshCat."""
+"""A robot's motion, and results along a path: peaks, tables, plots, MeshCat."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 
 class Motion(States):
-    """What `Robot.motion` and `Robot.along` return: `frame(name)` and `frames`, and what is asked of a
-    whole path."""
+    """The motion that `Robot.motion` and `Robot.along` return: `frame(name)`, `frames`, and results along a
+    path."""
 
     robot: Any  # a `Robot`, which makes motions
 
     def torques(self, order: int = 0, gravity: ArrayLike = GRAVITY) -> np.ndarray:
-        """The generalized forces τ that the motion needs and their derivatives to the `order`, (order + 1,
-        ..., velocities): N or N m, per sᵏ, one for each velocity.
+        """Returns the generalized forces τ that the motion needs and their derivatives to the `order`, (order
+        + 1, ..., velocities): N or N m, per sᵏ, one for each velocity.
 
         Inverse dynamics by Newton, Euler and d'Alembert with the robot's `inertias`; gravity (3,) in m/s², in
         W's axes. Friction and rotors are left out. Needs a motion of order + 2. Raises ValueError for a robot
@@ -44,8 +44,8 @@ class Motion(States):
         limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> list[Peak]:
-        """The largest size of every joint derivative on the path, and of those of a point of a body and of
-        the body's rotation (angular velocity, …), in rad or m, per s, s², …, with its time in s.
+        """Returns the largest size of every joint derivative on the path, and of those of a point of a body
+        and of the body's rotation (angular velocity, …), in rad or m, per s, s², …, with its time in s.
 
         point (3,): p_BoP_B in m; relative_to: the body in which it is measured. limits: by joint, joints
         that follow others among them, or "*" for all, or "point" or "rotation" ("body point", "body
@@ -63,8 +63,9 @@ class Motion(States):
         limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> list[Violation]:
-        """The stretches of time in which a limit is exceeded, in their order, with the arguments and errors
-        of `peaks`: along samples those that are sure, the samples beyond by more than their errors."""
+        """Returns the stretches of time in which a limit is exceeded, in their order, with the arguments
+        and errors of `peaks`: along samples those that are sure, the samples beyond by more than their
+        errors."""
         return violations(self, body, point, limits, relative_to)
 
     def slowdown(
@@ -74,8 +75,8 @@ class Motion(States):
         limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> Slowdown:
-        """The least factor by which to stretch the path's times so that all limits are kept, and the peak
-        that asks for it: the largest of (peak/limit)^(1/order); below 1 the path can be faster.
+        """Returns the least factor by which to stretch the path's times so that all limits are kept, and the
+        peak that asks for it: the largest of (peak/limit)^(1/order); below 1 the path can be faster.
 
         Arguments: as of `peaks`; see `time_scaling.slowed` for the path in these times. Along a recording
         the factor is enough for all sizes that the stated errors allow. Raises ValueError for a position
@@ -90,7 +91,7 @@ class Motion(States):
         limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> RetimedPath:
-        """The same path q(s) in other times q(s(t)), t from 0 s on, within all limits of velocity,
+        """Returns the same path q(s) in other times q(s(t)), t from 0 s on, within all limits of velocity,
         acceleration, jerk and snap: slow where a limit asks for it, else faster; never longer than by the
         uniform `slowdown`. For `Robot.along`.
 
@@ -102,13 +103,14 @@ class Motion(States):
     def table(
         self, body: str | None = None, point: ArrayLike = (0, 0, 0), relative_to: str | None = None
     ) -> dict[str, np.ndarray]:
-        """The columns t, coordinates, their derivatives, and those of a point of a body, each (states,)."""
+        """Returns the columns t, coordinates, their derivatives, and those of a point of a body, each
+        (states,)."""
         return answers.table(self, body, point, relative_to)
 
     def to_dataframe(
         self, body: str | None = None, point: ArrayLike = (0, 0, 0), relative_to: str | None = None
     ) -> Any:
-        """`table` as a pandas.DataFrame; ImportError where pandas is not installed."""
+        """Returns `table` as a pandas.DataFrame; ImportError where pandas is not installed."""
         try:
             import pandas
         except ImportError:
@@ -122,8 +124,10 @@ class Motion(States):
         point: ArrayLike = (0, 0, 0),
         relative_to: str | None = None,
     ) -> None:
-        """`table` as a CSV file, with the unit in each column's name, such as "velocity j1 (rad/s)"; `along`
-        reads it. Raises ValueError where it cannot be written."""
+        """Writes `table` as a CSV file, with units in the column names, such as "velocity j1 (rad/s)".
+
+        `along` reads the file. Raises ValueError if it cannot be written.
+        """
         answers.write_csv(answers.table(self, body, point, relative_to, with_units=True), file)
 
     def plot(
@@ -133,7 +137,8 @@ class Motion(States):
         limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> Figure:
-        """A matplotlib figure: each order of the joints' derivatives and of the point's, limits dashed."""
+        """Returns a matplotlib figure: each order of the joints' derivatives and of the point's, limits
+        dashed."""
         return plots.plot(self, body, point, limits, relative_to)
 
     def show(

@@ -17,9 +17,9 @@ import numpy as np
 
 
 def twist_partial(J: np.ndarray, D: np.ndarray, k: int, j: int) -> np.ndarray:
-    """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, coordinates), of J (k + 2, ..., 6, coordinates) with its derivatives and its
-    turning parts D, Ḋ, … (k + 1, ..., 3, coordinates); V = (ω; velocity of the point that J is of), in
-    W's axes."""
+    """Returns ∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, coordinates), of J (k + 2, ..., 6, coordinates) with its derivatives
+    and its turning parts D, Ḋ, … (k + 1, ..., 3, coordinates); V = (ω; velocity of the point that J is
+    of), in W's axes."""
     partial = np.zeros(J.shape[1:])
     if j > k + 1:
         return partial

@@ -1,4 +1,4 @@
-"""The peaks of a motion along a path: what is asked for, and who answers on exact paths and on recordings."""
+"""Peaks of a motion along a path: the quantities, and the choice between exact paths and recordings."""
 
 from __future__ import annotations
 
@@ -47,8 +47,11 @@ def violations(
 
 
 def asked_of(motion: States, body: str | None, limits: LimitTables | None) -> list[Asked]:
-    """What is sought: each joint derivative, those of the point and of the body's rotation, and each
-    coordinate with a limit; of joints that follow others only what has a limit."""
+    """Returns the quantities whose peaks are sought.
+
+    These are each joint derivative, those of the point and of the body's rotation, and each coordinate with a
+    limit. Mimic joints count only with a limit.
+    """
     if motion.path is None:
         raise ValueError("expected a motion along a path (`Robot.along`), which has times between its states")
     robot, order, known = motion.robot, motion.order, known_limits(motion.robot, limits)
@@ -80,9 +83,9 @@ def asked_of(motion: States, body: str | None, limits: LimitTables | None) -> li
 
 
 def _sources(robot: Structure) -> dict[str, tuple[int | None, int, float, float]]:
-    """Of each velocity, those of joints that follow others last: (position, velocity, factor, offset).
+    """Returns (position, velocity, factor, offset) of each velocity, mimic joints last.
 
-    position: None where the velocity is no derivative of a coordinate (those of balls).
+    position: None if the velocity is no derivative of a coordinate (those of balls).
     """
     found: dict[str, tuple[int | None, int, float, float]] = {}
     position = velocity = 0

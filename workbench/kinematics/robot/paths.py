@@ -104,16 +104,18 @@ class RecordedPath(SampledPath):
         self.breaks = np.array(sorted({one.time for r in self.recordings for one in r.breaks}))
 
     def derivatives(self, t: ArrayLike, order: int) -> np.ndarray:
-        """q, …, q⁽ᵒʳᵈᵉʳ⁾ at the times t (...) in s, (order + 1, ..., joints). Raises ValueError for a time
-        outside, and for an order beyond 4."""
+        """Returns q, …, q⁽ᵒʳᵈᵉʳ⁾ at the times t (...) in s, (order + 1, ..., joints). Raises ValueError
+        for a time outside, and for an order beyond 4."""
         return self._estimates(t, order)[0]
 
     def error(self, t: ArrayLike, order: int) -> np.ndarray:
-        """The stated error of each derivative, (order + 1, ..., joints), infinite where nothing is known."""
+        """Returns the stated error of each derivative, (order + 1, ..., joints), infinite where nothing is
+        known."""
         return self._estimates(t, order)[1]
 
     def estimate(self, order: int) -> tuple[np.ndarray, np.ndarray]:
-        """(value, error), each (samples, joints), of the derivative of that order at the samples `times`."""
+        """Returns (value, error), each (samples, joints), of the derivative of that order at the samples
+        `times`."""
         pairs = [recording.estimate(order) for recording in self.recordings]
         values, errors = (np.stack([pair[i] for pair in pairs], axis=-1) for i in (0, 1))
         return values, errors
@@ -128,7 +130,7 @@ class RecordedPath(SampledPath):
         return values, errors
 
     def taylor(self, t: float, degree: int | None = None) -> JointPath:
-        """The polynomial of the derivatives to the snap at ``t``, its clock restarted there."""
+        """Returns the polynomial of the derivatives to the snap at ``t``, its clock restarted there."""
         highest = HIGHEST_RECORDED_ORDER
         return super().taylor(t, highest if degree is None else min(degree, highest))
 
@@ -190,7 +192,7 @@ UNITS = {
 def read_samples(
     file: str | FilePath, positions: Sequence[str], units: Mapping[str, str] | None = None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(t, q) of a CSV file, t (samples,) in s, q (samples, positions) in rad or m.
+    """Returns (t, q) of a CSV file, t (samples,) in s, q (samples, positions) in rad or m.
 
     The file has a header `t` and names of coordinates, then a row a time; coordinates without a column stay
     at 0. A name may end with its unit in brackets, as "j1 (deg)"; units: of the coordinates, rad or m, which
@@ -236,7 +238,7 @@ def read_samples(
 def _name_and_size(
     column: str, positions: Sequence[str], units: Mapping[str, str], file: str | FilePath
 ) -> tuple[str, float]:
-    """The name and the size of the unit of a column such as "j1 (deg)"."""
+    """Returns the name and the size of the unit of a column such as "j1 (deg)"."""
     found = None if column in positions else re.fullmatch(r"(.*\S)\s*[(\[]([^()\[\]]*)[)\]]", column)
     if found is None:
         return column, 1.0
@@ -252,7 +254,7 @@ def _name_and_size(
 
 
 def _is_derived(name: str) -> bool:
-    """Whether a column is one that `Motion.table` computes: "jerk NAME", "BODY position x", "BODY jerk
+    """True if a column is one that `Motion.table` computes: "jerk NAME", "BODY position x", "BODY jerk
     size"."""
     orders = [*map(order_name, range(5))]
     words = name.split(" ")
@@ -272,8 +274,8 @@ def _is_number(text: str) -> bool:
 def as_path(
     trajectory: Any, names: Sequence[str], angles: Sequence[int] = (), quaternions: Sequence[int] = ()
 ) -> Path:
-    """A `Path`, a Drake Trajectory, a SciPy spline, a trajectory of toppra or Ruckig, or samples (t, q), as a
-    path of the coordinates of those names.
+    """Returns a `Path`, a Drake Trajectory, a SciPy spline, a trajectory of toppra or Ruckig, or samples (t,
+    q), as a path of the coordinates of those names.
 
     angles, quaternions: see `RecordedPath`. Raises ValueError.
     """

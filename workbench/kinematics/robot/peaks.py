@@ -1,8 +1,7 @@
-"""The peaks of a motion along a path beside limits: where each derivative is largest, and whether that is
-known.
+"""Peaks of a motion along a path, compared with limits: the maximum of each derivative, if it is determined.
 
-Along a formula or a Drake trajectory a peak is exact, unless a lower derivative jumps: then it has no
-bound. Along a recording it has a stated error, or is not determined (`recorded_motion`).
+Along a formula or a Drake trajectory a peak is exact, unless a lower derivative jumps: then it has no bound.
+Along a recording it has a stated error, or is not determined (`recorded_motion`).
 """
 
 from __future__ import annotations
@@ -86,7 +85,7 @@ class Peak:
         return f"{with_error(self.value, self.error)} {self.unit} at {self.time:.6g} s{span}"
 
     def _bounds(self) -> str:
-        """What is known of a size that is not determined, such as ", at least 10 rad/s^3"."""
+        """Returns the bounds of a size that is not determined, such as ", at least 10 rad/s^3"."""
         sign, words = (-1, ("at most", "at least")) if self.bound == "lower" else (1, ("at least", "at most"))
         bounds = list(zip(words, (self.at_least, self.at_most), strict=True))
         if self.order and self.at_least == 0:
@@ -96,7 +95,7 @@ class Peak:
 
 
 def with_error(value: float, error: float) -> str:
-    """ "30.0 ± 2.5": the value to the second digit of its error."""
+    """Returns "30.0 ± 2.5": the value to the second digit of its error."""
     if error == 0 or value == 0:
         return f"{value:.6g}" if error == 0 else f"{value:g} ± {error:.2g}"
     digits = floor(log10(abs(value))) - floor(log10(error)) + 2
@@ -123,7 +122,7 @@ class Asked:
 
     @property
     def threshold(self) -> float:
-        """What no size may be larger than: the limit; of a lower bound, whose size is −q, minus the limit."""
+        """The bound for sizes: the limit; for a lower bound, whose size is −q, minus the limit."""
         if self.limit is None:
             return np.inf
         return -self.limit if self.bound == "lower" else self.limit
@@ -156,21 +155,21 @@ class Violation:
 
 
 def violation(asked: Asked, start: float, end: float, value: float, time: float) -> Violation:
-    """The violation of what was asked, its size being −q of a lower bound."""
+    """Returns the violation of what was asked, its size being −q of a lower bound."""
     assert asked.limit is not None
     signed = -value if asked.bound == "lower" else value
     return Violation(asked.of, asked.order, asked.bound, asked.limit, asked.unit, start, end, signed, time)
 
 
 def stretches(flags: np.ndarray) -> list[tuple[int, int]]:
-    """The first and the last index of each run of true flags (n,)."""
+    """Returns the first and the last index of each run of true flags (n,)."""
     edges = np.diff(np.concatenate([[False], flags, [False]]).astype(int))
     firsts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
     return list(zip(firsts.tolist(), (ends - 1).tolist(), strict=True))
 
 
 def point_of(motion: States, body: str, point: ArrayLike, relative_to: str | None) -> PointMotion:
-    """The motion of a body's point, as another body sees it if `relative_to` names one."""
+    """Returns the motion of a body's point, as another body sees it if `relative_to` names one."""
     frame = motion.frame(body)
     return (frame if relative_to is None else frame.relative_to(motion.frame(relative_to))).point(point)
 
@@ -178,8 +177,11 @@ def point_of(motion: States, body: str, point: ArrayLike, relative_to: str | Non
 def body_curves(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None
 ) -> dict[str, np.ndarray]:
-    """By the names of `of_body` the derivatives (N + 1, ..., 3) of a body's point, and its angular
-    velocity and its derivatives from row 1 on, row 0 being 0. Nothing if there is no body."""
+    """Returns the curves of a body by the names of `of_body`: the derivatives (N + 1, ..., 3) of a point, and
+    its angular velocity.
+
+    The angular velocity and its derivatives start in row 1; row 0 is 0. The result is empty without a body.
+    """
     if body is None:
         return {}
     moving = point_of(motion, body, point, relative_to)
@@ -189,7 +191,7 @@ def body_curves(
 
 
 def peak_at(asked: Asked, value: float, time: float, **options: Any) -> Peak:
-    """The peak of what was asked; the value of a lower bound is that of −q. Options: see `Peak`."""
+    """Returns the peak of what was asked; the value of a lower bound is that of −q. Options: see `Peak`."""
     signed = -value if asked.bound == "lower" else value
     found = Peak(asked.of, asked.order, signed + 0.0, time, asked.limit, asked.unit, asked.bound)
     return replace(found, **({"at_least": value, "at_most": value} | options))

@@ -15,8 +15,8 @@ SHORTEST = 1e-12  # of the whole time: a phase that is left out
 
 
 def planner_path(trajectory: Any) -> SplinePath | None:
-    """The path of a trajectory of toppra (`SplineInterpolator`, `ParametrizeConstAccel`, `ParametrizeSpline`)
-    or Ruckig (`Trajectory`); None of any other object.
+    """Returns the path of a trajectory of toppra (`SplineInterpolator`, `ParametrizeConstAccel`,
+    `ParametrizeSpline`) or Ruckig (`Trajectory`); None of any other object.
 
     Raises ValueError for an object of these libraries whose pieces are no polynomials of time.
     """
@@ -28,7 +28,7 @@ def planner_path(trajectory: Any) -> SplinePath | None:
 
 
 def _of_ruckig(trajectory: Any) -> SplinePath:
-    """The pieces of constant jerk: position, velocity and acceleration in the middle of each and the
+    """Returns the pieces of constant jerk: position, velocity and acceleration in the middle of each and the
     change of the acceleration over it."""
     from scipy.interpolate import PPoly
 
@@ -44,7 +44,7 @@ def _of_ruckig(trajectory: Any) -> SplinePath:
 
 
 def _at_time(trajectory: Any) -> Any:
-    """Position, velocity and acceleration at a time."""
+    """Returns position, velocity and acceleration at a time."""
 
     def evaluated(t: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         p, v, a = trajectory.at_time(float(t))[:3]
@@ -54,7 +54,7 @@ def _at_time(trajectory: Any) -> Any:
 
 
 def _ruckig_times(trajectory: Any) -> np.ndarray:
-    """The ends of all phases of all joints, increasing, from 0 to the end."""
+    """Returns the ends of all phases of all joints, increasing, from 0 to the end."""
     duration, times, start = float(trajectory.duration), [0.0], 0.0
     if not duration > 0:
         raise ValueError(f"trajectory: expected one of some duration, got {duration} s")
@@ -87,7 +87,7 @@ def _of_toppra(trajectory: Any) -> SplinePath:
 def _composed(
     spline: Any, ts: np.ndarray, ss: np.ndarray, velocities: np.ndarray, us: np.ndarray
 ) -> SplinePath:
-    """q(s(t)) of a spline q(s) and s(t) = ss + velocities (t − ts) + us (t − ts)²/2 by pieces."""
+    """Returns q(s(t)) of a spline q(s) and s(t) = ss + velocities (t − ts) + us (t − ts)²/2 by pieces."""
     from scipy.interpolate import PPoly
 
     knots = spline.x[(spline.x > ss[0]) & (spline.x < ss[-1])]

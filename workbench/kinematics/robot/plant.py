@@ -32,7 +32,7 @@ REVERSIBLE = ("fixed", "revolute", "prismatic", "helical")
 
 
 def tree_joints(plant: MultibodyPlant, mimics: Mapping[str, Mimic]) -> list[TreeJoint]:
-    """The plant's joints as a tree from its world, in the order of its coordinates.
+    """Returns the plant's joints as a tree from its world, in the order of its coordinates.
 
     A body is called model::body where another model has a body of that name, and a joint likewise. Raises
     ValueError for a plant not finalized, a joint of another kind, and one whose velocities do not follow its
@@ -82,8 +82,8 @@ def tree_joints(plant: MultibodyPlant, mimics: Mapping[str, Mimic]) -> list[Tree
 
 
 def inertias(plant: MultibodyPlant) -> dict[str, Inertia]:
-    """The inertias of a finalized plant's rigid bodies but the world, by the names that `tree_joints` gives
-    them."""
+    """Returns the inertias of a finalized plant's rigid bodies but the world, by the names that
+    `tree_joints` gives them."""
     from workbench.drake.gate import BodyIndex
 
     bodies = [plant.get_body(BodyIndex(index)) for index in range(1, plant.num_bodies())]
@@ -107,7 +107,7 @@ def _names(plant: MultibodyPlant, elements: list) -> dict:
 
 
 def _outward(plant: MultibodyPlant, joints: list[PlantJoint]) -> list[tuple[PlantJoint, bool]]:
-    """The joints from the world outwards; True where that is from parent to child."""
+    """Returns the joints from the world outwards; True where that is from parent to child."""
     neighbours: dict = {}
     for joint in joints:
         parent, child = joint.parent_body().index(), joint.child_body().index()
@@ -135,7 +135,7 @@ def _axis(joint: PlantJoint, kind: str) -> tuple[np.ndarray, float]:
 
 
 def _screw_axis(joint: PlantJoint) -> np.ndarray:
-    """The axis of a screw joint, which Drake does not tell: that of its rotation by one radian."""
+    """Returns the axis of a screw joint, which Drake does not tell: that of its rotation by one radian."""
     plant = joint.GetParentPlant()
     context = plant.CreateDefaultContext()
     positions = plant.GetPositions(context)

@@ -1,4 +1,4 @@
-"""A motion along a path as one figure: every joint's derivatives and a point's, order by order, with
+"""Plot of a motion along a path: the derivatives of every joint and of a point, order by order, with
 limits."""
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def plot(
 
 
 def _limit_lines(axis: Any, values: tuple[float, ...], colour: str) -> None:
-    """A limit is drawn where it does not flatten the curves."""
+    """Draws limits, except those that would flatten the curves."""
     low, high = axis.get_ylim()
     reach = 3 * max(abs(low), abs(high))
     for value in values:

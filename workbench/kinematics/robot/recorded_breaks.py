@@ -35,7 +35,7 @@ REACH = 24  # samples to both sides, in which the time of a break is looked for
 
 @dataclass(frozen=True)
 class Found:
-    """A break: its time in s, the first sample behind it, and the order of the derivative that jumps."""
+    """A break: its time in s, the first sample after it, and the order of the derivative that jumps."""
 
     time: float
     sample: int
@@ -45,7 +45,8 @@ class Found:
 def find_breaks(
     t: np.ndarray, q: np.ndarray, first: int, last: int, floor: float, sums: np.ndarray, z: float
 ) -> list[Found]:
-    """The breaks of the samples first, …, last − 1; t in s, sums of local variances, floor of the noise."""
+    """Returns the breaks of the samples first, …, last − 1; t in s, sums of local variances, floor of the
+    noise."""
     found: list[Found] = []
     previous, a = first, first
     while True:
@@ -73,7 +74,7 @@ def find_breaks(
 def _jump(
     t: np.ndarray, q: np.ndarray, low: int, cut: int, high: int, floor: float, sums: np.ndarray, z: float
 ) -> int | None:
-    """The lowest order in which the fits of both sides differ by more than their errors, or None."""
+    """Returns the lowest order in which the fits of both sides differ by more than their errors, or None."""
     (left, le), (right, re) = np.zeros((2, 2, ORDERS))
     at, gap = 0.5 * (t[cut - 1] + t[cut]), t[cut] - t[cut - 1]
     one_side(t, q, low, cut, True, at, floor, sums, z, left, le)
@@ -88,7 +89,7 @@ def _jump(
 
 
 def _refined(t: np.ndarray, q: np.ndarray, low: int, cut: int, high: int, floor: float, order: int) -> Found:
-    """The break with the highest order that a fit of both sides with an unknown time allows."""
+    """Returns the break with the highest order that a fit of both sides with an unknown time allows."""
     from scipy.special import chdtri
 
     squares, places = np.zeros(SIDE_DEGREE + 2), np.zeros(SIDE_DEGREE + 2)

@@ -1,7 +1,7 @@
-"""Peaks of a robot's motion along a recording, with errors carried over from those of the coordinates.
+"""Peaks of a robot's motion along a recording, with errors propagated from those of the coordinates.
 
-The error of what depends on many coordinates is, to first order, the sum of what each derivative's own
-error does:
+The error of a quantity F of many coordinates is, to first order, the sum of the effects of each derivative's
+error:
 
     error(F) = Σ₍ⱼ,ₖ₎ |F(…, qⱼ⁽ᵏ⁾ + eⱼ⁽ᵏ⁾, …) − F|.
 """
@@ -53,7 +53,7 @@ class Samples:
 def recorded_peaks(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
 ) -> list[Peak]:
-    """The peaks on the times from the motion's first to its last."""
+    """Returns the peaks on the times from the motion's first to its last."""
     parts, samples = _samples(motion)
     carried = _carried(motion, body, point, relative_to, asked, samples)
     whole = samples.times[0], samples.times[-1]
@@ -64,7 +64,8 @@ def recorded_peaks(
 
 
 def _samples(motion: States) -> tuple[list[Recording], Samples]:
-    """The recordings on the times from the motion's first to its last, and their estimates together."""
+    """Returns the recordings on the times from the motion's first to its last, and their estimates
+    together."""
     start, end = float(motion.times.min()), float(motion.times.max())
     parts = [recording.within(start, end) for recording in motion.path.recordings]
     pairs = [[part.estimate(k) for part in parts] for k in range(motion.order + 1)]
@@ -77,7 +78,7 @@ def _samples(motion: States) -> tuple[list[Recording], Samples]:
 def recorded_violations(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
 ) -> list[Violation]:
-    """The stretches of samples that are beyond a limit by more than their stated errors."""
+    """Returns the stretches of samples that are beyond a limit by more than their stated errors."""
     parts, samples = _samples(motion)
     carried = _carried_values(motion, body, point, relative_to, asked, samples)
     found = []
@@ -95,7 +96,7 @@ def recorded_violations(
 
 
 def _own_sizes(recording: Recording, one: Asked) -> tuple[np.ndarray, np.ndarray]:
-    """What a coordinate's limit is compared with, and its errors, each (samples,)."""
+    """Returns the sizes that a coordinate's limit is compared with, and their errors, each (samples,)."""
     values, errors = recording.estimate(one.order)
     if one.order == 0:
         q = one.factor * values + one.offset
@@ -107,7 +108,7 @@ def _own_sizes(recording: Recording, one: Asked) -> tuple[np.ndarray, np.ndarray
 
 
 def _as_peak(one: Asked, whole: tuple[float, float], found: RecordedPeak) -> Peak:
-    """The peak of what was asked, of the coordinate's own."""
+    """Returns the peak of what was asked, of the coordinate's own."""
     scale, shift = (abs(one.factor), 0.0)
     if one.order == 0:
         shift = -one.offset if one.bound == "lower" else one.offset
@@ -124,8 +125,8 @@ def _as_peak(one: Asked, whole: tuple[float, float], found: RecordedPeak) -> Pea
 
 
 def _direct(recording: Recording, one: Asked) -> RecordedPeak:
-    """The peak of a coordinate's derivative from its own recording, the factor of a joint that follows
-    aside."""
+    """Returns the peak of a coordinate's derivative from its own recording, the factor of a joint that
+    follows aside."""
     if one.order == 0:
         sign = -1 if (one.bound == "lower") != (one.factor < 0) else 1
         return recorded_bound(recording, sign)
@@ -140,8 +141,8 @@ def _deceleration(recording: Recording) -> RecordedPeak:
 
 
 def _decelerations(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
-    """|q̈| where q̈ and q̇ have opposite signs, else 0, and its errors, each (samples,); where the signs
-    are not known it may count or not."""
+    """Returns |q̈| where q̈ and q̇ have opposite signs, else 0, and its errors, each (samples,); where the
+    signs are not known it may count or not."""
     (v, ev), (a, ea) = recording.estimate(1), recording.estimate(2)
     size = np.abs(a)
     is_sure = (np.abs(v) > ev) & (size > ea)
@@ -159,7 +160,7 @@ def _carried(
     asked: list[Asked],
     samples: Samples,
 ) -> dict[int, RecordedPeak]:
-    """The peaks of the body and of balls' velocities, by their places in `asked`."""
+    """Returns the peaks of the body and of balls' velocities, by their places in `asked`."""
     found: dict[int, RecordedPeak] = {}
     places: dict[tuple[str, int], int] = {}
     for i, (values, errors, own) in _carried_values(motion, body, point, relative_to, asked, samples).items():
@@ -179,8 +180,11 @@ def _carried_values(
     asked: list[Asked],
     samples: Samples,
 ) -> dict[int, tuple[np.ndarray, np.ndarray, list[int]]]:
-    """Of the body and of balls' velocities, by their places in `asked`: values (samples, components), errors
-    (samples,) of their sizes, and the coordinates that they depend on."""
+    """Returns the values of the body and of balls' velocities, by their indices in `asked`.
+
+    Each is values (samples, components), errors (samples,) of their sizes, and the coordinates that they
+    depend on.
+    """
     robot: Any = motion.robot
     wanted = {i: one for i, one in enumerate(asked) if one.position is None}
     if not wanted:
@@ -203,7 +207,7 @@ def _carried_values(
 
 
 def _of_ball(motion: States, one: Asked) -> list[int]:
-    """The coordinates of the ball joint whose velocity is asked for."""
+    """Returns the coordinates of the ball joint whose velocity is asked for."""
     joint = next(joint for joint in motion.robot.joints if one.of in joint.velocities)
     return [motion.robot.positions.index(name) for name in joint.coordinates]
 
@@ -214,8 +218,10 @@ def _with_errors(
     wanted: dict[int, Asked],
     own: dict[int, list[int]],
 ) -> dict[int, tuple[np.ndarray, np.ndarray]]:
-    """Of each quantity its values (samples, components), and the errors (samples,) of their sizes; own: the
-    coordinates that it depends on."""
+    """Returns, for each quantity, its values (samples, components), and the errors (samples,) of their sizes.
+
+    own: the coordinates that it depends on.
+    """
     blocks = []
     for first in range(0, len(samples.times), BLOCK):
         here = slice(first, first + BLOCK)
@@ -255,8 +261,8 @@ def _block(
 def _peak(
     samples: Samples, values: np.ndarray, errors: np.ndarray, coordinates: list[int], order: int
 ) -> RecordedPeak:
-    """The peak of a quantity's size; beside a break, and between samples, it may differ by as much as it
-    changes."""
+    """Returns the peak of a quantity's size; next to a break, and between samples, it may differ by as much
+    as it changes."""
     size, errors = np.linalg.norm(values, axis=-1), errors.copy()
     breaks = [one for j in coordinates for one in samples.breaks[j]]
     for one in breaks:

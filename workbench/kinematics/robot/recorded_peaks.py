@@ -40,7 +40,7 @@ class RecordedPeak:
 
 
 def recorded_peak(recording: Recording, order: int) -> RecordedPeak:
-    """The largest |q⁽ᵏ⁾|, k = order >= 1."""
+    """Returns the largest |q⁽ᵏ⁾|, k = order >= 1."""
     recording.estimate(order)  # raises ValueError beyond 4
     size, error = np.abs(recording.estimates[order]), recording.errors[order]
     jumps = [one for one in recording.breaks if one.order < order]
@@ -51,8 +51,8 @@ def recorded_peak(recording: Recording, order: int) -> RecordedPeak:
 
 
 def below_noise(found: RecordedPeak, lower: Callable[[], RecordedPeak]) -> RecordedPeak:
-    """The peak; of one below its noise at_most is known only if the derivative before it is known well, or is
-    below its noise with a bound of its own: else it may jump."""
+    """Returns the peak; of one below its noise at_most is known only if the derivative before it is known
+    well, or is below its noise with a bound of its own: else it may jump."""
     if found.reason != BELOW:
         return found
     before = lower()
@@ -61,7 +61,7 @@ def below_noise(found: RecordedPeak, lower: Callable[[], RecordedPeak]) -> Recor
 
 
 def recorded_bound(recording: Recording, sign: int) -> RecordedPeak:
-    """The largest sign · q, sign = 1 or −1; the coordinate there is sign · value."""
+    """Returns the largest sign · q, sign = 1 or −1; the coordinate there is sign · value."""
     value, error = sign * recording.estimates[0], recording.errors[0]
     at = int(np.argmax(value))
     best, time = float(value[at]), float(recording.times[at])
@@ -83,7 +83,7 @@ def peak_of(
     corners: Sequence[tuple[int, float, float]] = (),
     moves: np.ndarray | None = None,
 ) -> RecordedPeak:
-    """The largest size (n,) at times (n,), whose errors (n,) are stated.
+    """Returns the largest size (n,) at times (n,), whose errors (n,) are stated.
 
     jumps: breaks of lower derivatives, where the size has no bound. corners: (first sample behind, value,
     error) of sizes at a break between two samples. moves: by how much in s the maxima are off the samples.
@@ -120,7 +120,7 @@ def peak_of(
 
 
 def jump_reason(jumps: Sequence[Break]) -> str:
-    """Which derivative jumps, and where: "acceleration jumps at 3 times (1, 2, 3 s)"."""
+    """Returns which derivative jumps, and where: "acceleration jumps at 3 times (1, 2, 3 s)"."""
     lowest = min(one.order for one in jumps)
     at = sorted(one.time for one in jumps if one.order == lowest)
     times = ", ".join(f"{time:.6g}" for time in at[:3]) + (", …" if len(at) > 3 else "")
@@ -131,7 +131,8 @@ def jump_reason(jumps: Sequence[Break]) -> str:
 def _bounds(
     size: np.ndarray, error: np.ndarray, corners: Sequence[tuple[int, float, float]], first: int, last: int
 ) -> tuple[float, float, float]:
-    """(value, low, high) of the peak on the samples first, …, last − 1 and the corners between them."""
+    """Returns (value, low, high) of the peak on the samples first, …, last − 1 and the corners between
+    them."""
     here = slice(first, last)
     value, low = float(size[here].max()), float((size - error)[here].max())
     high = float((size + error)[here].max())
@@ -142,8 +143,8 @@ def _bounds(
 
 
 def _between_samples(recording: Recording, order: int) -> tuple[np.ndarray, np.ndarray]:
-    """(more, moves): by how much the size exceeds that at each sample near it, where the derivative f has
-    f′ = 0 near the sample, at the distance −f′/f″ in s, and there is a maximum of |f|."""
+    """Returns (more, moves): by how much the size exceeds that at each sample near it, where the
+    derivative f has f′ = 0 near the sample, at the distance −f′/f″ in s, and there is a maximum of |f|."""
     f, slope, bend = recording.estimates[order : order + 3]
     steps = np.diff(recording.times)
     near = np.minimum(np.append(steps, steps[-1]), np.append(steps[0], steps))
@@ -154,14 +155,14 @@ def _between_samples(recording: Recording, order: int) -> tuple[np.ndarray, np.n
 
 
 def _steepness(recording: Recording, order: int, size: np.ndarray) -> np.ndarray:
-    """|f″/f|^½: the rate per s at which f oscillates at most."""
+    """Returns |f″/f|^½: the rate per s at which f oscillates at most."""
     bend = np.abs(recording.estimates[order + 2])
     return np.sqrt(np.divide(bend, size, out=np.zeros_like(size), where=size > 1e-290 * bend))
 
 
 def _corners(recording: Recording, order: int) -> list[tuple[int, float, float]]:
-    """Of each break, (first sample behind, value, error) of |f| between the last sample before and it, f
-    being the derivative `order`."""
+    """Returns, for each break, (first sample after it, value, error) of |f| between the neighbouring samples,
+    f being the derivative `order`."""
     found = []
     for one in recording.breaks:
         if one.order >= order:
@@ -170,7 +171,7 @@ def _corners(recording: Recording, order: int) -> list[tuple[int, float, float]]
 
 
 def _corner(recording: Recording, order: int, one: Break) -> tuple[int, float, float]:
-    """The corner where the two sides' lines f + s x and g − r (step − x) meet, or the larger end of a
+    """Returns the corner where the two sides' lines f + s x and g − r (step − x) meet, or the larger end of a
     jump."""
     i, j = one.sample - 1, one.sample
     step = recording.times[j] - recording.times[i]

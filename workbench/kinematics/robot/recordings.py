@@ -1,9 +1,9 @@
-"""Derivatives to the snap of a recorded coordinate, each with a stated error, by local least-squares
+"""Derivatives up to the snap of a recorded coordinate, with stated errors, by local least-squares
 polynomials.
 
-A recording is cut at gaps and where a derivative of order at most 4 jumps (`recorded_breaks`). Between the
-cuts windows of many sizes are fitted (`local_polynomials`); of each sample and order the window and the
-degree with the least stated error count. Units: s, and rad or m per sᵏ.
+A recording is cut at gaps and at jumps of a derivative of order at most 4 (`recorded_breaks`). Between the
+cuts, windows of many sizes are fitted (`local_polynomials`); for each sample and order the window and the
+degree with the least stated error are used. Units: s, and rad or m per sᵏ.
 """
 
 from __future__ import annotations
@@ -49,13 +49,14 @@ class Recording:
     step: float
 
     def estimate(self, order: int) -> tuple[np.ndarray, np.ndarray]:
-        """(value, error), each (n,): the derivative of that order at the samples. Raises ValueError beyond
-        4."""
+        """Returns (value, error), each (n,): the derivative of that order at the samples. Raises
+        ValueError beyond 4."""
         require_order(order)
         return self.estimates[order], self.errors[order]
 
     def within(self, start: float, end: float) -> Recording:
-        """The part from start to end in s, both within the recording, with a sample outside on each side."""
+        """Returns the part from start to end in s, both within the recording, with a sample outside on each
+        side."""
         n = len(self.times)
         first = max(0, int(np.searchsorted(self.times, start, side="right")) - 1)
         last = min(n, int(np.searchsorted(self.times, end)) + 1)
@@ -68,8 +69,8 @@ class Recording:
         return Recording(self.times[here], estimates, errors, tuple(breaks), gaps, self.noise, self.step)
 
     def between(self, times: np.ndarray, order: int) -> tuple[np.ndarray, np.ndarray]:
-        """Derivatives 0, …, order at any times (...) of the recording and their errors, each (order + 1,
-        ...).
+        """Returns the derivatives 0, …, order at any times (...) of the recording, and their errors, each
+        (order + 1, ...).
 
         Between two samples the Taylor polynomials of both, of two more orders, are blended linearly; the
         error is the larger one of the two, plus their difference. At a break it is the polynomial of the
@@ -106,7 +107,7 @@ class Recording:
         return values, errors
 
     def _across(self, gap: int, times: np.ndarray, order: int) -> np.ndarray:
-        """The quintic between the samples on both sides of a gap."""
+        """Returns the quintic between the samples on both sides of a gap."""
         from scipy.interpolate import BPoly
 
         ends = [self.estimates[:3, i] for i in (gap - 1, gap)]
@@ -123,7 +124,7 @@ def require_order(order: int) -> None:
 
 
 def record(t: np.ndarray, q: np.ndarray) -> Recording:
-    """The recording of the samples q (n,) at increasing times t (n,) in s; n is at least 10."""
+    """Returns the recording of the samples q (n,) at increasing times t (n,) in s; n is at least 10."""
     from scipy.special import ndtri
 
     from workbench.kinematics.robot.local_polynomials import ORDERS, fit_windows  # loads Numba
@@ -158,7 +159,8 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
 
 
 def _fill_short(t: np.ndarray, q: np.ndarray, first: int, last: int, estimates: np.ndarray) -> None:
-    """Estimates of a stretch too short for errors: the polynomial through it, of degree 3 at most."""
+    """Fills the estimates of a stretch too short for errors: the polynomial through it, of degree 3 at
+    most."""
     here = slice(first, last)
     at = t[here] - t[first]
     fit = np.polynomial.Polynomial.fit(at, q[here], min(3, last - first - 1), domain=[0, max(at[-1], 1e-300)])
@@ -167,7 +169,7 @@ def _fill_short(t: np.ndarray, q: np.ndarray, first: int, last: int, estimates: 
 
 
 def _local_noise(t: np.ndarray, q: np.ndarray, floor: float) -> tuple[float, np.ndarray]:
-    """(σ, sums): the deviation of the noise, and the sums (n + 1,) of its local variances.
+    """Returns (σ, sums): the deviation of the noise, and the sums (n + 1,) of its local variances.
 
     Of several kinds of small windows those count that leave least: what they leave is noise and not motion.
     """
@@ -197,7 +199,7 @@ def _local_noise(t: np.ndarray, q: np.ndarray, floor: float) -> tuple[float, np.
 
 
 def encoder_step(q: np.ndarray) -> float:
-    """The step of an encoder, of which all differences of the samples are multiples, or 0."""
+    """Returns the step of an encoder, of which all differences of the samples are multiples, or 0."""
     differences = np.abs(np.diff(q[:20000]))
     differences = differences[differences > 0]
     if len(differences) < 20:

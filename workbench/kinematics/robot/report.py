@@ -1,6 +1,7 @@
-"""Higher-order kinematics of one body of a URDF robot, order by order, beside Drake's own numbers.
+"""Higher-order kinematics of one body of a URDF robot, order by order, compared with Drake.
 
-Our numbers and Drake's share nothing: the file is read by two parsers, the motion computed by two libraries.
+Our numbers and Drake's share no code: the file is read by two parsers, and the motion is computed by two
+libraries.
 """
 
 from __future__ import annotations
@@ -27,11 +28,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class DrakeCheck:
-    """Drake's own number for one order beside ours.
+    """Drake's number for one order, compared with ours.
 
     drakes (6,): the (n-1)-th derivative of V_WP = [w_WB; v_WP], so that its lower half is the n-th order
-    acceleration of the body point P; method: how Drake made it; error: the estimated error of Drake's
-    number, residual: how far ours is from it, both as the largest of the six components.
+    acceleration of the body point P; method: how Drake computed it; error: the estimated error of Drake's
+    number; residual: the deviation of ours from it. Both are the largest of the six components.
     """
 
     order: int
@@ -42,13 +43,13 @@ class DrakeCheck:
 
     @property
     def agrees(self) -> bool:
-        """A bound without a number bounds nothing."""
+        """True if the residual is within the error; an error without a number allows nothing."""
         return bool(np.isfinite(self.error) and self.residual <= self.error)
 
 
 @dataclass(frozen=True)
 class MotionReport:
-    """The motion of a robot's body at the time `at` (s) on a path, beside Drake's numbers.
+    """The motion of a robot's body at the time `at` (s) on a path, compared with Drake's numbers.
 
     joints: what each coordinate does, as text or as polynomial coefficients. point (3,): p_BoP_B in m.
     relative_to: the body A in which motion is measured and expressed; the world if None.
@@ -70,7 +71,7 @@ class MotionReport:
         return all(check.agrees for check in self.checks)
 
     def to_dict(self) -> dict:
-        """Plain numbers, lists and strings, for JSON; orders[n-1] holds what belongs to order n.
+        """Returns plain numbers, lists and strings, for JSON; orders[n-1] holds the results of order n.
 
         A number that is not finite is None.
         """
@@ -151,7 +152,7 @@ def motion_report(
     relative_to: str | None = None,
     base: str = "fixed",
 ) -> MotionReport:
-    """The motion of a URDF robot's body to the `order`, beside Drake's own numbers.
+    """Returns the motion of a URDF robot's body to the `order`, compared with Drake's own numbers.
 
     point: p_BoP_B in m. at: time in s. joints: by name the coefficients c₀, c₁, ... of q(t) = Σₖ cₖ tᵏ (rad
     or m, per sᵏ); those not named stay at 0. trajectory: a path of the robot's coordinates instead. With
@@ -204,7 +205,7 @@ def _references(plant, body, relative_to, path, at, order, point) -> list[Refere
 
 
 def _on_plant(path: Path, robot: Robot, plant: Any) -> Path:
-    """The path of the plant's positions, those that mimic among them."""
+    """Returns the path of the plant's positions, those that mimic among them."""
     names = plant.GetPositionNames(False, False)
     matrix, offset = robot.follow(names)
     return LinearPath(path, matrix, offset)

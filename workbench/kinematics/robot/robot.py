@@ -46,7 +46,7 @@ class Robot(Structure):
 
     @classmethod
     def from_urdf(cls, path: str | Path, base: str = "fixed", rotations: str = "quaternion") -> Robot:
-        """The robot of a URDF file; its meshes are not needed.
+        """Returns the robot of a URDF file; its meshes are not needed.
 
         base: how its root moves in the world: "fixed" or "floating", by a joint `base` (`floating_base` where
         the file has a joint of that name). rotations: how this
@@ -72,7 +72,8 @@ class Robot(Structure):
 
     @classmethod
     def from_plant(cls, plant: MultibodyPlant, mimics: Mapping[str, Mimic] | None = None) -> Robot:
-        """The robot of a finalized Drake plant; its coordinates and velocities are the plant's, in its order.
+        """Returns the robot of a finalized Drake plant; its coordinates and velocities are the plant's, in
+        its order.
 
         mimics: joints that follow others (a plant does not tell). Raises ValueError.
         """
@@ -90,7 +91,8 @@ class Robot(Structure):
         packages: Mapping[str, str | Path] | None = None,
         mimics: Mapping[str, Mimic] | None = None,
     ) -> Robot:
-        """The robot of an SDF, MJCF, URDF or model-directives file, all models of it, by Drake's parser.
+        """Returns the robot of an SDF, MJCF, URDF or model-directives file, all models of it, by Drake's
+        parser.
 
         base: "fixed" welds the root of each model that nothing holds to the world, "floating" lets it move.
         packages: folders by the names that package:// paths start with. mimics: see `from_plant`. A body that
@@ -110,7 +112,7 @@ class Robot(Structure):
         return robot
 
     def motion(self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None) -> Motion:
-        """The motion of all bodies to the order N, at one state or at many.
+        """Returns the motion of all bodies to the order N, at one state or at many.
 
         q_derivatives (N + 1, ..., positions): the coordinates and their time derivatives, the order first; or
         q_derivatives (..., positions) and v_derivatives (N, ..., velocities): the coordinates, and the
@@ -122,7 +124,8 @@ class Robot(Structure):
         return Motion(self, *self.state(q_derivatives, v_derivatives))
 
     def evaluator(self, frame: str, order: int, jacobians: int = 0) -> Evaluator:
-        """A call for a control loop: reads its array `q` and writes its `pose`, `twists` and `jacobians`.
+        """Returns a call for a control loop: reads its array `q` and writes its `pose`, `twists` and
+        `jacobians`.
 
         order: N, the highest derivative of the coordinates. jacobians: of how many orders the Jacobian is
         computed, too, N + 1 at most. The call checks nothing and makes no new array; see `Evaluator`.
@@ -135,8 +138,8 @@ class Robot(Structure):
         return evaluator_of(plan, order, len(self.positions), jacobians)
 
     def on_objects(self, frame: str, q_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """The pose (4, 4) and the twists (N, 6) of a frame, of one state of Drake's Expression or AutoDiffXd
-        or of SymPy's symbols, q_derivatives (N + 1, positions): arrays of these.
+        """Returns the pose (4, 4) and the twists (N, 6) of a frame, of one state of Drake's Expression or
+        AutoDiffXd or of SymPy's symbols, q_derivatives (N + 1, positions): arrays of these.
 
         Twists are V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. The gradients of
         AutoDiffXd are the partial derivatives in closed form, see `RobotFrame.twist_partial`. Raises
@@ -153,20 +156,20 @@ class Robot(Structure):
         return object_motion(self, frame, q)
 
     def casadi(self, frame: str, order: int) -> Any:
-        """A casadi.Function q (positions, N + 1) → pose (4, 4), twists (6, N) of a frame, N = order.
+        """Returns a casadi.Function q (positions, N + 1) → pose (4, 4), twists (6, N) of a frame, N = order.
 
         A column is an order. Raises ImportError without CasADi, ValueError as `on_objects`.
         """
         return casadi_function(self, frame, whole(order, "order", 1))
 
     def jax(self, frame: str, order: int) -> Any:
-        """A function of JAX arrays q (N + 1, positions) → pose (4, 4), twists (N, 6) of a frame, N = order;
-        for jax.jit, jax.vmap (batches) and jax.jacfwd. Raises ImportError without JAX, ValueError as
-        `on_objects`."""
+        """Returns a function of JAX arrays q (N + 1, positions) → pose (4, 4), twists (N, 6) of a frame, N
+        = order; for jax.jit, jax.vmap (batches) and jax.jacfwd. Raises ImportError without JAX, ValueError
+        as `on_objects`."""
         return jax_function(self, frame, whole(order, "order", 1))
 
     def to_c(self, frame: str, order: int) -> str:
-        """C code of a function frame_motion(arg, res, iw, w, mem), in CasADi's calling convention.
+        """Returns C code of a function frame_motion(arg, res, iw, w, mem), in CasADi's calling convention.
 
         arg[0]: q, the derivatives of all coordinates order by order, (N + 1) × positions. res[0]: the pose,
         16 numbers column by column. res[1]: the twists, N × 6. Raises ImportError without CasADi, ValueError
@@ -179,8 +182,8 @@ class Robot(Structure):
         return generator.dump()
 
     def with_frame(self, name: str, body: str, X_BF: ArrayLike) -> Robot:
-        """This robot with one more frame, of a tool: fixed to a body at X_BF (4, 4), m. Raises ValueError
-        for a name that is there, an unknown body, or a transform that is not rigid."""
+        """Returns this robot with one more frame, of a tool: fixed to a body at X_BF (4, 4), m. Raises
+        ValueError for a name that is there, an unknown body, or a transform that is not rigid."""
         if name in self.frames:
             raise ValueError(f"frame {name!r}: the robot has a body of that name, expected a new name")
         joint = TreeJoint(f"{name}_weld", "fixed", self.body(body).name, name, np.asarray(X_BF, dtype=float))
@@ -191,8 +194,8 @@ class Robot(Structure):
     def along(
         self, trajectory: Any, times: ArrayLike | None = None, order: int = 4, samples: int = 201
     ) -> Motion:
-        """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
-        given).
+        """Returns the motion along a trajectory at `times` (...) in s (`samples` of them over all of it
+        unless given).
 
         trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory, a SciPy spline or
         a trajectory of toppra or Ruckig of the positions, `spline_paths.waypoints`, or samples (t, q): t
@@ -209,7 +212,7 @@ class Robot(Structure):
         return states_on_path(Motion, self, path, at, order)
 
     def path(self, trajectory: Any) -> JointPath:
-        """The trajectory as a path of this robot's coordinates, as `along` takes it.
+        """Returns the trajectory as a path of this robot's coordinates, as `along` takes it.
 
         Of samples, angles without limits are unwrapped and the signs of quaternions made continuous; the
         path's `notes` say where. Raises ValueError for another number of coordinates and for bad samples.
@@ -220,8 +223,8 @@ class Robot(Structure):
         return as_path(trajectory, self.positions, angles, self._quaternions)
 
     def from_degrees(self, values: ArrayLike, names: Sequence[str] | None = None) -> np.ndarray:
-        """A copy of values (..., positions) whose angles are in degrees, in radians: of coordinates, samples,
-        waypoints or derivatives; metres and quaternions stay as they are.
+        """Returns a copy of values (..., positions) whose angles are in degrees, in radians: of coordinates,
+        samples, waypoints or derivatives; metres and quaternions stay as they are.
 
         names: those of the last axis, `positions` unless given (`velocities` of rates). Raises ValueError."""
         names = self.positions if names is None else tuple(names)
@@ -236,9 +239,9 @@ class Robot(Structure):
     def blocks(
         self, q_derivatives: np.ndarray, v_derivatives: np.ndarray | None = None, size: int = BLOCK
     ) -> Iterator[Motion]:
-        """The motions of a large batch, block by block: q_derivatives (N + 1, states, positions).
+        """Yields the motions of a large batch, block by block: q_derivatives (N + 1, states, positions).
 
-        The memory is that of one block of `size` states, whatever the batch (which may be a np.memmap).
+        The memory is that of one block of `size` states, independent of the batch (which may be a np.memmap).
         """
         with_velocities = v_derivatives is not None
         axis = 0 if with_velocities else 1
@@ -267,7 +270,7 @@ class Robot(Structure):
         relative_to: str | None = None,
         rtol: float = 1e-6,
     ) -> np.ndarray:
-        """The velocities and their derivatives (N, ..., velocities) that move a body as prescribed.
+        """Returns the velocities and their derivatives (N, ..., velocities) that move a body as prescribed.
 
         q (..., positions); twist_derivatives (N, ..., len(rows)): those rows of (ω; v) and of its
         derivatives, as `FrameMotion.jacobian` with the same `expressed` and `point` has them. As many

@@ -40,7 +40,7 @@ class Field(NamedTuple):
     a: np.ndarray
 
     def at(self, rho: ArrayLike) -> np.ndarray:
-        """That of the body point now at rho (..., 3), (..., 3) in m/sⁿ."""
+        """Returns the acceleration of the body point now at rho (..., 3), (..., 3) in m/sⁿ."""
         return self.a + apply(self.Phi, as_vectors(rho, "rho"))
 
 
@@ -70,7 +70,7 @@ class FrameMotion:
             array.flags.writeable = False
 
     def twist(self, k: int = 0) -> Twist:
-        """The k-th time derivative of the frame's twist, k < N."""
+        """Returns the k-th time derivative of the frame's twist, k < N."""
         if type(k) is not int or not 0 <= k < self.order:
             self._require(k, self.order - 1)
         return Twist(self, k)
@@ -95,14 +95,15 @@ class FrameMotion:
         return rpy_of_rotation(self.pose[..., :3, :3])
 
     def point(self, p: ArrayLike = (0, 0, 0)) -> PointMotion:
-        """The motion of a point P fixed in F; p (3,) is p_FoP_F in m."""
+        """Returns the motion of a point P fixed in F; p (3,) is p_FoP_F in m."""
         p = as_vectors(p, "point")
         if p.shape != (3,):
             raise ValueError(f"point: expected three coordinates, got shape {p.shape}")
         return PointMotion(self, p)
 
     def acceleration(self, n: int) -> np.ndarray:
-        """The n-th order acceleration of the frame's origin, (..., 3) in m/sⁿ: `point().derivative(n)`."""
+        """Returns the n-th order acceleration of the frame's origin, (..., 3) in m/sⁿ:
+        `point().derivative(n)`."""
         return self.point().derivative(n)
 
     @cached_property
@@ -116,13 +117,13 @@ class FrameMotion:
         return _read_only(invariant_vectors(self.origin_twist[..., :3], self.origin_twist[..., 3:]))
 
     def field(self, n: int) -> Field:
-        """Φₙ and aₙ, the field of the n-th order accelerations, 1 <= n <= N."""
+        """Returns Φₙ and aₙ, the field of the n-th order accelerations, 1 <= n <= N."""
         self._require(n, self.order, 1)
         return Field(self.Phi[n], self.a[n])
 
     def centre(self, n: int) -> Locus:
-        """Where the n-th order acceleration vanishes, Eq. (50): a point, a line, a plane, all of space or
-        nowhere."""
+        """Returns the points with zero n-th order acceleration, Eq. (50): a point, a line, a plane, all of
+        space or none."""
         Phi, a = self.field(n)
         Phi_scale, a_scale = (ROUNDING / RANK_TOLERANCE * scale[n] for scale in self._scales)
         return acceleration_centre(Phi, a, rtol=RANK_TOLERANCE, Phi_scale=Phi_scale, a_scale=a_scale)
@@ -133,7 +134,7 @@ class FrameMotion:
         return field_scales(self.origin_twist[..., :3], self.origin_twist[..., 3:])
 
     def screw_axis(self) -> ScrewAxis:
-        """The instantaneous screw axis: the axis of the twist, Eq. (102) with n = 0."""
+        """Returns the instantaneous screw axis: the axis of the twist, Eq. (102) with n = 0."""
         omega, v, p = self.twists[0][..., :3], self.twists[0][..., 3:], self.pose[..., :3, 3]
         rate, speed = np.linalg.norm(omega, axis=-1), np.linalg.norm(v, axis=-1)
         turns = rate > ROUNDING * np.maximum(speed, rate)
@@ -147,7 +148,8 @@ class FrameMotion:
         return ScrewAxis(point, direction, pitch, np.where(turns, rate, speed))
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
-        """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A."""
+        """Returns the motion of this frame B as an observer in the frame A of `other` sees it, expressed in
+        A."""
         if not isinstance(other, FrameMotion):
             raise ValueError(f"other: expected the motion of a frame, got {type(other).__name__}")
         if other.pose.shape != self.pose.shape:
@@ -205,8 +207,8 @@ class Twist:
         return Dual(at_origin[..., :3], at_origin[..., 3:])
 
     def drake(self) -> SpatialVelocity | SpatialAcceleration:
-        """Drake's V_WF (k = 0) or A_WF (k = 1), of one state. Raises ValueError for what Drake has no type
-        for."""
+        """Returns Drake's V_WF (k = 0) or A_WF (k = 1), of one state. Raises ValueError for what Drake has
+        no type for."""
         from workbench.drake.gate import SpatialAcceleration, SpatialVelocity
 
         types = (SpatialVelocity, SpatialAcceleration)
@@ -255,7 +257,7 @@ class PointMotion:
         return _read_only(found)
 
     def derivative(self, n: int) -> np.ndarray:
-        """dⁿp/dtⁿ, (..., 3) in m/sⁿ; the n-th order acceleration of Eq. (13) for n >= 1."""
+        """Returns dⁿp/dtⁿ, (..., 3) in m/sⁿ; the n-th order acceleration of Eq. (13) for n >= 1."""
         self.frame._require(n, self.frame.order)
         return self.derivatives[n]
 
@@ -285,7 +287,8 @@ def _read_only(array: np.ndarray) -> np.ndarray:
 
 
 def chain_scales(sizes: np.ndarray, terms: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The scales (N + 1, ...) of Φₙ and aₙ of a chain of joints, `ROUNDING` of which is their rounding error.
+    """Returns the scales (N + 1, ...) of Φₙ and aₙ of a chain of joints, `ROUNDING` of which is their
+    rounding error.
 
     sizes (N, ...): the summed |velocities| of the joints and of their derivatives; terms (N, ...): of the
     terms that these are summed from, which their own errors are relative to; reach (...) in m.
@@ -296,8 +299,8 @@ def chain_scales(sizes: np.ndarray, terms: np.ndarray, reach: np.ndarray) -> tup
 
 
 def _chain_bounds(rates: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Bounds on the terms of Φₙ and aₙ. With unit axes turning as uᵢ' = ω × uᵢ, the norms in ω = Σ q̇ᵢ uᵢ
-    bound ω⁽ᵏ⁾ without seeing terms cancel; v is taken to be as large as these at the chain's reach.
+    """Returns bounds on the terms of Φₙ and aₙ. With unit axes turning as uᵢ' = ω × uᵢ, the norms in ω = Σ
+    q̇ᵢ uᵢ bound ω⁽ᵏ⁾ without seeing terms cancel; v is taken to be as large as these at the chain's reach.
     """
     turning, axes = [], [np.ones_like(rates[0])]
     for k in range(len(rates)):

@@ -1,7 +1,7 @@
-"""A robot's joints from a URDF file: links, joints, mimic; nothing else of the file is looked at.
+"""Reader of a robot's joints from a URDF file: links, joints and mimic; other elements are ignored.
 
-Besides URDF's own joint types it knows Drake's (`<drake:joint>`): ball, screw, universal, planar. It shares
-nothing with Drake's parser, so that the one can be held against the other.
+Besides URDF's own joint types it supports Drake's (`<drake:joint>`): ball, screw, universal, planar. It
+shares no code with Drake's parser, so that both can be compared.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Urdf:
 
 
 def read_urdf(path: str | Path) -> Urdf:
-    """The robot in a URDF file. Raises UrdfError, which says what was expected and where."""
+    """Returns the robot in a URDF file. Raises UrdfError, which says what was expected and where."""
     path = Path(path)
     try:
         if not path.is_file():
@@ -73,7 +73,7 @@ def read_urdf(path: str | Path) -> Urdf:
 
 
 def parse_urdf(text: bytes | str) -> Urdf:
-    """The robot in the text of a URDF file; errors as `read_urdf`.
+    """Returns the robot in the text of a URDF file; errors as `read_urdf`.
 
     Elements that are unknown, with whatever prefix, are not read. `world` is the world even where no link has
     that name.
@@ -101,7 +101,7 @@ def parse_urdf(text: bytes | str) -> Urdf:
 
 
 def needs_xacro(robot: ET.Element) -> bool:
-    """Whether links or joints are still to come from xacro's commands, or from its expressions.
+    """True if links or joints are still to come from xacro's commands, or from its expressions.
 
     Commands that are left over in a file that was expanded concern neither.
     """
@@ -164,7 +164,7 @@ def _limits(element: ET.Element | None, kind: str, what: str) -> Limits:
 
 
 def _bound(element: ET.Element, name: str, what: str) -> float:
-    """A limit; NaN where there is none, or one that is infinite."""
+    """Returns a limit; NaN where there is none, or one that is infinite."""
     if (element.get(name) or "").strip().lstrip("+-").lower() in ("inf", "infinity", "nan", ".inf"):
         return np.nan
     return _numbers(element, name, (np.nan,), what)[0]
@@ -188,7 +188,7 @@ def _origin(element: ET.Element | None, what: str) -> np.ndarray:
 
 
 def _tilt(axis: tuple[float, ...], what: str) -> np.ndarray:
-    """The least rotation, (4, 4), that takes z to the axis."""
+    """Returns the least rotation, (4, 4), that takes z to the axis."""
     length = np.linalg.norm(axis)
     if length == 0:
         raise UrdfError(f"{what}: expected an axis of non-zero length, got {axis}")

@@ -1,4 +1,4 @@
-"""What paths have in common whose derivatives are evaluated and not summed from known terms."""
+"""The base class of paths whose derivatives are evaluated, and not summed from known terms."""
 
 from __future__ import annotations
 

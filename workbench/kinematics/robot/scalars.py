@@ -45,7 +45,7 @@ class _Frame(NamedTuple):
 def frame_motion(
     robot: Structure, body: str, q: Callable[[int, int], Any], order: int, arithmetic: Arithmetic
 ) -> ScalarMotion:
-    """The motion of a body's frame; q(k, i) is the k-th derivative of coordinate i, k <= order.
+    """Returns the motion of a body's frame; q(k, i) is the k-th derivative of coordinate i, k <= order.
 
     Raises ValueError for an unknown body and for a robot with ball or floating joints.
     """
@@ -96,13 +96,13 @@ def _coefficients(drive: Drive, q: Callable[[int, int], Any], order: int) -> lis
 
 
 def _turned(R: tuple[Any, Any, Any], v: np.ndarray) -> Any:
-    """R v of constant numbers v, without the zeros."""
+    """Returns R v of constant numbers v, without the zeros."""
     terms = [float(x) * column for x, column in zip(v, R, strict=True) if x != 0]
     return sum(terms[1:], start=terms[0]) if terms else 0.0 * R[0]
 
 
 def _carried(u: Any, w: list[Any], order: int, do: Arithmetic) -> list[Any]:
-    """The coefficients of a vector u that turns with w: u' = w × u."""
+    """Returns the coefficients of a vector u that turns with w: u' = w × u."""
     found = [u]
     for k in range(order):
         total = do.cross(w[0], found[k])
@@ -113,7 +113,7 @@ def _carried(u: Any, w: list[Any], order: int, do: Arithmetic) -> list[Any]:
 
 
 def _rotated(c: Any, s: Any, axis: Any, v: Any, do: Arithmetic) -> Any:
-    """v turned about a unit axis (Rodrigues): v + sin axis × v + (1 − cos) axis × (axis × v)."""
+    """Returns v turned about a unit axis (Rodrigues): v + sin axis × v + (1 − cos) axis × (axis × v)."""
     across = do.cross(axis, v)
     return v + s * across + (1.0 - c) * do.cross(axis, across)
 
@@ -122,8 +122,8 @@ def _rotated(c: Any, s: Any, axis: Any, v: Any, do: Arithmetic) -> Any:
 
 
 def object_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The pose (4, 4) and the twists (N, 6) of a body, of objects q (N + 1, positions) that NumPy can add and
-    multiply and that have the methods sin and cos: Drake's Expression and AutoDiffXd."""
+    """Returns the pose (4, 4) and the twists (N, 6) of a body, of objects q (N + 1, positions) that NumPy
+    can add and multiply and that have the methods sin and cos: Drake's Expression and AutoDiffXd."""
     with np.errstate(invalid="ignore"):  # Expressions turn the processor's flags up
         found = frame_motion(robot, body, lambda k, i: q[k, i], len(q) - 1, _OBJECTS)
     pose = np.eye(4).astype(object)
@@ -132,7 +132,7 @@ def object_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndarra
 
 
 def autodiff_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same of Drake's AutoDiffXd q (N + 1, positions), whose gradients are not taken through the
+    """Returns the same of Drake's AutoDiffXd q (N + 1, positions), whose gradients are not taken through the
     recursion: they are the partial derivatives in closed form (`partials`) times the gradients of q."""
     from workbench.drake.gate import AutoDiffXd
 
@@ -172,7 +172,7 @@ _OBJECTS = Arithmetic(np.sin, np.cos, _object_cross, lambda v: np.array(v, dtype
 
 
 def casadi_function(robot: Structure, body: str, order: int) -> Any:
-    """A casadi.Function q (positions, N + 1) → pose (4, 4), twists (6, N) of a body, N = order.
+    """Returns a casadi.Function q (positions, N + 1) → pose (4, 4), twists (6, N) of a body, N = order.
 
     Columns are orders. Raises ImportError where CasADi is not installed.
     """
@@ -190,8 +190,8 @@ def casadi_function(robot: Structure, body: str, order: int) -> Any:
 
 
 def jax_function(robot: Structure, body: str, order: int) -> Callable[[Any], tuple[Any, Any]]:
-    """A function of JAX arrays q (N + 1, positions) → pose (4, 4), twists (N, 6) of a body, N = order, for
-    jax.jit, jax.vmap and jax.jacfwd. Raises ImportError where JAX is not installed."""
+    """Returns a function of JAX arrays q (N + 1, positions) → pose (4, 4), twists (N, 6) of a body, N =
+    order, for jax.jit, jax.vmap and jax.jacfwd. Raises ImportError where JAX is not installed."""
     try:
         import jax.numpy as jnp
     except ImportError:

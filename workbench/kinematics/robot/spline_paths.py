@@ -49,7 +49,8 @@ class SplinePath(SampledPath):
 def waypoints(
     t: ArrayLike, q: ArrayLike, v: ArrayLike | None = None, a: ArrayLike | None = None
 ) -> SplinePath:
-    """The path through positions q (points, joints) at increasing times t (points,) in s, of least degree.
+    """Returns the path through positions q (points, joints) at increasing times t (points,) in s, of least
+    degree.
 
     v, a (points, joints): velocities and accelerations there: with both the pieces are quintic, with v alone
     cubic. Without v it is the cubic spline that starts and ends at rest; its acceleration is continuous.

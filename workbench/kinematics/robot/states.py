@@ -79,11 +79,11 @@ class States:
         return self.q.shape[:-1]
 
     def frame(self, name: str) -> RobotFrame:
-        """The motion of a body's frame; ValueError lists the bodies."""
+        """Returns the motion of a body's frame; ValueError lists the bodies."""
         return RobotFrame(self, self.robot.body(name))
 
     def at(self, times: np.ndarray) -> States:
-        """The same robot on the same path, at other times (...) in s."""
+        """Returns the same robot on the same path, at other times (...) in s."""
         return states_on_path(type(self), self.robot, self.path, times, self.order)
 
     @property
@@ -95,8 +95,8 @@ class States:
         return tuple(map(self.frame, self.robot.bodies))
 
     def records(self, out: np.ndarray | None = None) -> np.ndarray:
-        """The poses and twists of all bodies, (bodies, ..., 16 + 6 N), computed together: of each, in the
-        order of `robot.bodies`, the 16 numbers of X_WF, then V_WF and its derivatives, six each.
+        """Returns the poses and twists of all bodies, (bodies, ..., 16 + 6 N), computed together: of each, in
+        the order of `robot.bodies`, the 16 numbers of X_WF, then V_WF and its derivatives, six each.
 
         out: if given, the result is written there, which spares large batches the fresh memory. An array such
         as this returns, whose states' numbers are side by side in memory, suits the compiled kernel best.
@@ -130,7 +130,7 @@ class States:
         return out
 
     def _input(self) -> np.ndarray:
-        """(N + 1, states, channels)"""
+        """Returns (N + 1, states, channels)"""
         channels = self._channels
         if channels is None:
             channels = self._q_derivatives  # of a robot without balls: see `Structure.state`
@@ -141,7 +141,7 @@ class States:
         return channels.reshape(len(channels), prod(self.shape), channels.shape[-1])
 
     def _record(self, name: str) -> np.ndarray:
-        """(..., 16 + 6 N): the pose and the twists of a body."""
+        """Returns (..., 16 + 6 N): the pose and the twists of a body."""
         record = self._records.get(name)
         if record is None:
             robot, q = self.robot, self._q_derivatives
@@ -157,7 +157,7 @@ class States:
         return {}
 
     def _jacobian_record(self, name: str, orders: int) -> np.ndarray:
-        """(..., orders or more, 6, velocities)"""
+        """Returns (..., orders or more, 6, velocities)"""
         J = self._jacobians.get(name)
         if J is None or J.shape[-3] < orders:
             record = self._new_record(name, orders)
@@ -171,7 +171,8 @@ class States:
         return {}
 
     def _turning_record(self, name: str) -> np.ndarray:
-        """The turning parts of the Jacobian (N, ..., 3, velocities), computed with all of its derivatives."""
+        """Returns the turning parts of the Jacobian (N, ..., 3, velocities), computed with all of its
+        derivatives."""
         if name not in self._turning:
             N, count = self.order, len(self.robot.velocities)
             record = self._new_record(name, N + 1, N)
@@ -191,8 +192,8 @@ class States:
         return record.reshape(*self.shape, plan.rows)
 
     def _sizes(self, body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """What moves a body, for `chain_scales`: sizes and terms (N, ...) of its joints' rates, and its
-        reach."""
+        """Returns the sizes and terms (N, ...) of the rates of a body's joints, and its reach, for
+        `chain_scales`."""
         rates = np.stack([np.abs(self.rates), self.magnitudes])
         total, reach = np.zeros(rates.shape[:-1]), 1 + np.linalg.norm(body.X_MB[:3, 3])
         at = body.after
@@ -251,7 +252,8 @@ class RobotFrame(FrameMotion):
         return record[at : at + 6] if record.ndim == 1 else record[..., at : at + 6]
 
     def jacobian(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
-        """dᵏJ/dtᵏ, k = order, (..., 6, velocities): the derivative of ∂(ω; v)/∂(velocities) along the motion.
+        """Returns dᵏJ/dtᵏ, k = order, (..., 6, velocities): the derivative of ∂(ω; v)/∂(velocities) along the
+        motion.
 
         point (3,): p_FoP_F in m, whose velocity v is. expressed: "mixed": v of the point, all in W's axes
         (Drake's J; Pinocchio's LOCAL_WORLD_ALIGNED); "body": v of the point, all in F's axes (LOCAL);
@@ -264,7 +266,7 @@ class RobotFrame(FrameMotion):
     def jacobian_derivatives(
         self, order: int, *, point: ArrayLike = ORIGIN, expressed: str = "mixed"
     ) -> np.ndarray:
-        """J, dJ/dt, …, dᵏJ/dtᵏ, k = order, (k + 1, ..., 6, velocities); see `jacobian`."""
+        """Returns J, dJ/dt, …, dᵏJ/dtᵏ, k = order, (k + 1, ..., 6, velocities); see `jacobian`."""
         self._require(order, self.order)
         self._check(expressed)
         J = self.motion._jacobian_record(self.name, order + 1)
@@ -274,8 +276,8 @@ class RobotFrame(FrameMotion):
         return self._expressed(J.swapaxes(-1, -2), point, expressed).swapaxes(-1, -2)
 
     def twist_partial(self, k: int, j: int, *, point: ArrayLike = ORIGIN) -> np.ndarray:
-        """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, positions): how the k-th derivative of the twist V = (ω; velocity of the
-        point) depends on the j-th derivatives of the coordinates, the other derivatives being held.
+        """Returns ∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, positions): how the k-th derivative of the twist V = (ω; velocity of
+        the point) depends on the j-th derivatives of the coordinates, the other derivatives being held.
 
         In W's axes, rad and m, per s¹⁺ᵏ⁻ʲ; k < N; 0 for j > k + 1. point (3,): p_FoP_F in m. For k = 0, j =
         1 it is the Jacobian. Closed form, see `partials`. Raises ValueError for an order beyond the
@@ -288,13 +290,14 @@ class RobotFrame(FrameMotion):
         return twist_partial(self.jacobian_derivatives(k + 1, point=point), D, k, j)
 
     def twist_partials(self, k: int, *, point: ArrayLike = ORIGIN) -> np.ndarray:
-        """∂V⁽ᵏ⁾/∂q⁽ʲ⁾ of all j, (k + 2, ..., 6, positions), j = 0, …, k + 1 first; see `twist_partial`."""
+        """Returns ∂V⁽ᵏ⁾/∂q⁽ʲ⁾ of all j, (k + 2, ..., 6, positions), j = 0, …, k + 1 first; see
+        `twist_partial`."""
         return np.stack([self.twist_partial(k, j, point=point) for j in range(k + 2)])
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
-        """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A; with
-        its `jacobian` where `other` is a frame of the same motion. How a common base of both moves does not
-        enter then."""
+        """Returns the motion of this frame B as an observer in the frame A of `other` sees it, expressed
+        in A; with its `jacobian` where `other` is a frame of the same motion. How a common base of both
+        moves does not enter then."""
         if not (isinstance(other, RobotFrame) and other.motion is self.motion):
             return super().relative_to(other)
         motion = self.motion
@@ -303,7 +306,8 @@ class RobotFrame(FrameMotion):
         return RelativeFrame(alone.frame(self.name), alone.frame(other.name))
 
     def velocity(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
-        """The k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and expressed."""
+        """Returns the k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and
+        expressed."""
         self._require(order, self.order - 1)
         self._check(expressed)
         if expressed == "world":
@@ -315,8 +319,8 @@ class RobotFrame(FrameMotion):
         return chain_scales(*self.motion._sizes(self._body))
 
     def _expressed(self, columns: np.ndarray, point: ArrayLike, expressed: str) -> np.ndarray:
-        """Twists (k + 1, ..., c, 6) about Fo, in W's axes, as those about the point P, in W's axes or F's, or
-        about W's origin."""
+        """Returns twists (k + 1, ..., c, 6) about Fo, in W's axes, as those about the point P, in W's axes
+        or F's, or about W's origin."""
         arm = self.point(point)._arm
         twists = self.twists[: len(columns) - 1]
         if expressed == "world":
@@ -346,7 +350,8 @@ class RelativeFrame(FrameMotion):
         self._moving, self._observer = moving, observer
 
     def jacobian(self, order: int = 0) -> np.ndarray:
-        """dᵏJ/dtᵏ, k = order <= N, (..., 6, velocities): the derivative of ∂V_AB/∂(velocities) in A's axes.
+        """Returns dᵏJ/dtᵏ, k = order <= N, (..., 6, velocities): the derivative of ∂V_AB/∂(velocities) in A's
+        axes.
 
         V_AB = (ω; velocity of Bo) as A sees it, `twist(0)`; the derivative is that of the components in the
         moving A, so that V_AB⁽ᵏ⁾ = Σ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾. Raises ValueError for an order beyond the motion's.
@@ -367,7 +372,7 @@ class RelativeFrame(FrameMotion):
 
 
 def states_on_path(kind: type[S], robot: Structure, path: Path, times: np.ndarray, order: int) -> S:
-    """The states, of the class `kind`, of a robot on a path at the times (...) in s."""
+    """Returns the states, of the class `kind`, of a robot on a path at the times (...) in s."""
     motion = kind(robot, robot.derivatives(path.derivatives(times, order)))
     motion.times, motion.path = times, path
     return motion

@@ -1,4 +1,4 @@
-"""What a robot is made of: bodies on a tree of joints, its coordinates, and how joints that mimic follow."""
+"""The structure of a robot: bodies on a tree of joints, its coordinates, and the mimic joints."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class _Move(NamedTuple):
     offset: float = 0.0
 
     def step(self, parent: int, before: np.ndarray) -> Step:
-        """The step of the kernel, after `parent`."""
+        """Returns the step of the kernel, after `parent`."""
         joint = self.move.joint
         turn = Drive(self.channel, self.velocity, self.factor, self.offset)
         if isinstance(joint, str):
@@ -104,7 +104,7 @@ class Structure:
         )  # velocities are the rates of the coordinates, and these the kernel's channels
 
     def _follow_mimics(self) -> None:
-        """M and c of `follow`: all coordinates of the free ones."""
+        """Sets M and c of `follow`: all coordinates as functions of the free ones."""
         by_name = {joint.name: joint for joint in self.joints}
         self._of_positions = np.zeros((len(self._all_positions), len(self.positions)))
         self._offset = np.zeros(len(self._all_positions))
@@ -193,7 +193,7 @@ class Structure:
         return np.array([1.0 if name.endswith("_qw") else 0.0 for name in self.positions])
 
     def body(self, name: str) -> Body:
-        """The body of that name; where several models share it, it is to be asked as model::body."""
+        """Returns the body of that name; where several models share it, it is to be asked as model::body."""
         if name in self.frames:
             return self.frames[name]
         same = [full for full in self.frames if full.endswith(f"::{name}")]
@@ -204,7 +204,7 @@ class Structure:
         raise ValueError(f"no body {name!r}: expected one of {', '.join(self.frames)}")
 
     def chain(self, body: str) -> tuple[SerialChain, list[int]] | None:
-        """The serial chain from the world to a body and its coordinates among the robot's.
+        """Returns the serial chain from the world to a body and its coordinates among the robot's.
 
         None where no moving joint, a ball or a mimic joint is on the way.
         """
@@ -230,7 +230,8 @@ class Structure:
     def derivatives(
         self, q_derivatives: ArrayLike, most_rows: int = HIGHEST_DERIVATIVE_ORDER + 1
     ) -> np.ndarray:
-        """A copy of q_derivatives (N + 1, ..., positions), checked; of one state `most_rows` at most."""
+        """Returns a copy of q_derivatives (N + 1, ..., positions), checked; of one state `most_rows` at
+        most."""
         if type(q_derivatives) is ndarray and q_derivatives.dtype is DOUBLE:
             numbers = q_derivatives.ravel()
             if q_derivatives.shape in self._states and numbers.dot(numbers) < inf:  # a state as before
@@ -277,7 +278,7 @@ class Structure:
                 raise ValueError(f"joint {name!r}: expected a quaternion (w, x, y, z), got one of length 0")
 
     def velocity_derivatives(self, q_derivatives: np.ndarray) -> np.ndarray:
-        """The velocities and their derivatives (N, ..., velocities) of q_derivatives (N + 1, ...,
+        """Returns the velocities and their derivatives (N, ..., velocities) of q_derivatives (N + 1, ...,
         positions)."""
         if self._plain:
             return q_derivatives[1:]
@@ -289,7 +290,8 @@ class Structure:
         return v
 
     def channels(self, q: np.ndarray, rates: np.ndarray) -> np.ndarray:
-        """The kernel's input (N + 1, ..., channels) of q (..., positions) and rates (N, ..., velocities)."""
+        """Returns the kernel's input (N + 1, ..., channels) of q (..., positions) and rates (N, ...,
+        velocities)."""
         inputs = np.zeros((len(rates) + 1, *q.shape[:-1], self._channels))
         for own in self._free_moves():
             positions, velocities = own.move.sizes
@@ -307,8 +309,8 @@ class Structure:
         return [move for j in self.joints if j.mimic is None for move in self._moves[j.name]]
 
     def follow(self, names: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
-        """M (names, positions) and c (names,) with M q + c the coordinates of those names, mimic joints'
-        among them."""
+        """Returns M (names, positions) and c (names,) with M q + c the coordinates of those names, mimic
+        joints' among them."""
         unknown = [name for name in names if name not in self._all_positions]
         if unknown:
             raise ValueError(
@@ -325,7 +327,7 @@ class Structure:
 
 
 def finite_copy_of(values: ArrayLike) -> np.ndarray | None:
-    """A copy of a large contiguous array of finite doubles; None of everything else."""
+    """Returns a copy of a large contiguous array of finite doubles; None of everything else."""
     large = isinstance(values, ndarray) and values.dtype is DOUBLE and values.size >= LARGE
     if not large or type(values) is not ndarray or not values.flags.c_contiguous:
         return None
@@ -346,7 +348,7 @@ def is_whole(value: Any) -> bool:
 
 
 def whole(value: Any, what: str, lowest: int, highest: int | None = None) -> int:
-    """The value, or a ValueError unless it is an integer from `lowest` to `highest`."""
+    """Returns the value, or a ValueError unless it is an integer from `lowest` to `highest`."""
     if not is_whole(value) or not lowest <= value <= (value if highest is None else highest):
         wanted = f">= {lowest}" if highest is None else f"from {lowest} to {highest}"
         raise ValueError(f"{what}: expected an integer {wanted}, got {value!r}")
@@ -354,7 +356,7 @@ def whole(value: Any, what: str, lowest: int, highest: int | None = None) -> int
 
 
 def reals(values: ArrayLike, what: str) -> np.ndarray:
-    """The values as an array of doubles; ValueError for what is not real, not finite, or masked."""
+    """Returns the values as an array of doubles; ValueError for what is not real, not finite, or masked."""
     try:
         array = np.asarray(values)
     except ValueError as error:

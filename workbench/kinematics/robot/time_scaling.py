@@ -1,11 +1,10 @@
-"""Time scaling: how much slower a path must be for given limits, and the same path in other times within
-them.
+"""Time scaling: the least uniform slowdown of a path for given limits, and a time law within the limits.
 
-Uniform: q(t/λ) has the k-th derivative q⁽ᵏ⁾/λᵏ, and so have the points and the rotations of its bodies.
-The least λ is the largest of (size/limit)^(1/k) over all limits of all orders k (Hollerbach 1984, for
-velocity and acceleration). Otherwise a time law s(t) slows down only where it must: its slowness λ(s) =
-dt/ds is a spline of degree 5, so that the derivatives of q(s(t)) are continuous to the order 5 where
-those of q(s) are."""
+Uniform: q(t/λ) has the k-th derivative q⁽ᵏ⁾/λᵏ, and so have the points and the rotations of its bodies. The
+least λ is the largest of (size/limit)^(1/k) over all limits of all orders k (Hollerbach 1984, for velocity
+and acceleration). Otherwise a time law s(t) slows down only where it must: its slowness λ(s) = dt/ds is a
+spline of degree 5, so that the derivatives of q(s(t)) are continuous to the order 5 where those of q(s) are.
+"""
 
 from __future__ import annotations
 
@@ -90,7 +89,7 @@ def _need(peak: Peak) -> float:
 
 
 def slowed(path: Path, factor: float) -> Path:
-    """The path in times that are `factor` as long, from the same start: q(t₀ + (t − t₀)/factor); of a
+    """Returns the path in times that are `factor` as long, from the same start: q(t₀ + (t − t₀)/factor); of a
     recording the recording with those times. Raises ValueError for a factor that is not positive."""
     if not (np.isreal(factor) and 0 < factor < np.inf):
         raise ValueError(f"factor: expected a positive number, got {factor!r}")
@@ -119,7 +118,7 @@ class SlowedPath(Path):
         return np.clip(earlier, *self._rounded_ends(t, earlier))
 
     def _rounded_ends(self, t: ArrayLike, earlier: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """What clips a time that rounding has moved out of the path, and no other one."""
+        """Returns the bounds that clip times which only rounding has moved out of the path."""
         inside = (np.asarray(t) >= self.start) & (np.asarray(t) <= self.end)
         return np.where(inside, self.path.start, earlier), np.where(inside, self.path.end, earlier)
 
@@ -151,7 +150,7 @@ class RetimedPath(SampledPath):
         return self._times(s) - self._times(self._first)
 
     def parameter(self, t: ArrayLike) -> np.ndarray:
-        """s(t), the time on the path itself, by Newton's method in the bracket of a table."""
+        """Returns s(t), the time on the path itself, by Newton's method in the bracket of a table."""
         t = self._inside(t)
         i = np.clip(np.searchsorted(self._at_table, t, side="right") - 1, 0, len(self._table) - 2)
         low, high = self._table[i], self._table[i + 1]
@@ -180,7 +179,8 @@ class RetimedPath(SampledPath):
 
 
 def _moved_series(slowness: list[np.ndarray], order: int) -> np.ndarray:
-    """The Taylor coefficients (order + 1, ...) of s(t) − s₀ of λ(s) ds/dt = 1, λ's coefficients given."""
+    """Returns the Taylor coefficients (order + 1, ...) of s(t) − s₀ of λ(s) ds/dt = 1, λ's coefficients
+    given."""
     moved = np.zeros((order + 1, *slowness[0].shape))
     moved[1] = 1 / slowness[0]
     coefficients = np.stack([*slowness, *[np.zeros_like(slowness[0])] * (order - len(slowness))])
@@ -192,7 +192,8 @@ def _moved_series(slowness: list[np.ndarray], order: int) -> np.ndarray:
 
 
 def _composed(outer: np.ndarray, inner: np.ndarray) -> np.ndarray:
-    """The coefficients of f(s₀ + g(t)), of those of f about s₀ and of g, g₀ = 0, by Horner's scheme."""
+    """Returns the coefficients of f(s₀ + g(t)), of those of f about s₀ and of g, g₀ = 0, by Horner's
+    scheme."""
     count = len(outer)
     total = np.zeros_like(outer)
     total[0] = outer[-1]
@@ -234,7 +235,8 @@ def retimed(
 
 
 def _needs(sizes: np.ndarray, asked: list[Asked]) -> np.ndarray:
-    """The factor that each time asks for: the largest (size/limit)^(1/order) of sizes (asked, times)."""
+    """Returns the factor that each time asks for: the largest (size/limit)^(1/order) of sizes (asked,
+    times)."""
     needs = [
         (size / one.limit) ** (1 / one.order) for size, one in zip(sizes, asked, strict=True) if one.limit
     ]
@@ -251,8 +253,8 @@ def _uniform(path: Path, start: float, end: float, factor: float) -> RetimedPath
 
 
 def _adjusted(path: Path, edges: np.ndarray, uniform: float, need_on: NeedOn) -> BSpline:
-    """A slowness that is near the least one: each coefficient grows or shrinks as what is needed near it
-    says; the shortest one of the rounds, at the common factor that it needs besides."""
+    """Returns a slowness that is near the least one: each coefficient grows or shrinks as what is needed
+    near it says; the shortest one of the rounds, at the common factor that it needs besides."""
     count = len(edges) - 1 + DEGREE
     s = np.linspace(edges[0], edges[-1], SAMPLES * (len(edges) - 1) + 1)
     near = BSpline.design_matrix(s, _spline(edges, np.zeros(count)).t, DEGREE).toarray()
@@ -271,7 +273,7 @@ def _adjusted(path: Path, edges: np.ndarray, uniform: float, need_on: NeedOn) ->
 
 
 def _finished(motion: States, path: RetimedPath, question: tuple) -> RetimedPath:
-    """The path with the common factor that its peaks, found to the last digits, still need."""
+    """Returns the path with the common factor that its peaks, found to the last digits, still need."""
     moving = states_on_path(
         type(motion), motion.robot, path, np.linspace(path.start, path.end, 201), motion.order
     )

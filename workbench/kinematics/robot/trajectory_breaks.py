@@ -13,7 +13,7 @@ FOUND_ORDERS = 5  # derivatives 0, …, 4 are looked at where the trajectory doe
 
 
 def trajectory_breaks(trajectory: Any, derivatives: Callable[[np.ndarray, int], np.ndarray]) -> np.ndarray:
-    """The times in s, increasing, inside the trajectory, at which a derivative may jump.
+    """Returns the times in s, increasing, inside the trajectory, at which a derivative may jump.
 
     derivatives(t (samples,), order) → (order + 1, samples, positions) is asked where Drake does not tell the
     breaks of that kind of trajectory: there the jumps are found by bisection.
@@ -39,8 +39,8 @@ def _told(trajectory: Any) -> list[float] | None:
 
 
 def _bisected(derivatives: Callable[[np.ndarray, int], np.ndarray], start: float, end: float) -> np.ndarray:
-    """Where a derivative changes in an interval by other than its own derivative says, however short that
-    is."""
+    """Returns the times of jumps: where a derivative changes over any short interval by more than its own
+    derivative allows."""
     grid = np.linspace(start, end, INTERVALS + 1)
     values = derivatives(grid, FOUND_ORDERS)
     changes = np.diff(values[:-1], axis=1)

@@ -35,6 +35,7 @@ def print_judged(
 
     unusable: the faults of papers of which nothing could be judged.
     quiet, verbose: how much of a text's listing is printed.
+    asks: whether the questions of drafts are printed.
     """
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, unusable, form)

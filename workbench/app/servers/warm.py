@@ -1,4 +1,4 @@
-"""One text judged repeatedly in one process: for editors and assistants."""
+"""The steps from a file to its verdicts, once or repeatedly in one process."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Loaded:
 
 @dataclass(frozen=True)
 class Judged:
-    """A text or a paper file with its results. draft: the model that was drafted for it, if it has none."""
+    """A text or a paper file with its results. draft: as in `Loaded`."""
 
     paper: Paper
     results: list[ClaimResult]
@@ -73,6 +73,8 @@ def judged_file(
     """Returns the verdicts on a file. Raises PaperError.
 
     buffers: contents of files that are not saved.
+    progress: called with each result as soon as it is ready.
+    folder: no file outside of it is read.
     """
     from workbench.app.pipeline.judge_claims import judge_paper
 
@@ -84,7 +86,10 @@ def judged_file(
 def with_corrections(
     judged: Judged, seconds: float = SEARCH_SECONDS, found: Callable[[], None] = lambda: None
 ) -> Judged:
-    """Returns the results with the corrections that a short search proves, as edits of the text."""
+    """Returns the results with the corrections that a short search proves, as edits of the text.
+
+    found: called after each search; an exception of it ends the other searches.
+    """
     from workbench.app.pipeline.result_proposals import with_proposals
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.repair.author_edits import with_author_edits

@@ -44,7 +44,8 @@ class Draft:
 
 
 def needs_draft(path: Path) -> bool:
-    """True if a paper is a text without a model and without comments that declare anything."""
+    """True if a file is a text without a model and without comments that declare anything. Raises
+    PaperError."""
     return is_text(path) and model_beside(path) is None and not read_text(path).directives
 
 

@@ -125,6 +125,16 @@ def test_a_condition_beside_a_formula_is_its_premise(tmp_path: Path, word: str, 
     assert [latex(each) for each in (*step.assumed, *step.reasons)] == ["p\\cdotq=0"]
 
 
+@pytest.mark.parametrize("word", ["since", "where", "(since", "as"])
+@pytest.mark.parametrize("layout", BESIDE)
+def test_macros_in_words_are_expanded(tmp_path: Path, word: str, layout: str) -> None:
+    declared = "\\newcommand{\\with}[1]{p \\cdot #1}\\def\\said{" + word + " }"
+    written = layout.format(r"\said").replace(r"p \cdot q", r"\with{q}")
+    (display,) = displays_of(tmp_path, declared + written)
+    (step,) = [step for steps in steps_of(display) for step in steps]
+    assert [latex(each) for each in (*step.assumed, *step.reasons)] == ["p\\cdotq=0"]
+
+
 def latex(tokens: Sequence) -> str:
     return "".join(token.text for token in tokens).replace(" ", "")
 

@@ -129,6 +129,28 @@ def test_a_condition_ends_with_its_section(
         assert (inside.outcome, behind.outcome) == ("conditional", "refuted")
 
 
+#: A formula that stands first, one with a condition beside it, and a false one that holds by the condition.
+BESIDE = [
+    (r"<a> \times <b> = -<b> \times <a>", r"<f> <a> \times <b> = 0", r"<a> = 2 <b>"),
+    (r"<f> + <g> = <g> + <f>", r"<g> + <f> = <g>", r"<f> = 0"),
+    (r"\|<a>\|^2 = <a> \cdot <a>", r"\|<a> + <b>\|^2 = \|<a>\|^2 + \|<b>\|^2", r"<a> \cdot <b> = 0"),
+]
+
+
+@pytest.mark.parametrize(("letters", "form"), WRITTEN)
+@pytest.mark.parametrize("words", [r"\text{with } ", r"\text{where } ", r"\text{using } ", ""])
+@pytest.mark.parametrize(("first", "formula", "condition"), BESIDE)
+def test_condition_beside_a_formula_excuses_no_other(
+    tmp_path: Path, letters: dict[str, str], form: str, words: str, first: str, formula: str, condition: str
+) -> None:
+    shown = [first, rf"{formula}, \quad {words}{condition}", f"1 {formula}"]
+    text = text_of(["So", *(f"{display(renamed(each, letters), form)}\n\nand" for each in shown)], form)
+    found = verdicts(tmp_path, text, model_of(letters, form), form)
+    assert found[0].outcome == "proved"
+    assert found[1].outcome in ("proved", "conditional", "unchecked")
+    assert found[-1].outcome in ("refuted", "definition")
+
+
 @pytest.mark.parametrize(("letters", "form"), WRITTEN)
 def test_a_condition_before_the_sections_holds_in_all(
     tmp_path: Path, letters: dict[str, str], form: str

@@ -6,7 +6,7 @@ earlier step of the claim's own chain counts as a definition only: a = b does no
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from workbench.context.claims import Claim, Notation
@@ -18,6 +18,7 @@ from workbench.core.names import Name
 from workbench.core.terms import Derivative, Relation, Statement, Symbol, sides_of
 from workbench.core.types import Declaration
 from workbench.language.printing.printer import to_latex
+from workbench.source.documents import Display
 
 
 def with_acts(claims: Sequence[Claim]) -> list[Claim]:
@@ -43,22 +44,40 @@ def _moving_names(claims: Sequence[Claim]) -> frozenset[Name]:
     return frozenset(part.declaration.name for part in rates if isinstance(part, Symbol))
 
 
-def with_formula_facts(claims: Sequence[Claim]) -> list[Claim]:
+def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> list[Claim]:
     """Returns the claims in the order of the text, each with the facts that earlier formulas state of its
     symbols.
-    """
+
+    displays: where each claim stands. What a display says under a condition, and what stands beside a
+    formula about a symbol of an earlier display, is a guess outside of it."""
     said: dict[Declaration, list[_Saying]] = {}
+    first: dict[Declaration, Display] = {}
     made = []
-    for at, claim in enumerate(claims):
+    for at, (claim, display) in enumerate(zip(claims, displays, strict=True)):
         statement = claim.printed.statement
         if statement is None:
             made.append(claim)
             continue
         made.append(replace(claim, facts=(*claim.facts, *_about(claim, said))))
         if (saying := _saying(claim, at)) is not None:
+            if _is_local(claim, display, first):
+                saying.fact = replace(saying.fact, strength=Strength.GUESSED)
             for declaration in saying.registered:
                 said.setdefault(declaration, []).append(saying)
+        for declaration in free_in(terms_of(statement), claim.notation.definitions):
+            first.setdefault(declaration, display)
     return made
+
+
+def _is_local(claim: Claim, display: Display, first: Mapping[Declaration, Display]) -> bool:
+    """Returns whether a formula says something for its display only.
+
+    first: the displays in which the symbols stand first."""
+    conditions = (formula.statement for formula in (*claim.assume, *claim.perhaps))
+    if any(isinstance(each, Relation) and each.operator == "=" for each in conditions):
+        return True
+    own = claim.act[1]
+    return bool(claim.serves) and own is not None and first.get(own.declaration, display) is not display
 
 
 class _Saying:

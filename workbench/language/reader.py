@@ -159,4 +159,4 @@ def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reas
 
 
 def _short(reason: Reason) -> Reason:
-    return reason if len(reason) <= 200 else SyntaxCode.SHORTENED(shortened=f"{reason[:199]}…", reason=reason)
+    return reason if len(reason) <= 300 else SyntaxCode.SHORTENED(shortened=f"{reason[:299]}…", reason=reason)

@@ -157,7 +157,8 @@ def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -
         for claim, each in zip(claims, placed, strict=True)
         for own in [_own_facts(claim, each, text, unread, sentences, spoken)]
     ]
-    for claim in with_laws(with_formula_facts(with_acts(claims))):
+    displays = [each.display for each in placed]
+    for claim in with_laws(with_formula_facts(with_acts(claims), displays)):
         yield replace(claim, act=(Act.ASSERT, None), facts=()) if claim.alone else claim
 
 

@@ -183,7 +183,8 @@ class _Explanation:
         sentences = [f for f in claim.facts if f.origin.provider is Provider.SENTENCE and not f.is_opaque]
         context = conventional(subject_of(claim, said) if said else self.subject)
         facts = dict.fromkeys((*self.known, *sentences, *context.facts, *others))
-        return Context(tuple(facts), context.alternatives)
+        guesses = ((fact,) for fact in claim.facts if fact.strength is Strength.GUESSED)
+        return Context(tuple(facts), (*guesses, *context.alternatives))
 
     def _by_hints(self, context: Context) -> Verdict | None:
         hints = [fact for fact in context.formal if fact.strength is Strength.HINTED]

@@ -13,6 +13,7 @@ from workbench.context.claims import Claim
 from workbench.context.facts import Fact, Provider, Supposition
 from workbench.context.formula_subject import Subject
 from workbench.core.terms import Definition, IllFormed, sides_of
+from workbench.core.verdict import Strength
 from workbench.engines.inventory.inventory import NotExact, take_inventory
 from workbench.prover.explain.laws_of_motion import is_all_given, laws_of
 
@@ -23,7 +24,7 @@ _BESIDE = (Provider.CONDITION, Provider.UNREAD)
 
 def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
     """Yields the sets of facts to be tried, each once."""
-    facts = [fact for fact in claim.facts if fact.content is not None]
+    facts = [fact for fact in claim.facts if fact.content is not None and fact.strength > Strength.GUESSED]
     beside = [fact for fact in facts if fact.origin.provider in _BESIDE and _is_reached(fact, subject)]
     if is_all_given(claim):
         yield from filter(None, [beside])

@@ -310,11 +310,16 @@ class _Body:
             self._keep(token.standing_for("\\\\"))
 
     def _words(self) -> None:
-        """The argument of \\text, as one group: its $ belong to it."""
+        """The argument of \\text, as one group with its macros expanded: its $ belong to it."""
         near = self.rows[-1].tokens[-1]
         argument = self.reader.argument()
-        for token in (near.standing_for("{"), *argument, near.standing_for("}")):
-            self._keep(token, splits=False)
+        words = [near.standing_for("{"), *argument, near.standing_for("}")]
+        outer, self.reader.waiting = self.reader.waiting, [*reversed(words)]
+        while (token := self.reader.pop()) is not None:
+            if not self.reader.step(token):
+                self.reader.follow_groups(token.text)
+                self._keep(token, splits=False)
+        self.reader.waiting = outer
 
     def _keep(self, token: Token, splits: bool = True) -> None:
         self.count += 1

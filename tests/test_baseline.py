@@ -197,7 +197,7 @@ def test_no_repository_is_one_error(folder: Path) -> None:
         assert result.exit_code == 2 and "expected a file in a git repository" in result.output
 
 
-def test_neither_hooks_nor_filters_nor_links_of_a_repository_are_used(repository: Path) -> None:
+def test_hooks_filters_and_links_of_a_repository_are_ignored(repository: Path) -> None:
     Path("link.tex").symlink_to("/etc/hostname")
     Path(".gitattributes").write_text("*.tex filter=bad\n")
     git("add", ".")

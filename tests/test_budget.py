@@ -108,7 +108,7 @@ def test_the_verdict_is_that_of_the_judge_here(right):
 
 
 @pytest.mark.parametrize("count", [1, 2])
-def test_past_its_processor_time_a_call_is_ended_and_the_others_are_not(count):
+def test_only_the_call_past_its_processor_time_is_ended(count):
     with Workers(or_spin, Budget(seconds=0.3), count) as workers:
         answers = list(workers.map([1, -1, 2, -1, 3]))
         assert answers[::2] == [1, 4, 9]
@@ -175,7 +175,7 @@ def test_no_process_is_left():
     workers.close()
 
 
-def test_a_call_can_have_processes_of_its_own_and_they_end_with_theirs():
+def test_child_processes_of_a_call_end_with_it():
     def inner(n):
         with Workers(or_spin, Budget(0.3)) as workers:
             return [str(answer) for answer in workers.map([n, -1])]

@@ -66,7 +66,7 @@ def test_the_notation_of_the_installed_paper_is_the_default():
     assert check(r"\det \Phi_2 = -(\omega \times \dot{\omega})^2").holds
 
 
-def test_the_notation_of_the_installed_paper_is_read_without_its_claims():
+def test_the_notation_of_a_paper_is_read_without_its_claims():
     from workbench.papers import installed_notation, load_installed
 
     whole, alone = load_installed("chapter").notation, installed_notation("chapter")
@@ -98,7 +98,7 @@ def test_definitions_of_ones_own(definitions):
 
 
 @pytest.mark.parametrize("sign", [":=", r"\coloneqq", r"\triangleq", r"\stackrel{def}{=}"])
-def test_what_is_written_as_a_definition_of_something_free_is_not_false(sign):
+def test_a_definition_of_a_free_symbol_is_not_false(sign):
     known = {**AB, "c": "vector", "u": {"kind": "vector", "unit": True}}
 
     def outcome(latex, definitions=()):

@@ -90,7 +90,7 @@ def found(tmp_path_factory) -> dict:
         os.environ["WORKBENCH_CACHE"] = before or ""
 
 
-def test_faults_stand_under_the_authors_characters_in_the_clients_units(found: dict) -> None:
+def test_fault_ranges_use_the_units_of_the_client(found: dict) -> None:
     by_code = {each.code: each for each in found["opened"]}
     known, ill_formed = by_code["known"], by_code["ill-formed"]
     assert known.range.start == types.Position(0, TEXT.index("a") + 1), "𝒳 is two units of UTF-16"

@@ -130,7 +130,7 @@ def test_a_cluster_that_loses_a_worker_loses_no_verdict(tmp_path: Path) -> None:
     memory.close()
 
 
-def test_what_was_judged_before_an_interruption_is_not_judged_again(tmp_path: Path) -> None:
+def test_an_interrupted_run_continues_from_its_verdicts(tmp_path: Path) -> None:
     chosen = papers(tmp_path)
     memory = Memory(tmp_path / "verdicts.sqlite")
 

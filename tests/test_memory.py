@@ -252,7 +252,7 @@ def test_only_our_terms_come_back_from_bytes():
         (r"'a \times b = b \times a'", r"'a \times b = 2 b \times a'"),
     ],
 )
-def test_what_is_proposed_is_searched_again_where_anything_changed(tmp_path, old, new):
+def test_proposals_are_searched_again_after_any_change(tmp_path, old, new):
     def key(text: str) -> str:
         (tmp_path / "paper.toml").write_text(text)
         return Keys({}, {}).of_proposals(load_paper(tmp_path / "paper.toml").claims[2])

@@ -143,7 +143,7 @@ def two_files(tmp_path):
     return one, two
 
 
-def test_a_file_alone_may_name_heirs_in_the_other_files_of_its_paper(two_files):
+def test_a_single_file_may_name_claims_of_sibling_files(two_files):
     assert load_paper(two_files[0]).claims[0].inherits == ("2.1", "2.2", "2.1", "3")
     assert load_paper(two_files[0]).claims[0].inherits == merge(two_files).claims[0].inherits
 
@@ -258,7 +258,7 @@ def test_ids_are_unique_over_all_files(tmp_path):
 # what a good file gives
 
 
-def test_the_sections_of_a_paper_share_a_notation_and_keep_their_own(tmp_path):
+def test_sections_share_a_notation_and_keep_their_own(tmp_path):
     section = "notation = 'n.toml'\nsection = '{0}'\n[symbols]\n'\\alpha' = {{ kind = '{1}' }}\n[[claim]]\n"
     section += "id = '{0}'\nprinted = '\\omega \\times \\alpha = - \\alpha \\times \\omega'\n"
     write(tmp_path, n=HEAD)
@@ -328,7 +328,7 @@ def test_ill_typed_as_printed_is_a_verdict_and_no_fault(paper_of):
     assert "juxtaposition" in paper.claims[0].printed.ill_formed
 
 
-def test_unreadable_as_printed_is_a_verdict_only_beside_a_reading(paper_of):
+def test_unreadable_formulas_get_a_verdict_only_with_a_reading(paper_of):
     paper = paper_of(claim("id = 'x'\nprinted = '\\omega = \\psi'\nreading = '\\omega = \\omega'"))
     assert "unknown symbol" in paper.claims[0].printed.ill_formed
 

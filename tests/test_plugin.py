@@ -63,7 +63,7 @@ def test_each_claim_is_an_item_of_its_own(output):
     ]
 
 
-def test_a_failure_says_what_was_expected_and_the_evidence_without_a_traceback(output):
+def test_a_failure_shows_expectation_and_evidence_only(output):
     failure = output[output.index("paper.toml:12: claim false") :]
     assert "as printed: expected proved, got refuted" in failure
     assert failure.index("counterexample") < failure.index("the left side is (")
@@ -74,7 +74,7 @@ def test_a_verdict_that_got_better_than_expected_fails_too(output):
     assert "as printed: expected refuted, got proved" in output
 
 
-def test_assumptions_that_nothing_satisfies_fail_with_one_message(output):
+def test_unsatisfiable_assumptions_fail_with_one_message(output):
     assert re.search(r"nothing\.toml:5: claim true: .*assum", output)
 
 
@@ -86,7 +86,7 @@ def test_one_claim_can_be_run_alone(papers, pytester):
     pytester.runpytest_inprocess(*ALONE, papers / "paper.toml::erratum").assert_outcomes(passed=1)
 
 
-def test_what_cannot_be_used_is_a_collection_error_of_one_message(papers, pytester):
+def test_an_unusable_paper_is_one_collection_error(papers, pytester):
     (pytester.path / "bad.toml").write_text(HEAD + TRUE.replace("-b", "-c"), encoding="utf-8")
     output = pytester.runpytest_inprocess(*ALONE, papers / "other.toml", "bad.toml").stdout.str()
     assert "other.toml:1:1: unknown key 'tool'" in output

@@ -127,7 +127,7 @@ def test_keys_and_tables(path, place):
     assert Places.scan(SAMPLE).of_key(path) == place
 
 
-def test_a_character_inside_a_multiline_string_is_placed_in_the_file():
+def test_positions_in_a_multiline_string_map_to_the_file():
     places = Places.scan(SAMPLE)
     path = ("claim", 0, "printed")
     assert places.in_string(path, 1, 1) == (12, 1)

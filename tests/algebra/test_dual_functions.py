@@ -19,7 +19,7 @@ POSITIVE_DUALS = [Dual(a, a0) for a, a0 in ((0.1, 2.0), (0.7, -3.0), (1.0, 0.0),
 
 
 @over(SMOOTH, cases=6)
-def test_sine_and_cosine_satisfy_pythagoras_and_the_addition_theorems(scalars, rng):
+def test_sine_and_cosine_satisfy_the_addition_theorems(scalars, rng):
     a, b = scalars.dual(rng), scalars.dual(rng)
     assert scalars.vanishes(f.sin(a) * f.sin(a) + f.cos(a) * f.cos(a) - 1)
     assert scalars.vanishes(f.sin(a + b) - (f.sin(a) * f.cos(b) + f.cos(a) * f.sin(b)))

@@ -33,7 +33,7 @@ pytestmark = quiet_expressions
 
 
 @over(RINGS, cases=5)
-def test_scalar_product_is_symmetric_and_bilinear_over_dual_numbers(scalars, rng):
+def test_scalar_product_is_symmetric_and_bilinear(scalars, rng):
     a, b, c = (scalars.vector(rng) for _ in range(3))
     k = scalars.dual(rng)
     assert scalars.vanishes(dot(a, b) - dot(b, a))
@@ -79,7 +79,7 @@ def test_transpose_moves_a_tensor_across_the_scalar_product(scalars, rng):
 
 
 @over(RINGS, cases=3)
-def test_determinant_is_the_ratio_of_triple_products_and_multiplicative(scalars, rng):
+def test_determinant_is_multiplicative_and_a_ratio_of_products(scalars, rng):
     T, S = scalars.tensor(rng), scalars.tensor(rng)
     a, b, c = (scalars.vector(rng) for _ in range(3))
     image = triple(apply(T, a), apply(T, b), apply(T, c))
@@ -129,7 +129,7 @@ def test_norm_has_both_cases_in_one_batch():
 
 
 @over([FLOAT], cases=20)
-def test_norm_squared_is_the_scalar_square_and_norm_is_homogeneous(scalars, rng):
+def test_norm_is_homogeneous_and_squares_to_the_scalar_square(scalars, rng):
     a, k = scalars.vector(rng), scalars.number(rng)
     assert scalars.vanishes(norm(a) * norm(a) - dot(a, a))
     assert scalars.vanishes(norm(k * a) - abs(k) * norm(a))
@@ -147,7 +147,7 @@ def test_unit_vector_has_norm_one_and_gives_back_the_vector(scalars, rng):
         unit(EPSILON * a)
 
 
-def test_orthogonality_wants_both_parts_and_a_positive_determinant():
+def test_orthogonality_needs_both_parts_and_positive_determinant():
     turn = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
     shifted = tensor(turn, skew(np.array([1, 2, 3], dtype=object)) @ np.array(turn, dtype=object))
     assert is_orthogonal(shifted)

@@ -33,7 +33,7 @@ def test_each_theorem_of_the_chapter_s_file_is_on_a_claim():
         (None, False),
     ],
 )
-def test_a_claim_is_shown_with_its_theorem_only_if_coq_accepts_all(monkeypatch, said, shown):
+def test_a_handwritten_theorem_is_shown_only_if_coq_accepts_all(monkeypatch, said, shown):
     monkeypatch.setattr(coqc, "recall", lambda text: said)
     (told,) = with_certificates(results("21.every_n"), find_paper())
     hand = [c for c in told.certificates if c.form == "theorem"]

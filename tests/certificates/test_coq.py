@@ -109,7 +109,7 @@ def test_a_motion_that_does_not_meet_them_is_refused():
     assert not coqc.check(text, remember=False).accepted
 
 
-def test_what_is_written_by_hand_rests_on_no_axioms_and_an_omitted_proof_is_seen():
+def test_handwritten_theorems_need_no_axioms_and_complete_proofs():
     hand = find_paper("chapter").paths[0].parent.parent / "certificates" / "theorems.v"
     text = hand.read_text("utf-8")
     said = coqc.check(coqc.with_assumptions(text))
@@ -214,7 +214,7 @@ def step_texts(name):
     return [step.certificate.text for step in steps_of(result, paper.theorems).steps if step.certificate]
 
 
-def test_a_family_of_rotations_is_supposed_to_be_one_and_each_member_is_another():
+def test_each_member_of_a_family_of_rotations_is_a_rotation():
     last = r"(\S+ m \(S m\)) ∘ transpose \(\1\) ≡ε \(ident : dual_tensor K\)\.\n"
     text = next(t for t in step_texts("117") if re.search(last, t))
     assert "forall i0 i1 : nat, dual_rotation" in text
@@ -225,7 +225,7 @@ def test_a_family_of_rotations_is_supposed_to_be_one_and_each_member_is_another(
     assert not coqc.check(text.replace(said, changed), remember=False).accepted
 
 
-def test_of_certificates_checked_together_only_what_is_wrong_is_refused(tmp_path, monkeypatch):
+def test_a_batch_rejects_only_the_wrong_certificates(tmp_path, monkeypatch):
     compiled = coqc.library()
     monkeypatch.setattr(coqc, "memory", lambda: tmp_path)
     monkeypatch.setattr(coqc, "library", lambda: compiled)

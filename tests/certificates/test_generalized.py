@@ -80,7 +80,7 @@ def test_what_is_supposed_is_used_and_an_inequation_is_refused():
 
 
 @pytest.mark.parametrize("name", ["37.step", "127", "130.from_twist", "132.all", "135.all"])
-def test_members_of_recurrences_and_what_operators_make_are_premises(name):
+def test_recurrences_and_values_of_operators_are_premises(name):
     paper = find_paper("chapter")
     (claim,) = [c for c in paper.claims if c.id == name]
     result = ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)

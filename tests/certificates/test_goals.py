@@ -134,7 +134,7 @@ def test_a_family_is_supposed_to_be_what_is_declared():
             binders[:] = kept
 
 
-def test_what_is_defined_of_a_letter_is_not_meant_where_the_letter_is_bound():
+def test_definitions_of_a_letter_do_not_apply_where_it_is_bound():
     theorem = joined()["Theorem_1"]
     (rho,) = {
         part

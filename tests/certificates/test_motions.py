@@ -23,7 +23,7 @@ def at(w, t):
 
 
 @pytest.mark.parametrize(("x", "y"), list(itertools.product(SOME, repeat=2)))
-def test_waves_are_a_differential_ring_and_have_the_values_of_their_functions(x, y):
+def test_waves_are_a_differential_ring_with_correct_values(x, y):
     assert (x * y).rate() == x.rate() * y + x * y.rate()
     assert (x + y) * x == x * x + y * x
     for t in (-0.7, 0.3, 1.9):

@@ -17,7 +17,7 @@ from workbench.papers import find_paper
 from workbench.prover.results.claim_results import ClaimResult
 
 
-def test_every_statement_says_what_its_terms_say_and_is_written_again_as_it_was():
+def test_every_statement_reads_back_as_its_terms():
     theorems = [t for _, made in all_certificates() if not isinstance(made, str) for t in made.theorems]
     assert len(theorems) > 300
     assert [fault for t in theorems for fault in t.read_back_faults()] == []
@@ -100,7 +100,7 @@ def test_an_inverse_and_a_quotient_are_premises():
     assert "reciprocal (square (omega × D omega)) over ->" in t.statement
 
 
-def test_the_inverse_of_a_block_matrix_is_a_premise_and_what_it_is_a_theorem_before():
+def test_a_block_inverse_is_a_premise_with_a_preceding_theorem():
     (t,) = one("24.inverse").theorems
     assert (
         "inverse_matrix 4 (above 3 (beside 3 (cell R) (cell w)) (beside 3 void (cell (number 1))))"
@@ -109,7 +109,7 @@ def test_the_inverse_of_a_block_matrix_is_a_premise_and_what_it_is_a_theorem_bef
     assert t.text.startswith("Theorem before_1 (K : diff_ring)")
 
 
-def test_what_holds_at_one_instant_only_is_no_theorem_about_functions():
+def test_premises_at_one_instant_give_no_theorem_about_functions():
     with pytest.raises(NotCertified, match="one instant"):
         one("110.A")
 

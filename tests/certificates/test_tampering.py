@@ -93,7 +93,7 @@ def test_the_campaign_would_see_a_theorem_that_is_accepted():
     assert "has not failed" in said.fault
 
 
-def test_every_false_statement_is_refused_with_the_old_copy_and_with_its_own():
+def test_coq_rejects_false_statements_with_either_deep_copy():
     kinds, texts, forms, attempts = Counter(), [], Counter(), 0
     for form, statement, base in originals():
         if kinds.total() >= WANTED:
@@ -181,7 +181,7 @@ OTHERS = (
 )
 
 
-def test_every_false_statement_with_inverses_or_at_one_instant_is_refused():
+def test_coq_rejects_false_inverses_and_false_instants():
     texts = []
     for claim_id, name in OTHERS:
         (claim,) = (c for c in find_paper("chapter").claims if c.id == claim_id)

@@ -82,7 +82,7 @@ def test_rotation_is_orthogonal_in_every_derivative(motion):
 
 
 @every_motion
-def test_the_plants_angular_velocity_is_that_of_the_differentiated_rotation(motion):
+def test_angular_velocity_is_that_of_the_differentiated_rotation(motion):
     for R, w in jets(motion, "R_WB", "w_WB", order=ORDER + 1):
         spin = leibniz(matmul_transposed, R[1:], R)
         sizes = terms(R[1:], R)

@@ -164,7 +164,7 @@ def test_autodiff_jerk_is_the_expression_jerk(name, seed):
         ),
     ],
 )
-def test_the_chebyshev_error_covers_the_difference_from_expression(name, size, seed):
+def test_chebyshev_error_covers_the_difference_from_expression(name, size, seed):
     plant, body = SMALL[name]
     path = random_path(plant, seed, 3, size)
     by = {

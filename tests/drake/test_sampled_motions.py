@@ -63,7 +63,7 @@ def test_a_swapped_frame_in_a_motion_is_caught():
         require_agreement(Swapped(ARM, "", 1.0))
 
 
-def test_sampled_and_symbolic_derivatives_agree_within_the_error_of_the_samples():
+def test_sampled_derivatives_agree_with_symbolic_within_errors():
     """The same two cylindrical joints, once as Expressions and once on nodes."""
     from workbench.drake.plants import cylindrical_chain
     from workbench.drake.sampled_motions import SampledMotion, _with_intermediate
@@ -79,7 +79,7 @@ def test_sampled_and_symbolic_derivatives_agree_within_the_error_of_the_samples(
 
 
 @pytest.mark.parametrize("name", ["w_WB", "v_WB0", "p_WP"])
-def test_errors_are_told_and_grow_with_the_order_and_with_bad_windows(name):
+def test_errors_grow_with_the_order_and_with_bad_windows(name):
     """A window that is too narrow or too wide loses digits; the estimate knows."""
     good, narrow, wide = (
         six_revolute_motion(9, samples=(0.5,), turns=turns)

@@ -29,7 +29,7 @@ def test_at_least_97_of_100_symbols_of_all_texts_have_their_kind() -> None:
     assert len(symbols) == 371 and len(wrong) <= 3 * len(symbols) / 100, wrong
 
 
-def test_at_least_90_of_100_symbols_of_unseen_texts_have_their_kind() -> None:
+def test_90_percent_of_unseen_symbols_get_the_right_kind() -> None:
     symbols = [symbol for path in UNSEEN for symbol in symbols_of(path)]
     wrong = [symbol for symbol in symbols if not symbol.is_right]
     assert len(symbols) > 50 and len(wrong) <= len(symbols) / 10, wrong

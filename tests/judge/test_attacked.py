@@ -81,7 +81,7 @@ class TestEndlessRanges:
     "field", [r"\dot{\rho}", r"(a \times \dot{\rho})", r"((a \times \rho)^{(1)})", r"\ddot{\rho}"]
 )
 @pytest.mark.parametrize(("slope", "zero"), [(r"\operatorname{div}", "0"), (r"\operatorname{curl}", "0")])
-def test_the_velocity_of_what_is_at_a_place_is_not_the_same_everywhere(slope, zero, field):
+def test_the_rate_of_a_coordinate_is_not_uniform(slope, zero, field):
     r"""curl \dot{\rho} of a rigid body is 2ω."""
     symbols = {
         "a": {"kind": "vector", "uniform": True},
@@ -271,7 +271,7 @@ FIELDS = {
         ("F = 0", r"\nabla F = 0", r"\nabla F = \rho"),
     ],
 )  # fmt: skip
-def test_what_holds_where_its_premise_holds_everywhere_asks_which_is_meant(tmp_path, premise, true, false):
+def test_a_premise_that_must_hold_everywhere_asks_its_author(tmp_path, premise, true, false):
     r"""\partial f/\partial q = p where f = q p: f is that function there, and not of that value at one place."""
     (tmp_path / "n.toml").write_text('[conventions]\ngradient = "column"\n[symbols]\n')
     asked, refuted = (

@@ -56,7 +56,7 @@ def test_what_holds_is_proved_and_what_is_changed_refuted(true: str, false: str)
     "entries", [("f", "0", "1", "g"), ("f", "0", "g", "h"), ("f", "g", "0", "h"), ("f", "g", "1", "h")]
 )
 @pytest.mark.parametrize("duals", ["", "f", "g", "fg", "fgh"])
-def test_the_inverse_of_a_matrix_of_four_numbers_dual_ones_among_them(entries: tuple, duals: str) -> None:
+def test_the_inverse_of_a_2x2_matrix_of_real_or_dual_numbers(entries: tuple, duals: str) -> None:
     a, b, c, d = (rf"\underline{{{x}}}" if x in duals and x.isalpha() else x for x in entries)
     symbols = {"f": "scalar", "g": "scalar", "h": "scalar"}
     symbols |= {rf"\underline{{{x}}}": "dual scalar" for x in duals}

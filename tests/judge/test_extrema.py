@@ -130,7 +130,7 @@ class TestKnown:
         assert outcome(f"{left} = {right}") == Outcome.PROVED
         assert outcome(f"{left} = {wrong}") == Outcome.REFUTED
 
-    def test_a_general_direction_is_excluded_where_the_value_is_undefined(self):
+    def test_directions_with_an_undefined_value_are_excluded(self):
         pitch = r"\min_{x \in V_3} \|m + w \times x\| = \frac{|w \cdot m|}{\|w\|}"
         assert outcome(pitch) == Outcome.CONDITIONAL
         assert outcome(pitch, r"w \neq \mathbf{0}") == Outcome.PROVED
@@ -151,7 +151,7 @@ class TestKnown:
         assert outcome(r"\min_{x \in V_3} (a \cdot x - 1)^2 = 0", r"a \neq \mathbf{0}") == Outcome.PROVED
 
     @pytest.mark.parametrize("inside", ["f x", "f x - f a", "f x - (f + 1) a"])
-    def test_where_the_rank_falls_the_quotients_of_the_proof_are_no_part_of_the_claim(self, inside):
+    def test_quotients_of_a_proof_do_not_limit_an_extremum(self, inside):
         """0 is defined everywhere: it is the least value, or another one is."""
         found = verdict(rf"\min_{{x \in V_3}} \|{inside}\| = 0")
         is_false = "f + 1" in inside

@@ -318,7 +318,7 @@ def test_what_is_no_refutation(goal, against):
         (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", Outcome.UNCHECKED),
     ],
 )
-def test_of_what_the_kernel_refutes_only_equations_for_all_are_refuted(goal, found):
+def test_only_universal_equations_of_a_goal_are_refuted(goal, found):
     assert outcome(goal, Kernel()).outcome == found
 
 
@@ -406,7 +406,7 @@ def test_what_stands_against_a_claim_meets_what_it_supposes():
     assert prove(narrower, where, judge, both, assume, bare=goal).outcome == Outcome.UNCHECKED
 
 
-def test_what_is_supposed_at_an_instant_is_no_premise_for_all_times():
+def test_a_premise_at_an_instant_does_not_hold_at_all_times():
     where = scope()
     goal = read_goal(r"a = b \Longrightarrow \dot{a} = \dot{b}", where)
     proven = Proven(against=Broken(False_(), Follows("Y", Y=Use(0))))

@@ -133,7 +133,7 @@ def test_with_flint_s_numbers_there_is_no_verdict(numbers):
     assert done.returncode and "RuntimeError: the second engine computes with flint" in done.stderr
 
 
-def test_what_uses_sympy_s_own_numbers_is_refused_where_they_are_flint_s():
+def test_sympy_with_flint_numbers_is_rejected():
     code = FLINT_FIRST + "from workbench.engines.jet.sympy_gate import Matrix\n"
     done = run(code)
     assert "NotExact: SymPy was imported with flint's numbers" in done.stderr

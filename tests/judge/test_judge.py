@@ -273,7 +273,7 @@ class TestDefects:
             judged(r"a \times b = a + b")
 
 
-def test_what_was_judged_is_judged_again_only_under_another_setting(monkeypatch):
+def test_a_verdict_is_computed_again_only_for_other_settings(monkeypatch):
     """Neither other assumptions, nor a hypothesis, nor other engines share a verdict."""
     (claim,), (given,) = read(r"a \cdot b = 0", TABLE), read("a = 0", TABLE)
     judge, asked = Judge(Definitions()), []

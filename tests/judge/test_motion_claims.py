@@ -176,7 +176,7 @@ def test_bad_formulas_of_ours_are_refused_where_they_stand(tmp_path, lines, mess
     assert any(fault.line is not None and re.search(message, str(fault)) for fault in raised.value.faults)
 
 
-def test_a_formula_of_ours_that_says_nothing_of_a_motion_is_refused(tmp_path):
+def test_our_formula_must_be_about_a_motion(tmp_path):
     with pytest.raises(PaperError, match=r"motion\.claims: 0: no motion: algebra"):
         judged(tmp_path, "printed = 'u = R x'", head=DEFINED, motion=with_ours("holds = 'a = a'"))
 
@@ -307,7 +307,7 @@ def test_verify_counts_what_was_seen_and_what_was_not(tmp_path):
     assert "on Drake's motions: 1 claims; 1 no motion: algebra; 1 for other reasons not" in output
 
 
-def test_a_premise_that_holds_of_everything_leaves_what_is_free_as_it_is(tmp_path):
+def test_a_premise_that_is_an_identity_restricts_no_motion(tmp_path):
     """Rounding in (R Rᵀ − I) a is no equation for a: solved, it would put a anywhere, or nowhere."""
     (claim,) = judged(
         tmp_path,

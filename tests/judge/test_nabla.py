@@ -114,7 +114,7 @@ def test_what_does_not_fit(latex):
         (r"\nabla \cdot (\mathbf{D} v) = 0", "the rate of v depends on the place"),
     ],
 )
-def test_what_may_depend_on_the_place_is_not_taken_for_a_constant(latex, why):
+def test_symbols_that_may_depend_on_position_are_not_constant(latex, why):
     verdict = check(latex, symbols=SYMBOLS)
     assert verdict.outcome is Outcome.UNCHECKED and why in verdict.verdict.reason
 

@@ -145,7 +145,7 @@ def test_it_is_a_coordinate_that_is_differentiated_by(left: str, right: str) -> 
             assert float(*refuted.counterexample.values.get("r", ("1",))) > 0
 
 
-def test_what_holds_of_it_only_where_it_is_positive_is_not_refuted() -> None:
+def test_claims_that_hold_for_positive_values_are_not_refuted() -> None:
     assert _slope(r"\frac{\partial}{\partial r} \sqrt{r^2}", "1").outcome is not Outcome.REFUTED
     assert _slope(r"\frac{\partial}{\partial r} \sqrt{r^2}", "-1").outcome is not Outcome.PROVED
 

@@ -206,7 +206,7 @@ x = { kind = "vector" }
     assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "m = 1..2, n = 1..2")
 
 
-def test_members_that_agree_with_the_recurrence_leave_it_for_all_n(tmp_path):
+def test_members_that_fit_the_recurrence_keep_it_for_all_n(tmp_path):
     text = r"""[symbols]
 '\omega' = { kind = "vector", weight = 1 }
 '\Phi_n' = { kind = "tensor", weight = "n" }
@@ -275,7 +275,7 @@ def test_the_inverse_of_a_dual_block_matrix(right, expected):
     assert outcome(f"{matrix % 'b'}^{{-1}} = {inverse}") == expected
 
 
-def test_the_rate_of_an_inverse_where_an_entry_passes_through_zero():
+def test_the_rate_of_an_inverse_with_an_entry_crossing_zero():
     matrix = r"\begin{bmatrix} 1 & 0 & f & g \\ 0 & 1 & 0 & 0 \\ f & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
     rate = rf"\frac{{d}}{{dt}} \left({matrix}^{{-1}}\right)"
     rule = rf"-{matrix}^{{-1}} \frac{{d}}{{dt}} \left({matrix}\right) {matrix}^{{-1}}"
@@ -360,6 +360,6 @@ SINGULAR = r"\frac{1}{a \cdot (a \times b)}"
         (r"x = b", {"definitions": {"x": r"\tilde{a}^{-1} b"}}),
     ],
 )
-def test_what_divides_by_zero_everywhere_is_unchecked_also_as_a_definition(latex, more):
+def test_division_by_zero_everywhere_is_unchecked(latex, more):
     found = check(latex, SYMBOLS, **more)
     assert found.outcome == Outcome.UNCHECKED and "denominator" in found.verdict.reason

@@ -119,6 +119,6 @@ def test_what_does_not_fit_or_is_refused(latex, message):
 
 
 @pytest.mark.parametrize(("value", "found"), [("x^2", Outcome.DEFINITION), ("x^3", Outcome.REFUTED)])
-def test_a_map_that_is_defined_has_the_values_that_it_is_said_to_have(value, found):
+def test_a_defined_map_has_its_stated_values(value, found):
     said = rf"f : \mathbb{{R}} \to \mathbb{{R}}, f(x) = {value}"
     assert check(said, symbols={"x": "scalar"}, definitions=["f(x) = x^2"]).outcome == found

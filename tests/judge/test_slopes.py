@@ -137,7 +137,7 @@ def test_a_field_of_numbers_has_no_slope(operator, of_place):
 @pytest.mark.parametrize(
     "kind", ["scalar", "vector", "tensor", "matrix 1x3", "matrix 2x3", "matrix 4x1", "matrix 6x6"]
 )
-def test_a_partial_derivative_by_a_number_has_the_shape_of_what_it_is_of(kind):
+def test_a_partial_derivative_by_a_scalar_keeps_the_shape(kind):
     symbols = {name: {"kind": "scalar", "independent": True} for name in "qp"}
     symbols |= {"X": {"kind": kind, "constant": True}, "F": {"kind": kind, "of": ["q", "p"]}}
     for latex, outcome in (

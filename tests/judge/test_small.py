@@ -88,7 +88,7 @@ def test_where_readers_may_differ_it_is_open(formula: str, reason: str) -> None:
     assert verdict.outcome == "unchecked" and reason in verdict.reason
 
 
-def test_definitions_are_seen_through_and_functions_of_what_is_small_are_not() -> None:
+def test_small_symbols_are_found_in_definitions_not_functions() -> None:
     found = check(r"x \approx \theta", {**SYMBOLS, "x": "scalar"}, definitions=[r"x = \sin\theta"])
     assert found.verdict.outcome == "proved"
     function = {"kind": "scalar", "of": [r"\theta"]}
@@ -101,7 +101,7 @@ def test_the_right_form_is_found() -> None:
     assert any(proposal.latex.endswith(r"\approx \theta") for proposal in proposed)
 
 
-def test_an_approximation_is_no_condition_and_needs_something_small() -> None:
+def test_an_approximation_needs_a_small_symbol() -> None:
     with pytest.raises(ValueError, match="a condition is an equation"):
         check(r"a = 1 \text{ where } \theta \approx a", SYMBOLS)
     with pytest.raises(ValueError, match=r"column 3: .*an approximation is not read"):

@@ -62,7 +62,7 @@ def test_a_term_stands_where_the_letter_stood(place):
 
 
 @pytest.mark.parametrize("place", PLACES)
-def test_what_moves_is_no_constant_where_something_is_said_of_all_times(place):
+def test_a_moving_symbol_is_not_constant_in_claims_for_all_times(place):
     """∀ c : P(c) ⟹ Q(c) says nothing of P(a(t)) at all times."""
     said = place.replace("{}", "c")
     for goal in (rf"{said} \Longrightarrow a = b", rf"a = b \Longrightarrow {said}"):

@@ -101,7 +101,7 @@ def test_what_is_defined_for_each_index_is_put_in(formula: str, definitions: lis
         [r"y_1 = \omega", r"a_i = y_i \cdot y_i", r"x_i = y_i^2 \omega"],
     ],
 )
-def test_a_family_of_which_one_member_is_defined_apart_is_not_free(definitions: list[str]) -> None:
+def test_a_family_with_a_separately_defined_member_is_not_free(definitions: list[str]) -> None:
     formula = r"\sum_{i=1}^{n} x_i = \sum_{i=1}^{n} a_i \omega"
     assert check(formula, SYMBOLS, definitions=definitions).verdict.outcome == "unchecked"
 

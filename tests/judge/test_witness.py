@@ -23,7 +23,7 @@ def test_what_holds_is_seen_on_every_motion(tmp_path):
     )
 
 
-def test_a_refuted_form_and_its_correction_are_seen_at_the_same_time(tmp_path):
+def test_refuted_form_and_correction_use_equal_times(tmp_path):
     (claim,) = judged(
         tmp_path,
         r"""

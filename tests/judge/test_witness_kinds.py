@@ -43,7 +43,7 @@ CLAIMS = (
 )
 
 
-def test_claims_about_quaternions_and_twists_hold_on_the_motions_too(tmp_path):
+def test_claims_on_quaternions_and_twists_hold_on_motions(tmp_path):
     for claim in judged(tmp_path, *CLAIMS, head=HEAD, motion=MOTION):
         assert claim["verdict"] == "proved", claim
         assert len(motions(claim)) == 1 and claim["motion"]["witness"] == "Drake"

@@ -64,7 +64,7 @@ def feet(perpendicular, axes):
 
 
 @pytest.mark.parametrize("seed", range(30))
-def test_oblique_axes_meet_the_line_of_the_product_at_right_angles(seed):
+def test_oblique_axes_meet_the_product_line_at_right_angles(seed):
     rng = np.random.default_rng(seed)
     a, b = rational(rng), rational(rng)
     found = three_axes(a, b)
@@ -170,7 +170,7 @@ def screw(omega, point, pitch=0.0):
     return Dual(omega, pitch * omega + np.cross(point, omega))
 
 
-def test_balls_cylindroid_of_two_equal_rotations_about_crossed_axes():
+def test_equal_rotations_about_crossed_axes_fit_the_cylindroid():
     """Axes along x and y at z = ∓1/2: the sum's axis bisects them half-way, with pitch −1/2."""
     found = three_axes(screw([1, 0, 0], [0, 0, -0.5]), screw([0, 1, 0], [0, 0, 0.5]))
     assert found.configuration is Configuration.SKEW

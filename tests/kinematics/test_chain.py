@@ -96,7 +96,7 @@ def test_fixed_joints_merge(seed):
 
 
 @pytest.mark.parametrize("seed", range(10))
-def test_a_joint_s_axis_may_be_named_by_any_of_its_points_and_multiples(seed):
+def test_an_axis_is_independent_of_its_point_and_length(seed):
     rng = np.random.default_rng(seed)
     axis, point = rng.normal(size=3), rng.normal(size=3)
     tail = random_joints(rng, 3)
@@ -123,7 +123,7 @@ def test_composite_joints_are_products_of_simple_ones(seed):
 
 @pytest.mark.parametrize("tilt", [0, 1e-300, 1e-17, 1e-15, 1e-12, 1e-8, 1e-3, 0.09, 0.11])
 @pytest.mark.parametrize("apart", [0, 1e-12, 1])
-def test_neighbouring_axes_may_be_nearly_parallel_coincident_or_intersecting(tilt, apart):
+def test_neighbouring_axes_may_be_nearly_parallel_or_intersect(tilt, apart):
     """Against Eq. (119) for three joints, no derivative taken."""
     joints = [
         Joint.revolute([0, 0, 1], [0.1, 0.2, 0.3]),
@@ -151,7 +151,7 @@ def test_a_batch_is_its_states(states):
             close(V[:, *state], chain.twist_derivatives(q[:, *state]), 13)
 
 
-def test_derivatives_and_taylor_coefficients_differ_by_factorials():
+def test_derivatives_are_taylor_coefficients_times_factorials():
     rng = np.random.default_rng(4)
     chain = SerialChain(random_joints(rng, 4))
     q = rng.normal(size=(8, chain.dof))

@@ -155,7 +155,7 @@ ROBOTS = Path(np.__file__).parents[1] / "cmeel.prefix/share/example-robot-data/r
         ("ur_description/urdf/ur5_robot.urdf", "", "tool0"),
     ],
 )
-def test_robots_follow_drake_s_velocity_along_a_path_to_order_six(urdf, root, tip):
+def test_robots_agree_with_drake_on_a_path_to_order_six(urdf, root, tip):
     """Drake's V_WB at Chebyshev nodes in time, interpolated and differentiated six times."""
     from pydrake.multibody.parsing import Parser
     from pydrake.multibody.plant import MultibodyPlant

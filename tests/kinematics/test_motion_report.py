@@ -220,7 +220,7 @@ def test_report(arm):
 
 
 @pytest.mark.parametrize("at", [0.0, 2.5])
-def test_without_a_path_every_joint_follows_a_sine_at_any_time_and_order(arm, at):
+def test_without_a_path_every_joint_follows_a_sine(arm, at):
     """Values away from t = 0 do not depend on the order asked for."""
     reports = [motion_report(arm, "hand", order=order, at=at) for order in (2, 5)]
     for report in reports:
@@ -236,7 +236,7 @@ QUINTIC = (0.0, 0.0, 0.0, 10.0, -15.0, 6.0)
 
 @pytest.mark.parametrize("duration", [0.37, 1.0, 2.9])
 @pytest.mark.parametrize("shift", [0.0, 1.7])
-def test_the_end_of_a_point_to_point_motion_agrees_and_its_rest_is_no_line(arm, duration, shift):
+def test_the_end_of_a_motion_agrees_and_its_rest_is_no_line(arm, duration, shift):
     """Velocity and acceleration cancel to rounding noise there: what bounds it is the size of what was summed."""
     path = JointPath(np.array([[c / duration**k] for k, c in enumerate(QUINTIC)])).taylor(-shift)
     coefficients = path.coefficients[:, 0].tolist()

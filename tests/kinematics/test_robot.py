@@ -54,7 +54,7 @@ def test_twists_are_sums_of_jacobian_derivatives_and_velocities(seed, expressed)
             np.testing.assert_allclose(sum(terms), V, rtol=0, atol=1e-12 * max(1, np.abs(V).max()))
 
 
-def test_what_the_jacobian_multiplies_is_the_velocity_of_the_point_itself():
+def test_the_jacobian_gives_the_velocity_of_the_point():
     found, point = motion(tree(2), 5, (2,)), (0.1, -0.2, 0.3)
     for frame in found.frames:
         R = frame.pose[..., :3, :3].swapaxes(-1, -2)
@@ -157,7 +157,7 @@ def test_a_neighbour_s_relative_motion_is_the_joint_s_alone():
 # -- mimic joints ----------------------------------------------------------------------------------
 
 
-def test_a_mimic_joint_follows_to_every_order_and_in_the_jacobian():
+def test_a_mimic_joint_follows_in_all_orders_and_the_jacobian():
     rng = np.random.default_rng(9)
     free = tree(9, ["revolute", "prismatic", "revolute", "revolute"])
     joints = [TreeJoint(**vars(j)) for j in free.joints]

@@ -204,7 +204,7 @@ def test_bad_samples_and_trajectories():
 # -- answers ---------------------------------------------------------------------------------------
 
 
-def test_the_peaks_of_a_point_to_point_motion_are_those_of_the_textbook():
+def test_peaks_of_a_point_to_point_motion_match_the_textbook():
     """10 s³ − 15 s⁴ + 6 s⁵ over 1 s: velocity 15/8 at 1/2, acceleration 10/√3 at (3 ∓ √3)/6, jerk 60 at the ends."""
     robot = arm()
     motion = robot.along(quintic(), np.linspace(0, 1, 23), 3)
@@ -310,7 +310,7 @@ def test_violations_of_a_recording_are_sure(noise):
     assert (rotation.start, rotation.end) == (found.start, found.end)
 
 
-def test_a_coordinate_is_held_against_its_limits_between_samples_too():
+def test_position_limits_are_checked_between_samples():
     """sin(t + 1)/2 is −1/2 at 3π/2 − 1, which is none of the times."""
     robot = Robot("r", [TreeJoint("tilt_x", "revolute", "world", "b")])
     limits = {"tilt_x": {"lower": -0.5 + 1e-9, "upper": 0.5}}
@@ -413,7 +413,7 @@ def scene():
     return meshcat
 
 
-def test_meshcat_holds_the_skeleton_the_path_and_what_moves_with_them(scene):
+def test_meshcat_shows_the_skeleton_the_path_and_the_vectors(scene):
     for place in (
         "bodies/b2",
         "bodies/b0/to j1",

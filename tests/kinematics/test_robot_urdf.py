@@ -141,7 +141,7 @@ def transform(R=None, p=(0, 0, 0)):
     return X
 
 
-def test_a_floating_joint_inside_the_tree_carries_what_is_behind_it(file):
+def test_a_floating_joint_inside_the_tree_moves_its_descendants(file):
     """By hand: base – turn – floating – turn – mimic."""
     robot = Robot.from_urdf(file(FILE), rotations="rpy")
     assert robot.positions == ("j", "sail_qx", "sail_qy", "sail_qz", "sail_x", "sail_y", "sail_z", "k")
@@ -225,7 +225,7 @@ def test_files_that_no_robot_can_be_made_of(file, text, message):
     assert str(path) in str(caught.value) and "\n" not in str(caught.value)
 
 
-def test_a_xacro_that_was_expanded_may_keep_its_commands_as_comments(file):
+def test_an_expanded_xacro_may_keep_commands_as_comments(file):
     kept = file(FILE.replace("</robot>", "<!-- <xacro:if value='1'>\n<xacro:m/> --></robot>"))
     assert Robot.from_urdf(kept).bodies == Robot.from_urdf(file(FILE)).bodies
 

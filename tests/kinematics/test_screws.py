@@ -112,7 +112,7 @@ def test_euler_rodrigues_formula_holds_over_the_rationals():
 
 
 @over([FLOAT, EXPRESSION], cases=3)
-def test_exponential_is_equivariant_and_has_the_axis_as_fixed_line(scalars, rng):
+def test_exponential_is_equivariant_and_fixes_its_axis(scalars, rng):
     psi, R = scalars.vector(rng), random_displacement(scalars, rng)
     exp_psi = screws.exp(psi)
     assert scalars.vanishes(exp_psi @ transpose(exp_psi) - identity())
@@ -142,7 +142,7 @@ def test_exponential_of_a_translation_is_exact(scalars, rng):
 
 
 @over([EXPRESSION], cases=2)
-def test_symbolic_logarithm_and_natural_invariants_give_back_the_displacement(scalars, rng):
+def test_symbolic_logarithm_restores_the_displacement(scalars, rng):
     R = random_displacement(scalars, rng)
     assert scalars.vanishes(screws.from_natural_invariants(*screws.natural_invariants(R)) - R)
     assert scalars.vanishes(screws.exp(screws.log(R)) - R)
@@ -153,7 +153,7 @@ def test_exponential_after_logarithm_is_the_identity(poses):
     assert largest_difference(screws.exp(screws.log(R)), R) < 1e-12
 
 
-def test_logarithm_after_exponential_is_the_identity_short_of_a_half_turn(poses):
+def test_logarithm_inverts_the_exponential_below_a_half_turn(poses):
     angles, psi = poses
     chosen = angles < np.pi - 1e-12
     assert chosen.sum() > NUMBER_OF_POSES / 2
@@ -169,7 +169,7 @@ def test_natural_invariants_give_back_the_displacement(poses):
     assert np.all(np.abs(dot(u, u).du) <= 1e-14 * np.maximum(1, norm(u.du)))
 
 
-def test_natural_and_structural_invariants_satisfy_the_printed_relation(poses):
+def test_natural_and_structural_invariants_are_related(poses):
     R = screws.exp(poses[1])
     alpha, u = screws.natural_invariants(R)
     a, d, u0 = alpha.re[:, None], alpha.du[:, None], u.du
@@ -224,7 +224,7 @@ def test_every_branch_of_the_logarithm_is_a_logarithm(poses, turns):
 
 
 @pytest.mark.parametrize("axis", [*np.eye(3), *-np.eye(3), [0.6, -0.8, 0], [-2 / 3, 1 / 3, 2 / 3]])
-def test_half_turn_has_the_axis_whose_first_component_is_positive(axis):
+def test_half_turn_axis_has_a_positive_first_component(axis):
     u = np.array(axis)
     R = screws.displacement(2 * np.outer(u, u) - np.eye(3), 3 * u + np.cross(u, [1.0, 2.0, 5.0]))
     alpha, found = screws.natural_invariants(R)
@@ -278,7 +278,7 @@ def test_planar_displacement_of_modern_robotics_example_3_26():
 
 
 @pytest.mark.parametrize("scalar", [float, AutoDiffXd, Expression])
-def test_rigid_transforms_of_every_drake_scalar_go_there_and_back(scalar):
+def test_rigid_transforms_of_all_drake_scalars_round_trip(scalar):
     angle = {float: 0.4, AutoDiffXd: AutoDiffXd(0.4, [1.0]), Expression: Variable("a")}[scalar]
     R = RotationMatrix_[scalar].MakeXRotation(angle)
     X = RigidTransform_[scalar](R, [angle, 2.0, 3.0])

@@ -57,7 +57,7 @@ def test_a_slowed_path_just_keeps_its_limits(seed):
         assert path.end - path.start == pytest.approx(factor * np.ptp(motion.times), rel=1e-13)
 
 
-def test_a_slowed_recording_is_the_recording_of_the_slowed_motion():
+def test_a_slowed_recording_is_that_of_the_slowed_motion():
     t = np.arange(401) / 100
     q = np.stack([np.sin(3 * t), 0.2 * np.cos(2 * t)], axis=1)
     found = ARM.along((t, q), order=3).slowdown(limits={"j": {"jerk": 9.0}})

@@ -184,7 +184,7 @@ def test_they_are_judged(formula: str, outcome: Outcome) -> None:
     assert check(formula, symbols=symbols).outcome == outcome
 
 
-def test_nothing_is_claimed_where_nothing_satisfies_the_premises_behind_the_first_members() -> None:
+def test_contradictory_premises_of_later_members_claim_nothing() -> None:
     """The premise has no values at n = 9, the largest number in the formula."""
     symbols = {"f": "scalar", "g": "scalar"}
     found = check(

@@ -312,7 +312,7 @@ def test_what_is_not_read_is_named(formula: str, feature: str) -> None:
         read(formula, TABLE)
 
 
-def test_a_bracket_that_is_never_closed_is_told_before_what_is_not_read() -> None:
+def test_an_unclosed_bracket_is_reported_first() -> None:
     with pytest.raises(ReadError, match="never closed"):
         read(r"\min_a |s = 0", TABLE)
 
@@ -337,7 +337,7 @@ def test_the_time_may_stand_for_a_number(formula: str) -> None:
     assert read(formula, TABLE)
 
 
-def test_a_digit_above_a_matrix_that_is_no_symbol_without_it_is_a_label() -> None:
+def test_a_superscript_digit_of_an_undeclared_matrix_is_a_label() -> None:
     """T^2_3, from frame 2 to 3; a power of T_3 where there is one."""
     kinds = {name: {"kind": "matrix 4×4"} for name in ("T^1_2", "T^2_3", "S")}
     table = SymbolTable.build(kinds)
@@ -351,7 +351,7 @@ def test_a_digit_above_a_matrix_that_is_no_symbol_without_it_is_a_label() -> Non
             SymbolTable.build({key: {"kind": kind}})
 
 
-def test_a_sign_that_is_the_product_of_matrices_needs_no_brackets() -> None:
+def test_a_product_sign_between_matrices_needs_no_brackets() -> None:
     own = {"X . Y": {"where": {"X": "tensor", "Y": "tensor"}, "means": "X Y"}}
     table = SymbolTable.build({name: {"kind": "tensor"} for name in "ABC"})
     assert read_term("A . B . C", table.with_notations(own)) == read_term("A B C", table)

@@ -25,7 +25,7 @@ def test_vectors_side_by_side_in_a_bracket_are_asked_about(row: str) -> None:
         read(f"T = [{row}]", TABLE)
 
 
-def test_vectors_below_each_other_that_are_a_matrix_are_asked_about() -> None:
+def test_stacked_vectors_that_form_a_matrix_raise_a_question() -> None:
     with pytest.raises(ReadError, match="the rows of a matrix"):
         read(r"T = \begin{bmatrix} a \\ b \\ c \end{bmatrix}", TABLE)
     assert read(r"T = \begin{bmatrix} a^T \\ b^T \\ c^T \end{bmatrix}", TABLE)
@@ -42,7 +42,7 @@ def test_vectors_that_may_be_quaternions_are_asked_about(formula: str) -> None:
     assert read(r"e a a = -(a \cdot a) e", table) and read(r"a^2 = a \cdot a", table)
 
 
-def test_the_inverse_of_a_column_of_four_is_that_of_a_quaternion_where_there_are_any() -> None:
+def test_the_inverse_of_a_column_of_four_needs_quaternions() -> None:
     column = r"\begin{bmatrix} s \\ a \end{bmatrix}^{-1}"
     table = TABLE.with_specs({"e": {"kind": "hamilton quaternion"}})
     assert read_term(column, table) == read_term(r"(\operatorname{quat}(s, a))^{-1}", table)
@@ -104,7 +104,7 @@ def test_no_other_product_of_vectors_is_one(formula: str) -> None:
     "formula",
     [r"\operatorname{tr} s T = 0", r"\det 2 T = 8 \det T", r"\operatorname{skew} s a = s \tilde{a}"],
 )
-def test_how_far_a_function_of_tensors_reaches_behind_a_number_is_asked(formula: str) -> None:
+def test_a_tensor_function_after_a_number_raises_a_question(formula: str) -> None:
     with pytest.raises(ReadError, match="how far does"):
         read(formula, TABLE)
 

@@ -209,7 +209,7 @@ def test_both_sides_of_a_sign(head: str, sign: str, left: str) -> None:
 @pytest.mark.parametrize(
     "head", ["det", "trace", "vect", "symmetric", "antisymmetric", "norm", "re", "exp", "sin", "root"]
 )
-def test_a_function_has_no_bracket_around_a_letter_and_its_accents_alone(head: str) -> None:
+def test_functions_omit_brackets_around_an_accented_letter(head: str) -> None:
     words = {"trace": "trace", "symmetric": "sym", "antisymmetric": "skew", "re": "Re"}
     is_command = head in ("det", "exp", "sin")
     word = rf"\{head}" if is_command else rf"\operatorname{{{words.get(head, head)}}}"

@@ -68,7 +68,7 @@ def test_a_name_with_a_meaning_is_neither_declared_nor_defined(name: str) -> Non
         read_definition(name, r"2 \alpha", table())
 
 
-def test_the_same_letter_in_another_font_or_with_an_index_is_free() -> None:
+def test_a_letter_in_another_font_or_with_an_index_is_free() -> None:
     more = {
         r"\boldsymbol{\varepsilon}": VECTOR,
         r"\mathbf{I}_n": TENSOR,
@@ -190,7 +190,7 @@ def test_an_operation_is_no_symbol(name: str) -> None:
         SymbolTable.build({name: SCALAR})
 
 
-def test_letters_of_a_function_name_that_are_all_known_are_refused() -> None:
+def test_function_names_made_of_known_letters_are_rejected() -> None:
     with pytest.raises(ReadError, match="a function and a product of symbols"):
         read_term("tr A", table(t=VECTOR, r=SCALAR, A=TENSOR))
     with pytest.raises(ReadError, match="a function and a product of symbols"):

@@ -77,7 +77,7 @@ def test_types_and_weights_are_inferred(latex: str, kind: str, weight: str) -> N
     assert (term.type.kind, str(term.weight)) == (kind, weight)
 
 
-def test_a_body_of_another_weight_in_a_sum_is_refused_with_its_place() -> None:
+def test_a_body_of_another_weight_is_rejected_with_its_position() -> None:
     with pytest.raises(IllFormedAt, match="8 and 4"):
         read_definitions({**TENSORS, r"\gamma": r"\alpha^2 + \dot{\omega}^2"}, TABLE)
 
@@ -210,7 +210,7 @@ def test_a_recurrence_with_a_factor_of_no_weight_has_no_weight() -> None:
     assert read_term("A_3", table).weight is None
 
 
-def test_numbered_symbols_without_a_recurrence_keep_their_own_types() -> None:
+def test_numbered_symbols_without_a_recurrence_keep_their_types() -> None:
     table = read_definitions({r"a_1": r"\omega", r"a_2": r"\tilde{\omega}"}, TABLE)[1]
     assert [read_term(f"a_{n}", table).type.kind for n in (1, 2)] == ["vector", "tensor"]
 
@@ -243,9 +243,7 @@ def test_a_letter_of_which_the_body_does_not_speak_is_a_label(entries, latex, in
 
 
 @pytest.mark.parametrize(("body", "indices"), [("Q f", 0), ("Q f_{in}", 0), ("f_i", 2), ("n f", 2)], ids=str)
-def test_letters_of_which_the_definition_of_a_declared_symbol_does_not_speak_are_a_label(
-    tmp_path: Path, body: str, indices: int
-) -> None:
+def test_letters_unused_by_a_definition_are_a_label(tmp_path: Path, body: str, indices: int) -> None:
     """f_{in}, the f of the inertial frame."""
     (tmp_path / "p.md").write_text("$$ v_{in} = f $$")
     symbols = {"Q": "rotation", "f": "vector", "f_i": "vector", "f_{in}": "vector", "v_{in}": "vector"}
@@ -256,7 +254,7 @@ def test_letters_of_which_the_definition_of_a_declared_symbol_does_not_speak_are
     assert len(read_term("v_{in}", table, "in").index) == indices
 
 
-def test_a_member_that_a_definition_says_for_each_index_needs_no_range() -> None:
+def test_a_member_defined_for_each_index_needs_no_range() -> None:
     kinds = {"a_n": "vector", "b_n": "vector", "R": "rotation"}
     found = check(r"a_k = R b_k", kinds, definitions=["b_n = R^T a_n"])
     assert found.holds and found.verdict.scope.startswith("all")
@@ -270,7 +268,7 @@ def test_a_member_of_a_declared_family_stays_one() -> None:
 
 
 @pytest.mark.parametrize("scripts", ["_1", "_1^2", "_{12}^{2}", "_1^T", "'", "'^2", "_1'", "!", "_1!"])
-def test_on_the_argument_of_a_function_stands_nothing_but_a_superscript(scripts: str) -> None:
+def test_arguments_of_functions_have_superscripts_only(scripts: str) -> None:
     kinds = {"x": {"kind": "scalar"}, "a": {"kind": "vector"}, "T": {"kind": "tensor"}}
     _, table = read_definitions({"F(x)": "x^2", "G(a)": r"T \tilde{a}"}, SymbolTable.build(kinds))
     for value, power in (("F(x)", "2"), ("G(a)", "T")):
@@ -282,7 +280,7 @@ def test_on_the_argument_of_a_function_stands_nothing_but_a_superscript(scripts:
 @pytest.mark.parametrize(
     "spec", [{}, {"weight": 2}, {"constant": True}, {"uniform": True, "weight": 0}, {"free": True}]
 )
-def test_what_is_positive_is_the_square_of_a_root_that_is_as_constant_and_as_uniform(spec: dict) -> None:
+def test_a_positive_symbol_is_the_square_of_a_similar_root(spec: dict) -> None:
     table = SymbolTable.build({"m_n": {"kind": "scalar", "positive": True} | spec})
     member = read_term("m_3", table)
     squared = Definitions().lookup(member)
@@ -293,7 +291,7 @@ def test_what_is_positive_is_the_square_of_a_root_that_is_as_constant_and_as_uni
     assert Definitions().lookup(squared.base) is None
 
 
-def test_the_letter_of_a_symbol_is_a_label_of_what_is_defined_by_that_symbol() -> None:
+def test_the_letter_of_a_defining_symbol_is_a_label() -> None:
     kinds = {"f": "vector", "l": "vector", "f_l": "vector"}
     table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
     definition, after = read_definition("f_l", r"f + f \times l", table)

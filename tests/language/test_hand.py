@@ -150,7 +150,7 @@ def test_a_term_is_spelt_as_its_author_spells_it(formula: str, shown: str) -> No
     assert read(shown, OWN) == (said,)
 
 
-def test_a_paper_whose_inertia_is_a_bold_i_has_its_unit_tensor_with_a_size() -> None:
+def test_with_a_bold_i_as_inertia_the_unit_tensor_shows_its_size() -> None:
     table = SymbolTable.build({"a": {"kind": "vector"}, r"\mathbf{I}": {"kind": "tensor"}})
     (said,) = read(r"\mathbf{I}_{3 \times 3} a = \mathbf{I} a", table)
     assert written(said, Hand(table)) == r"\mathbf{I}_{3 \times 3} a = \mathbf{I} a"
@@ -175,7 +175,7 @@ def test_verdicts_and_proposals_are_in_the_hand_of_the_author(tmp_path) -> None:
     assert true.verdict.read_back == r"a^{\wedge} b = a \times b"
 
 
-def test_the_slope_of_a_scalar_is_written_as_the_column_that_the_paper_takes_it_for() -> None:
+def test_the_gradient_of_a_scalar_is_printed_as_a_column() -> None:
     specs = {"w": {"kind": "vector"}, "f": {"kind": "scalar", "of": ["w"]}}
     table = replace(SymbolTable.build(specs), conventions=Conventions(gradient=Gradient.COLUMN))
     (said,) = read(r"\frac{\partial f}{\partial w} \cdot \dot{w} = \dot{f}", table)

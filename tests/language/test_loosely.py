@@ -94,7 +94,7 @@ def test_it_is_asked_about_where_the_paper_does_not(
 
 
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)
-def test_it_is_ill_formed_where_the_paper_says_that_it_is_not_meant(
+def test_a_relaxed_reading_that_the_paper_excludes_is_ill_formed(
     written: str, means: str, several: set[Relaxation]
 ) -> None:
     with pytest.raises(IllFormedAt):
@@ -170,7 +170,7 @@ def test_what_fits_or_fits_in_no_other_reading_is_not(formula: str) -> None:
 
 
 @pytest.mark.parametrize("member", ["[2]", "[0]", "[k] - a[k - 1]", "[k + 1] + a[k]", "[i - j] + a[j - i]"])
-def test_a_number_or_an_index_in_square_brackets_may_name_a_member(member: str) -> None:
+def test_a_number_in_square_brackets_may_name_a_member(member: str) -> None:
     table = SymbolTable.build(
         {name: {"kind": kind} for name, kind in {**KINDS, **dict.fromkeys("ijk", "scalar")}.items()}
     )

@@ -110,9 +110,7 @@ QUATERNIONS = SymbolTable.build(
         (r"\operatorname{vect}(T)", r"\operatorname{vect} T"),
     ],
 )
-def test_a_sign_or_a_word_of_the_reader_means_what_the_paper_says_of_these_kinds(
-    spelt: str, meant: str
-) -> None:
+def test_a_paper_may_redefine_signs_and_words_for_some_kinds(spelt: str, meant: str) -> None:
     one, other = (read(f"{each} = {each}", QUATERNIONS)[0].left for each in (spelt, meant))
     assert one == other
 
@@ -130,7 +128,7 @@ def test_the_backslash_is_a_sign_of_the_paper() -> None:
 
 
 @pytest.mark.parametrize("written", ["{v = a}", r"{{v = a}}", r"v = a \& a = v", r"v = a \text{ \& } a = v"])
-def test_braces_around_a_formula_print_nothing_and_an_ampersand_is_and(written: str) -> None:
+def test_braces_are_ignored_and_an_ampersand_means_and(written: str) -> None:
     assert [str(each) for each in read(written, TABLE)][:1] == [str(read("v = a", TABLE)[0])]
 
 
@@ -250,7 +248,7 @@ def test_a_prime_is_on_what_stands_before_it(spelt: str, meant: str) -> None:
     ("key", "means"),
     [(r"\check{x}", r"\check{\check{x}}"), ("[x]", "2 [x]"), (r"x^\wedge", r"(x^\wedge)^\wedge")],
 )
-def test_a_notation_that_leads_back_to_itself_is_refused_where_it_is_used(key: str, means: str) -> None:
+def test_a_circular_notation_is_rejected_at_its_use(key: str, means: str) -> None:
     table = SymbolTable.build({"a": {"kind": "vector"}})
     table = table.with_notations({key: {"where": {"x": "vector"}, "means": means}})
     with pytest.raises(ReadError, match="deep"):
@@ -258,7 +256,7 @@ def test_a_notation_that_leads_back_to_itself_is_refused_where_it_is_used(key: s
 
 
 @pytest.mark.parametrize("specs", [{"J_4": "J_{4}"}, {"J_4": r"2 \mathbb{J}", r"\mathbb{J}": "J_4 + J_4"}])
-def test_a_constant_that_means_itself_is_refused_where_it_is_used(specs: dict[str, str]) -> None:
+def test_a_circular_constant_is_rejected_at_its_use(specs: dict[str, str]) -> None:
     table = SymbolTable.build({}).with_notations({key: {"means": means} for key, means in specs.items()})
     with pytest.raises(ReadError, match="deep"):
         read("J_4 = 0", table)
@@ -293,7 +291,7 @@ BELOW = SymbolTable.build(
         (r"b^\circ + b^2 b", r"T b + b^2 b"),
     ],
 )
-def test_a_mark_below_and_a_name_with_a_mark_above_are_what_they_mean(spelt: str, meant: str) -> None:
+def test_marks_below_and_above_have_their_declared_meaning(spelt: str, meant: str) -> None:
     (relation,) = read(f"{spelt} = {meant}", BELOW)
     assert relation.left == relation.right
 

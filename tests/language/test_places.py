@@ -120,7 +120,7 @@ def test_braces_around_the_bracket_change_nothing() -> None:
 
 @pytest.mark.parametrize("symbol", ["s", "v", "B", "B^T", "B^{-1}", r"\dot{B}", "s^2"])
 @pytest.mark.parametrize("inside", ["r", "r, w", "r, w, r", "v, w, v", "r + w, r, w", "-r, w, r", "w - r"])
-def test_a_symbol_before_a_bracket_may_be_a_function_of_what_is_in_it(symbol: str, inside: str) -> None:
+def test_a_symbol_before_a_bracket_may_be_a_function(symbol: str, inside: str) -> None:
     """B(φ, θ, ψ) is no product with a column, and B(v, w, v) none with a triple product; square ones are."""
     kinds = {"r": "scalar", "w": "scalar", "s": "scalar", "v": "vector", "B": "tensor"}
     kinds |= {"w": "vector"} if inside == "v, w, v" else {}
@@ -174,7 +174,7 @@ def test_of_two_scalars_one_that_is_constant_is_a_factor(formula: str, read_as: 
 
 
 @pytest.mark.parametrize("formula", ["A(x) v = f", "[A(x)] v = f", r"\dot{A}(x) v = f", r"f + s v(x) = g"])
-def test_where_only_what_it_depends_on_fits_the_bracket_is_asked_about(formula: str) -> None:
+def test_a_bracket_that_fits_only_as_arguments_raises_a_question(formula: str) -> None:
     for table in (
         replace(TABLE, arguments=frozenset()),
         replace(TABLE, arguments=frozenset(map(Name, "yz"))),

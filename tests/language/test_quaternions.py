@@ -195,7 +195,7 @@ def test_columns_of_four_beside_quaternions(formula: str, outcome: Outcome) -> N
         (r"\|q\|^2 = \begin{bmatrix} \|q\|^2 \\ v \end{bmatrix}", Outcome.REFUTED),
     ],
 )
-def test_q_by_its_conjugate_is_a_number_and_a_number_a_column_of_four(formula: str, outcome: Outcome) -> None:
+def test_q_times_its_conjugate_is_a_number(formula: str, outcome: Outcome) -> None:
     kinds = {name: KINDS[name] for name in ("p", "q", "v")}
     assert check(formula, symbols=kinds).outcome is outcome
 

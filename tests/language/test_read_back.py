@@ -178,7 +178,7 @@ def test_the_reader_loads_on_use() -> None:
     assert done.stdout.strip() == "[]"
 
 
-def test_a_bracket_after_a_family_member_is_a_product_if_it_is_square() -> None:
+def test_a_square_bracket_after_a_family_member_is_a_product() -> None:
     product = read_term(r"\Phi_n [\omega + \mathbf{v}]", TABLE, VARIABLES)
     assert (product.type.kind, to_latex(product)) == ("vector", r"\Phi_{n} \left[\omega + \mathbf{v}\right]")
     applied = read_term(r"\Phi_n (\omega + \mathbf{v})", TABLE, VARIABLES)

@@ -46,7 +46,7 @@ TABLES = sorted({table for _, sort, table, _ in SECTIONS if sort == "term"})
 
 
 @pytest.mark.parametrize("table", [t for t in TABLES if t not in ("frames without a dot", "columns")])
-def test_what_is_printed_is_read_as_the_same_term_of_parts_that_fit(table: str) -> None:
+def test_printed_terms_read_back_as_the_same_well_typed_term(table: str) -> None:
     """∇ is printed as the ∂ that it is, and a gradient as a row: both are read where the paper says so."""
     known = tables()[table]
     for _, sort, own, lines in SECTIONS:

@@ -299,7 +299,7 @@ def test_powers_where_the_paper_says_that_they_are_of_values(latex: str, expecte
 
 @pytest.mark.parametrize("by", ["s_1", "s_{1}", "s'", "s'_1", r"\mathbf{s}", r"\mathbf{s}_1"])
 @pytest.mark.parametrize("d", [r"\partial", r"\mathrm{d}", "d"])
-def test_what_is_differentiated_by_keeps_its_scripts_where_an_order_stands_on_it(d: str, by: str) -> None:
+def test_a_variable_of_differentiation_keeps_its_scripts(d: str, by: str) -> None:
     kinds = dict.fromkeys([by, "f", "s"], "scalar")
     once, printed = rf"\frac{{{d} f}}{{{d} {by}}}", by.replace("_1", "_{1}")
     sign = r"\partial" if d == r"\partial" else r"\mathrm{d}"

@@ -265,9 +265,7 @@ def test_sets_and_maps(latex: str, expected: str) -> None:
         (r"SE(3)", r"SE(3)", Outcome.DEFINITION),
     ],
 )
-def test_a_set_is_all_of_the_members_of_another_only_if_it_is_the_same(
-    known: str, domain: str, outcome: Outcome
-) -> None:
+def test_a_set_has_all_members_of_another_only_if_equal(known: str, domain: str, outcome: Outcome) -> None:
     assert check(rf"{known} = \{{ M \mid M \in {domain} \}}", {"x": "vector"}).verdict.outcome == outcome
 
 

@@ -39,7 +39,7 @@ MULTIPLES = [
 
 
 @pytest.mark.parametrize("multiple", MULTIPLES)
-def test_a_multiple_of_the_unit_matrix_has_the_shape_of_its_neighbours(multiple: str) -> None:
+def test_a_multiple_of_the_unit_matrix_fits_its_neighbours(multiple: str) -> None:
     unit = multiple.format(r"\mathbf{I}")
     blocks = rf"\begin{{bmatrix}} {unit} & \mathbf{{0}} \\ \mathbf{{0}} & {unit} \end{{bmatrix}}"
     assert check(rf"{DIAGONAL} + ({unit}) = {DIAGONAL} + {blocks}", KINDS).holds
@@ -108,7 +108,7 @@ def test_what_does_not_fit(formula: str, message: str) -> None:
         (r"M \begin{bmatrix} 0 & 0 \\ x^T & 1 \end{bmatrix} = M", "x^T & 0"),
     ],
 )
-def test_how_high_a_row_of_zeros_is_is_asked_where_its_height_does_not_fit(formula: str, firm: str) -> None:
+def test_a_row_of_zeros_of_unknown_height_raises_a_question(formula: str, firm: str) -> None:
     table = SymbolTable.build({name: {"kind": kind} for name, kind in {**KINDS, "M": "matrix 4×4"}.items()})
     with pytest.raises(ReadError, match="more zeros"):
         read(formula, table)
@@ -133,7 +133,7 @@ def test_a_zero_that_is_printed_with_its_shape_has_that_shape(beside: str, zero:
     assert check(r"A + \mathbf{0}_{3\times 3} = A", KINDS).holds
 
 
-def test_zeros_and_their_multiples_do_not_hide_the_weight_of_a_block_matrix() -> None:
+def test_zeros_do_not_hide_the_weight_of_a_block_matrix() -> None:
     table = SymbolTable.build({"A": {"kind": "tensor", "weight": 2}, "x": {"kind": "vector", "weight": 2}})
     for zero in (r"\mathbf{0}", "0", r"-\mathbf{0}", r"2\mathbf{0}"):
         term = read_term(rf"\begin{{bmatrix}} A & x \\ {zero} & 0 \end{{bmatrix}}", table)
@@ -202,7 +202,7 @@ PRODUCT = r"\begin{bmatrix} p \\ q \\ r \end{bmatrix} \times \begin{bmatrix} s \
         (r"x \cdot " + TRIPLE.format(*FRAME) + " = " + TRIPLE.format(*(rf"(x \cdot {axis})" for axis in FRAME)), True),
     ],
 )  # fmt: skip
-def test_a_determinant_of_vectors_is_their_combination_by_cofactors(formula: str, holds: bool) -> None:
+def test_a_determinant_with_vectors_expands_by_cofactors(formula: str, holds: bool) -> None:
     assert check(formula, KINDS | SCALARS).holds == holds
 
 

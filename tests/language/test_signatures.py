@@ -186,7 +186,7 @@ def test_each_operation_is_in_one_of_the_tables() -> None:
 
 
 @pytest.mark.parametrize("head", ["quaternion", "atan2"])
-def test_the_parts_of_a_quaternion_and_of_an_angle_have_one_weight(head: str) -> None:
+def test_the_parts_of_quaternions_and_angles_have_one_weight(head: str) -> None:
     other = "v" if head == "quaternion" else "s"
     with pytest.raises(IllFormed, match="weight"):
         apply(head, of("s", Linear(1)), of(other, Linear(2)))
@@ -230,7 +230,7 @@ def test_addends_are_of_one_kind(left: str, right: str) -> None:
 
 
 @pytest.mark.parametrize("letter", KINDS)
-def test_a_quotient_by_a_quaternion_is_asked_about_and_by_other_things_refused(letter: str) -> None:
+def test_a_quotient_by_a_quaternion_raises_a_question(letter: str) -> None:
     if letter != "s":
         with pytest.raises(IllFormed) as refused:
             apply("div", of("s"), of(letter))

@@ -116,7 +116,7 @@ def test_a_mark_over_scripts_is_one_over_their_letter() -> None:
         read_key(r"\vec{a_1}^b")
 
 
-def test_the_letter_of_a_symbol_is_a_label_where_it_stands_for_no_index() -> None:
+def test_the_letter_of_a_symbol_is_a_label_unless_an_index() -> None:
     kinds = {"m": "scalar", "T_m": "vector", "a_{cm_x}": "scalar", "I_{nm}": "scalar"}
     table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
     assert str(read_term("T_m", table).declaration.name) == "T_{m}"
@@ -221,7 +221,7 @@ def test_what_a_symbol_depends_on_is_a_symbol() -> None:
     assert error.value.key == "f"
 
 
-def test_a_word_may_be_a_name_and_labels_of_several_words_keep_their_commas() -> None:
+def test_words_may_be_names_and_labels_keep_their_commas() -> None:
     specs = {r"\operatorname{Ad}_T": {"kind": "matrix 6×6"}, r"v_{\text{trans, max}}": {"kind": "matrix 6×1"}}
     table = SymbolTable.build(specs)
     assert read(r"Ad_T^T v_{\mathrm{trans,max}} = \text{Ad}_T^T(v_\text{trans, max})", table)
@@ -258,6 +258,6 @@ def test_a_function_of_others_is_free_and_nothing_else(flag):
 
 
 @pytest.mark.parametrize("letter", ["I", "E"])
-def test_a_letter_of_unit_matrices_that_nothing_declares_gets_a_hint(letter: str) -> None:
+def test_an_undeclared_letter_of_unit_matrices_gets_a_hint(letter: str) -> None:
     with pytest.raises(ReadError, match=r"if it is the unit tensor, \[notation\] says so"):
         read(f"{letter} = {letter}", SymbolTable.build({"a": {"kind": "vector"}}))

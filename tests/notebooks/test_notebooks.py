@@ -160,7 +160,7 @@ def test_a_figure_without_caption_is_noticed():
 
 
 @each_notebook
-def test_code_is_python_that_names_no_machine_path_and_needs_no_network(path):
+def test_code_is_python_without_local_paths_or_network(path):
     for cell in cells(path, "code"):
         ast.parse(cell.source)
         assert not re.search(r"https?://|/home/|/tmp/|/root/|^[!%]", cell.source, flags=re.MULTILINE)

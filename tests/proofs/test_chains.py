@@ -112,7 +112,7 @@ EXPANSIONS = (tensors_in_words, twists_in_words, twists_on_poses, twists_in_drak
 
 
 @pytest.mark.parametrize("expansion", EXPANSIONS)
-def test_expansions_hold_with_multinomial_coefficients_and_no_others(expansion):
+def test_expansions_hold_only_with_multinomial_coefficients(expansion):
     right, wrong = list(expansion(multinomial)), list(expansion(printed_multinomial))
     assert right and all(right)
     assert not all(wrong)

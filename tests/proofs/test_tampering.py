@@ -128,7 +128,7 @@ def _asks_for_one_only(goal: Goal) -> bool:
 
 
 @pytest.mark.parametrize("claim", list(of(GOALS)))
-def test_a_proof_with_another_witness_or_expression_shows_nothing(claim, places):
+def test_a_proof_with_a_wrong_witness_proves_nothing(claim, places):
     shown = partial(outcome, claim, claim.goal.goal)
     for proven in places(claim, with_another_member(theorem(claim))):
         assert shown(proven) == Outcome.UNCHECKED

@@ -66,7 +66,7 @@ def claims_of(tmp_path, text):
     return load_paper(path).claims
 
 
-def test_an_edit_of_a_product_mends_claims_that_are_not_linear_in_it(tmp_path):
+def test_an_edit_of_a_product_corrects_nonlinear_claims(tmp_path):
     found = repair_definitions(claims_of(tmp_path, PRODUCT))
     assert {new for r in found for _, _, new in r.changed} == {r"b \times a", r"-a \times b"}
     assert all(r.mended == ("vector", "square") for r in found)
@@ -109,7 +109,7 @@ def test_true_claims_need_no_other_definitions(tmp_path, text):
 
 
 @pytest.mark.slow
-def test_claims_with_misprints_of_their_own_are_not_blamed_on_a_definition():
+def test_misprinted_claims_do_not_count_against_a_definition():
     """A transpose in the recurrence of Φₙ would mend div Φ₄, and the others with one change each."""
     claims = {claim.id: claim for claim in find_paper().claims}
     assert repair_definitions([claims[name] for name in ("70.div", "46", "48")]) == []

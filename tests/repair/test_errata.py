@@ -42,7 +42,7 @@ def test_a_proposal_is_compared_with_the_correction_made_by_hand(paper):
     )
 
 
-def test_what_was_proved_or_needs_a_theorem_is_no_erratum_to_correct(paper):
+def test_proved_claims_and_theorems_are_no_known_errata(paper):
     ids = {claim.id for claim in known_errata(paper.claims)}
     assert "70.div" in ids and not ids & {"58.det", "Theorem_1"}
 

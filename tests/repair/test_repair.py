@@ -64,7 +64,7 @@ def repaired(claim, **limits):
         "70.div",
     ],
 )
-def test_an_erratum_of_the_chapter_is_found_from_the_printed_form_alone(paper, name):
+def test_errata_are_found_from_the_printed_form_alone(paper, name):
     claim = named(paper, name)
     by_hand = claim.corrected or claim.reading
     found = blindly(name)
@@ -85,7 +85,7 @@ def test_the_edit_is_said_in_words():
 
 
 @pytest.mark.slow
-def test_damaged_claims_are_repaired_and_each_proposal_is_proved_again(paper):
+def test_proposals_for_damaged_claims_are_proved(paper):
     random = Random(8)
     pool = [d for claim, formula in right_claims(paper)[::4] for d in damages(claim, formula, random, 1)]
     chosen = random.sample(pool, SAMPLE)
@@ -146,7 +146,7 @@ def test_a_residue_ring_divides():
         ring.divide(third, ring.constant(PRIME, 1))
 
 
-def test_one_change_of_the_definitions_mends_all_claims_that_share_them(paper, tmp_path):
+def test_one_change_of_a_definition_corrects_all_its_claims(paper, tmp_path):
     """w and α of (67) as printed, repaired from two claims that are false with them; the definitions by hand
     are those of the paper file."""
     folder, name = paper.paths[0].parent, "04_1_centres_and_adjugates.toml"
@@ -182,7 +182,7 @@ def test_command_line(paper):
     assert CliRunner().invoke(main, ["repair", "70.div", "--seconds", "-1"]).exit_code == 2
 
 
-def test_norms_are_beyond_the_random_points_but_not_beyond_the_judge():
+def test_claims_with_norms_are_repaired_without_screening():
     printed = r"\|a \times b\|^2 = a^2 b^2 - a \cdot b"
     found = check(printed, symbols={"a": "vector", "b": "vector"}).repair()
     assert [p.edit for p in found.proposals] == [r"$a \cdot b$ gets the exponent 2"]

@@ -114,7 +114,7 @@ def test_edit_of_another_file_is_not_in_the_patch(tmp_path):
     assert errata_diff(TEXT, "a.md", [result]) == ""
 
 
-def test_claim_that_stands_below_the_end_of_the_text_gives_no_crash(tmp_path):
+def test_a_claim_below_the_end_of_the_text_is_still_corrected(tmp_path):
     result = wrong("a = b + c + d", "+ d", "- d")
     result = replace(result, claim=replace(result.claim, span=Span(tmp_path / "b.md", 99, 1, 99, 9)))
     assert "+$$a = b + c - d" in errata_diff(TEXT, "a.md", [result])

@@ -152,14 +152,14 @@ EDITED = Mend(
 )
 
 
-def test_the_same_edit_of_several_equations_is_one_row_under_its_cause():
+def test_the_same_edit_of_several_equations_is_one_row():
     lines = [claim(n, n, "1", "ill-formed", printed=r"\omega_1", mend=EDITED) for n in ("3", "12", "4")]
     document = document_of(*report_of(lines))
     (cause,) = document.errata.by_cause["misprint"]
     assert cause.name == "A wrong index." and [row.heading for row in cause.rows] == ["Eqs. (3), (4), (12)"]
 
 
-def test_errors_stand_by_what_rests_on_them_and_what_another_edit_mends_is_no_entry():
+def test_errors_list_their_heirs_and_skip_shared_corrections():
     lines = [
         claim("1", "1", "1", "refuted", printed="a"),
         claim("2", "2", "1", "refuted", printed="a", inherits=["4"], mend=replace(EDITED, cause=None)),
@@ -204,7 +204,7 @@ def test_counterexample_is_exact(texts):
         (r"\dot{\boldsymbol{\omega}}", r"\boldsymbol{\omega}", r"\dot{\boldsymbol{\omega}}"),
     ],
 )
-def test_a_value_is_told_of_the_letter_in_the_type_of_the_formula(name, said, shown):
+def test_values_name_letters_in_the_typeface_of_the_formula(name, said, shown):
     assert as_printed(name, said) == shown
 
 
@@ -224,7 +224,7 @@ def test_what_people_wrote_stands_for_what_the_machine_says():
     assert "cos" not in texts["erratum.tex"].split(r"\section*{Conditions")[1].split(r"\section*{App")[0]
 
 
-def test_a_counterexample_tells_what_definitions_make_of_it_and_leaves_out_what_stands_behind():
+def test_a_counterexample_shows_values_of_defined_symbols():
     example = {
         "values": {"R": 9 * ["1"], "b": ["3"]}, "lhs": ["1"], "rhs": ["0"],
         "defined": {"w": ["5", "6", "7"], "T": 9 * ["8"]}, "behind": ["R"],
@@ -245,7 +245,7 @@ def test_no_place_in_the_source_is_told_as_a_reason(verdict):
     assert "unknown symbol x" in texts["report.html"]
 
 
-def test_the_note_begins_with_the_errors_and_ends_with_what_was_read():
+def test_the_note_begins_with_errors_and_ends_with_the_source():
     cited = sample(
         authors="A. N. Author", source="A Book", read="a.md", recheck="workbench report --paper a_b"
     )
@@ -272,7 +272,7 @@ def test_package_loads_without_the_rendering_libraries():
     assert run.stdout.strip() == "[]"
 
 
-def test_what_the_machine_proposes_is_shown_with_its_edit_and_what_differs_is_marked():
+def test_proposals_are_shown_with_marked_differences():
     difference = [{"same": "a = b"}, {"printed": "+", "proposed": "-"}, {"same": "c"}]
     proposal = Proposed("a = b - c", "a sign of $c$", difference, Outcome.PROVED)
     false = claim("1", "1", "1", "refuted", printed="a = b + c", proposed=(proposal,))

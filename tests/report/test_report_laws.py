@@ -118,7 +118,7 @@ def test_counts_are_those_of_the_claims_in_report_json(texts):
     assert sum(bar.values()) == len({c["equation"] for c in told if is_number(c["equation"])})
 
 
-def test_each_error_has_a_row_a_detail_and_an_entry_in_each_erratum(texts):
+def test_each_error_has_a_row_a_detail_and_erratum_entries(texts):
     _, results = sample()
     wrong = [r for r in results if r.fault == "error"]
     page = texts["report.html"]
@@ -147,7 +147,7 @@ def test_report_asks_for_nothing_outside_of_itself(texts):
     assert len(texts["report.html"]) < 500_000 and len(texts["report.md"]) < 100_000
 
 
-def test_an_equation_whose_lines_stand_in_two_sections_counts_once():
+def test_an_equation_in_two_sections_counts_once():
     lines = [claim(f"1.{n}", "1", section, "proved", printed="a") for n, section in enumerate("12")]
     document = document_of(*report_of(lines))
     assert document.counted == 1 and len(document.equations[0].entries) == 2

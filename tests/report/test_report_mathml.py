@@ -105,7 +105,7 @@ def test_left_scripts_stand_left():
     assert text_of(shown(r"{}^{k-1}\mathbf{R}_k")) == "k−1𝐑k"
 
 
-def test_minus_is_a_sign_after_a_relation_and_an_operator_after_an_operand():
+def test_minus_is_an_operator_only_after_an_operand():
     signs = [e for e in shown("a = -b - c").iter(f"{NAMESPACE}mo") if e.text == "−"]
     assert [sign.get("form") for sign in signs] == ["prefix", None]
 

@@ -134,9 +134,7 @@ def test_a_typeface_may_hold_a_sum_and_an_angle_be_typed(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize(("kind", "expected"), [("dual quaternion", "proved"), ("quaternion", "refuted")])
-def test_a_sign_between_dual_quaternions_is_what_the_notation_says(
-    tmp_path: Path, kind: str, expected: str
-) -> None:
+def test_the_notation_explains_signs_of_dual_quaternions(tmp_path: Path, kind: str, expected: str) -> None:
     model = f"""[conventions]
 quaternion = "hamilton, scalar first"
 [notation]
@@ -228,7 +226,7 @@ def test_a_base_that_no_definition_reaches_may_be_said(tmp_path: Path) -> None:
     assert outcomes(tmp_path, displayed("a_0 = 0", r"a_1 = 2 \dot{w}_1"), model) == ["said", "refuted"]
 
 
-def test_what_goes_wrong_in_one_formula_costs_no_other_its_verdict(
+def test_a_crash_on_one_formula_keeps_the_other_verdicts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def judge(self: Judge, statement, *arguments, **options):

@@ -207,7 +207,7 @@ def test_words_in_a_script_are_labels(label: str) -> None:
     assert relation.left.type.kind == "vector"
 
 
-def test_letters_in_scripts_and_upright_differentials_are_no_words() -> None:
+def test_script_letters_and_upright_differentials_are_no_words() -> None:
     table = SymbolTable.build({"v_{Ad}": {"kind": "scalar"}, "x": {"kind": "scalar"}})
     assert read(r"v_{Ad} = \frac{\mathrm{d}x}{\mathrm{dt}}", table)
 
@@ -318,7 +318,7 @@ def test_what_holds_for_no_special_symbol_is_refuted(tmp_path: Path, text: str) 
     }
 
 
-def test_that_a_product_is_in_a_set_is_a_claim_and_a_declared_symbol_says_nothing(tmp_path: Path) -> None:
+def test_memberships_of_products_are_claims_of_symbols_are_not(tmp_path: Path) -> None:
     (tmp_path / "p.md").write_text(
         "\n\n".join(
             [

@@ -88,7 +88,7 @@ def test_a_condition_in_the_sentence(tmp_path: Path, ending: str, text: str, exp
     assert verdicts(tmp_path, written(text, ending), ending) == [expected]
 
 
-def test_a_condition_on_other_symbols_leaves_open_what_the_formula_says(tmp_path: Path) -> None:
+def test_a_condition_on_other_symbols_does_not_settle_a_formula(tmp_path: Path) -> None:
     """f is what nothing defines and stands there once; the sentence speaks of g."""
     text = r"It is [[a \times b = f g b \times a]] where <<0 = g - 2>> holds."
     assert verdicts(tmp_path, written(text, "tex")) == ["said"]
@@ -112,7 +112,7 @@ def test_the_condition_is_told_with_its_line(tmp_path: Path) -> None:
     assert result.verdict.hypothesis == r"f\neq0"
 
 
-def test_of_several_conditions_the_one_that_is_needed_is_the_hypothesis(tmp_path: Path) -> None:
+def test_the_hypothesis_is_the_condition_that_is_needed(tmp_path: Path) -> None:
     for more in (r"<<g \neq 0>> and <<f \neq 0>>", r"<<f \neq 0>> and <<g \neq 0>>"):
         (tmp_path / "p.tex").write_text(written(f"For {more} it is [[{CANCELLED}]]", "tex"))
         (tmp_path / "p.toml").write_text(MODEL.format("tex"))
@@ -125,7 +125,7 @@ def test_of_several_conditions_the_one_that_is_needed_is_the_hypothesis(tmp_path
     assert result.verdict.hypothesis == r"f \neq0, g \neq0"
 
 
-def test_what_is_said_elsewhere_and_beside_are_hypotheses_together(tmp_path: Path) -> None:
+def test_facts_and_conditions_are_hypotheses_together(tmp_path: Path) -> None:
     for claimed, expected in (
         (r"f a = f m b \Rightarrow a = 2 g b", r"m = 2 g, f \neq0"),
         (r"m f = 2 g f", "m = 2 g"),
@@ -186,9 +186,7 @@ DEFINED = "\n[definitions]\n'a' = '\\dot{m} b + f b'\n'g' = 'm^2'\n"
         (r"Let <<\dot{g} = f>> always. It is so. Now [[\dot{g}^2 = 2 f^2]]", "refuted"),
     ],
 )
-def test_what_is_said_of_what_a_definition_holds_and_of_rates_anywhere_before(
-    tmp_path: Path, text: str, outcome: str
-) -> None:
+def test_conditions_on_definitions_and_earlier_rates_apply(tmp_path: Path, text: str, outcome: str) -> None:
     (tmp_path / "p.tex").write_text(written(text, "tex"))
     (tmp_path / "p.toml").write_text(MODEL.format("tex") + DEFINED)
     assert [told(result.verdict) for result in judge_paper(load_paper(tmp_path / "p.toml"))] == [outcome]

@@ -93,7 +93,7 @@ def test_what_rests_may_stand_in_definitions_alone(
     assert verdict(tmp_path, false, definition).outcome is Outcome.REFUTED
 
 
-def test_what_moves_elsewhere_in_the_text_does_not_rest_behind_a_definition(tmp_path: Path) -> None:
+def test_symbols_that_move_elsewhere_are_not_taken_as_constant(tmp_path: Path) -> None:
     across, rate = r"\dot{a} \times \dot{u} = 0", r"\dot{a} = \dot{l} u + l \dot{u}"
     assert "l: constant" in doubts(verdict(tmp_path, across, "a = 'l u'"))
     (tmp_path / "p.md").write_text(f"$$ {across} $$\n\n$$ {rate} $$")

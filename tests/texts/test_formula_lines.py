@@ -158,7 +158,7 @@ def test_a_text_is_cut_into_the_lines_of_a_formula(rows, tmp_path):
     assert len(cut_display(display).statements) == len(said) + "".join(said).count(", ")
 
 
-def test_a_formula_of_as_many_characters_as_are_read_has_lines_and_no_longer_one():
+def test_only_formulas_within_the_length_limit_are_split():
     rows = r"a &= b \\ c &= d"
     latex = rf"\begin{{aligned}} {' ' * (MOST_CHARACTERS - len(rows) - 30)}{rows} \end{{aligned}}"
     assert len(latex) == MOST_CHARACTERS

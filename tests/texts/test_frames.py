@@ -154,7 +154,7 @@ def test_the_laws_of_matrices_that_two_frames_name(tmp_path: Path) -> None:
             assert read_statement(to_latex(statement), claim.notation, None)[0] == statement
 
 
-def test_two_frames_in_a_bracket_are_no_product_and_two_symbols_are(tmp_path: Path) -> None:
+def test_only_symbols_in_a_bracket_are_a_product_not_frames(tmp_path: Path) -> None:
     undeclared = SCHAUB.replace("'[BN]' =", "'C_{B/N}' =")
     symbols = "'B' = \"tensor\"\n'N' = \"tensor\"\n'[PQ]' = \"rotation\"\n'P' = \"tensor\"\n[definitions]"
     undeclared = undeclared.replace("[definitions]", symbols)
@@ -315,9 +315,7 @@ MORE
         (r"\frac{{}^N d}{dt} b_x = {}^B\begin{bmatrix} 0 \\ 0 \\ 0 \end{bmatrix} + b_x", False),
     ],
 )
-def test_a_column_with_a_frame_is_the_vector_with_these_components(
-    tmp_path: Path, formula: str, is_true: bool
-) -> None:
+def test_a_column_with_a_frame_is_a_vector_in_that_frame(tmp_path: Path, formula: str, is_true: bool) -> None:
     (tmp_path / "p.md").write_text(f"$$\n{formula}\n$$")
     (tmp_path / "p.toml").write_text(GEOMETRIC.replace("MORE", ""))
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
@@ -329,7 +327,7 @@ def test_a_column_with_a_frame_is_the_vector_with_these_components(
     ["'{}^F C^G' = \"rotation to F from G\"", "'{}^F v' = 'w resolved in F'"],
     ids=["rotation", "resolved"],
 )
-def test_it_is_refused_where_a_paper_has_columns_of_components_too(tmp_path: Path, more: str) -> None:
+def test_a_resolved_vector_is_rejected_beside_component_columns(tmp_path: Path, more: str) -> None:
     (tmp_path / "p.md").write_text(r"$$ {}^B\begin{bmatrix} x \\ y \\ 0 \end{bmatrix} = x b_x + y b_y $$")
     (tmp_path / "p.toml").write_text(GEOMETRIC.replace("MORE", more))
     (claim,) = load_paper(tmp_path / "p.toml").claims

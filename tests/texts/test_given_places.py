@@ -78,7 +78,7 @@ def test_places_that_cannot_be_used(tmp_path: Path, place: str, why: str) -> Non
 
 
 @pytest.mark.parametrize(("body", "is_circle"), [("r^{OP} + b_x", True), ("y", True), ("l b_x", False)])
-def test_a_place_that_leads_back_to_itself_by_way_of_a_definition(
+def test_a_position_with_a_circular_definition_is_rejected(
     tmp_path: Path, body: str, is_circle: bool
 ) -> None:
     (tmp_path / "p.md").write_text("$$ r^{OP} = x $$")
@@ -119,7 +119,7 @@ place = { V = ["U", 'L \hat{x}_1'], E = ["V", '2 L \hat{x}_2'] }
 """
 
 
-def test_the_origins_of_the_frames_of_an_arm_stand_where_the_model_says(tmp_path: Path) -> None:
+def test_origins_of_an_arm_are_at_their_given_positions(tmp_path: Path) -> None:
     true = [
         r"{}^2_0R = {}^2_1R {}^1_0R",
         r"{}^0\omega_0 + {}^1\omega_0 = 0",

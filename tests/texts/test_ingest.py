@@ -149,7 +149,7 @@ def test_notation_that_a_text_shows_signs_of_is_tried(tmp_path: Path, text: str,
     assert all(proposal.question in found.questions for proposal in found.proposals)
 
 
-def test_the_model_reads_what_ingest_read_and_finds_no_fault_by_a_guess(tmp_path: Path) -> None:
+def test_a_drafted_model_reads_as_drafted_without_false_faults(tmp_path: Path) -> None:
     for place, (text, _) in enumerate([*KINDS, *TABLES]):
         folder = tmp_path / str(place)
         folder.mkdir()
@@ -172,7 +172,7 @@ STYLE = r"""\newif\if@size
 """
 
 
-def test_a_macro_that_only_tex_can_follow_is_guessed_to_be_brackets_and_asked_for(tmp_path: Path) -> None:
+def test_macros_only_tex_expands_are_guessed_as_brackets(tmp_path: Path) -> None:
     (tmp_path / "own.sty").write_text(STYLE)
     path = tmp_path / "p.tex"
     path.write_text(r"\usepackage{own}\begin{document}\[ a \pa{b + c} = a b - a c \]\end{document}")
@@ -187,7 +187,7 @@ def test_a_macro_that_only_tex_can_follow_is_guessed_to_be_brackets_and_asked_fo
     assert "could not be expanded" in without.printed.unread
 
 
-def test_what_a_macro_that_nothing_declares_prints_is_guessed_by_its_name(tmp_path: Path) -> None:
+def test_undeclared_macros_are_guessed_by_name(tmp_path: Path) -> None:
     path = tmp_path / "p.md"
     path.write_text(r"$$ \bv = \bR \bomega + \bfx + \wrong{\bM} $$ $$ \bv = {\bf x} \beta $$")
     found = ingest(path)

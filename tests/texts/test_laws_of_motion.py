@@ -161,7 +161,7 @@ def test_a_vector_of_components_that_nothing_defines_may_be_any(tmp_path: Path) 
     assert false.outcome is Outcome.REFUTED
 
 
-def test_what_is_found_of_a_rate_does_not_take_the_place_of_its_law(tmp_path: Path) -> None:
+def test_a_fact_on_a_rate_does_not_replace_its_law(tmp_path: Path) -> None:
     laws = [
         r"\dot x = k y",
         r"\dot y = -k x",

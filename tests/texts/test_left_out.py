@@ -96,7 +96,7 @@ x = { kind = "vector", of = ['q_1', 'q_2'] }
 """
 
 
-def test_what_the_slopes_of_any_function_are_said_to_be_is_a_condition_on_it(tmp_path: Path) -> None:
+def test_an_equation_of_slopes_constrains_the_function(tmp_path: Path) -> None:
     """Of coordinates that are to be orthogonal, in words of any language; a false identity is no condition."""
     square = r"\dot x^2 = (g_1 \dot q_1)^2 + (g_2 \dot q_2)^2"
     formulas = [r"g_1 \cdot g_2 = 0", square, r"\frac{\partial \dot x}{\partial q_1} = 2 \dot g_1"]

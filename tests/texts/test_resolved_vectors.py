@@ -73,6 +73,6 @@ def test_a_dot_is_printed_as_a_dot(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("more", ABSTRACT, ids=["angular velocity", "axes"])
-def test_beside_vectors_that_are_no_columns_the_frame_is_asked_for(tmp_path: Path, more: str) -> None:
+def test_vectors_that_are_no_columns_raise_a_frame_question(tmp_path: Path, more: str) -> None:
     (result,) = judge_paper(load_paper(paper(tmp_path, TRUE[0], more)))
     assert "in which frame" in result.verdict.reason

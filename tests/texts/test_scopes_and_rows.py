@@ -36,7 +36,7 @@ def test_without_the_place_of_a_scope_nothing_is_a_fault(tmp_path: Path) -> None
     assert outcomes == ["definition", "unchecked", "unchecked"]
 
 
-def test_a_right_side_that_is_left_out_is_not_that_of_the_next_row(tmp_path: Path) -> None:
+def test_an_omitted_right_side_is_not_taken_from_the_next_row(tmp_path: Path) -> None:
     rows = r"\begin{align} x &= \\ y &= z \\ a &= \\ &= b \\ u =& \\ v =& w \end{align}"
     (tmp_path / "p.tex").write_text(rf"\begin{{document}}{rows}\end{{document}}")
     symbols = "\n".join(f"{name} = 'scalar'" for name in "xyzabuvw")

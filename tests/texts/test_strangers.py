@@ -54,9 +54,7 @@ AS_IT_IS = [
 
 
 @pytest.mark.parametrize("written", [*SPELLED, *AS_IT_IS])
-def test_what_authors_and_their_tools_write_is_spelled_as_the_reader_has_it(
-    tmp_path: Path, written: str
-) -> None:
+def test_spellings_of_authors_and_tools_are_rewritten(tmp_path: Path, written: str) -> None:
     path = tmp_path / "p.tex"
     path.write_text("\\begin{document}\n\\[" + written + "\\]\n\\end{document}")
     ((step,),) = steps_of(read_text(path).displays[0])
@@ -104,7 +102,7 @@ def test_doxygen_has_delimiters_of_its_own(tmp_path: Path) -> None:
     assert latex == ["R_{a}=b", "c=d", "e=f"]
 
 
-def test_a_row_of_eqnarray_without_a_sign_goes_on_with_the_one_before(tmp_path: Path) -> None:
+def test_an_eqnarray_row_without_a_sign_is_a_continuation(tmp_path: Path) -> None:
     path = tmp_path / "p.tex"
     rows = r"x &=& a + b\\ && + c + d\\ &=& e\\ && - f"
     path.write_text(f"\\begin{{document}}\\begin{{eqnarray*}}{rows}\\end{{eqnarray*}}\\end{{document}}")
@@ -113,7 +111,7 @@ def test_a_row_of_eqnarray_without_a_sign_goes_on_with_the_one_before(tmp_path: 
     assert said == ["x=a+b+c+d", "a+b+c+d=e-f"]
 
 
-def test_a_step_that_says_nothing_breaks_no_chain_and_a_unit_vector_none_of_what_needs_one(
+def test_trivial_steps_break_no_chain(
     tmp_path: Path,
 ) -> None:
     (tmp_path / "p.md").write_text(
@@ -208,7 +206,7 @@ SAID = [r"where $\mathbf{s} = \int \mathbf{r}$.", r"$$\mathbf{s} = \int \mathbf{
         (r"\mathbf{s} \times \mathbf{r} = -\mathbf{r} \times \mathbf{s}", Outcome.PROVED),
     ],
 )
-def test_what_a_sentence_says_of_a_symbol_is_open_until_the_author_says_that_it_is_free(
+def test_statements_of_sentences_stay_open_until_declared_free(
     tmp_path: Path, said: str, skip: bool, latex: str, free: Outcome
 ) -> None:
     (tmp_path / "p.md").write_text(f"{said}\n\n$$ {latex} $$\n")
@@ -234,9 +232,7 @@ def test_a_symbol_that_is_defined_is_not_free(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("said", "passes"), [("", True), ("corrected = 'x = y'\n", False)])
-def test_a_step_that_says_nothing_passes_only_where_nothing_else_is_expected_of_it(
-    tmp_path: Path, said: str, passes: bool
-) -> None:
+def test_a_trivial_step_passes_only_without_an_expectation(tmp_path: Path, said: str, passes: bool) -> None:
     (tmp_path / "p.md").write_text("$$x = x$$ (one)\n")
     (tmp_path / "p.toml").write_text(
         MODEL.replace("\n", "\ntitle = 'p'\n", 1) + f"[[claim]]\nat = 'one'\n{said}"
@@ -270,7 +266,7 @@ SKEW = "[notation]\n'[z]' = { where = { z = \"vector\" }, means = '\\operatornam
         (r"a = [R] + b", None),
     ],
 )
-def test_what_authors_leave_out_on_purpose_is_asked_about_and_no_fault(
+def test_deliberate_omissions_raise_questions_not_faults(
     tmp_path: Path, formula: str, question: str | None
 ) -> None:
     (tmp_path / "p.md").write_text(f"$$ {formula} $$")

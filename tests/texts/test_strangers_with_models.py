@@ -24,7 +24,7 @@ POWERS = r"$$ \sin(x)^2 + \cos(x)^2 = 1 $$" "\n\n" r"$$ \sin(2x)^2 = 4\sin(x)^2\
     ("conventions", "expected"),
     [("", ["unchecked"] * 2), ("[conventions]\npowers = 'values'\n", ["proved", "refuted"])],
 )
-def test_a_paper_says_what_a_power_behind_the_bracket_of_a_sine_is_of(
+def test_the_paper_decides_on_a_power_after_sine_brackets(
     tmp_path: Path, conventions: str, expected: list[str]
 ) -> None:
     assert outcomes(tmp_path, POWERS, f"{conventions}[symbols]\nx = 'scalar'\n") == expected
@@ -37,7 +37,7 @@ def test_letters_that_are_symbols_are_labels_of_several_names(tmp_path: Path) ->
     assert outcomes(tmp_path, text, model) == ["proved", "definition", "refuted"]
 
 
-def test_what_an_equation_says_of_its_unknowns_leaves_open_what_follows_from_it(tmp_path: Path) -> None:
+def test_consequences_of_an_equation_in_unknowns_stay_open(tmp_path: Path) -> None:
     model = "[symbols]\nA = 'scalar'\nB = 'scalar'\nT = 'tensor'\nu = 'vector'\n"
     assumed, used = r"$$ T = A \mathbf{I} + B T^2 $$", r"$$ T u - A u + A B u = B T T u + A B u $$"
     assert outcomes(tmp_path, used, model) == ["refuted"]
@@ -45,7 +45,7 @@ def test_what_an_equation_says_of_its_unknowns_leaves_open_what_follows_from_it(
     assert outcomes(tmp_path, f"{used}\n\n{assumed}", model) == ["refuted", "definition"]
 
 
-def test_a_letter_that_is_a_symbol_is_a_label_of_what_a_definition_names_too(tmp_path: Path) -> None:
+def test_a_symbol_letter_is_a_label_in_defined_names(tmp_path: Path) -> None:
     model = "[symbols]\nj = 'scalar'\nJ_{v_j} = 'vector'\nJ_{w_j} = 'vector'\n"
     model = model.replace("J_{v_j}", "'J_{v_j}'").replace("J_{w_j}", "'J_{w_j}'")
     model += r"[definitions]" "\n" r"J_j = '\begin{pmatrix} J_{v_j} \\ J_{w_j} \end{pmatrix}'" "\n"
@@ -68,7 +68,7 @@ CHAIN = {
 
 
 @pytest.mark.parametrize("ending", CHAIN)
-def test_a_display_that_begins_with_a_sign_goes_on_with_the_one_before(tmp_path: Path, ending: str) -> None:
+def test_a_display_beginning_with_a_sign_is_a_continuation(tmp_path: Path, ending: str) -> None:
     model = "[symbols]\na = 'scalar'\nb = 'scalar'\n"
 
     def judged(text: str) -> list[str]:
@@ -135,7 +135,7 @@ a = "vector"
 
 
 @pytest.mark.parametrize(("kind", "expected"), [("scalar", ["proved", "refuted"]), ("dual scalar", None)])
-def test_epsilon_is_a_symbol_where_it_is_declared_and_nothing_is_dual(
+def test_a_declared_epsilon_is_a_symbol_if_nothing_is_dual(
     tmp_path: Path, kind: str, expected: list[str] | None
 ) -> None:
     text = r"$$ q q^* = \eta^2 + \varepsilon^T \varepsilon $$" "\n\n" r"$$ q + q^* = 2 \eta + \varepsilon $$"

@@ -41,7 +41,7 @@ def paper(tmp_path: Path) -> Path:
     return path
 
 
-def test_every_claim_has_a_verdict_or_a_reason_under_the_authors_characters(paper: Path) -> None:
+def test_every_claim_has_a_verdict_or_a_reason_with_a_position(paper: Path) -> None:
     result = run("check", str(paper), "--no-proposals", "--json")
     claims = {claim["id"]: claim for claim in json.loads(result.stdout)["claims"]}
     assert result.exit_code == 1
@@ -60,7 +60,7 @@ def test_every_claim_has_a_verdict_or_a_reason_under_the_authors_characters(pape
     assert claims["L11"]["reason"] == "defines v" and claims["L11"]["grade"] == "note"
 
 
-def test_listing_shows_errors_at_their_lines_and_what_is_not_read(paper: Path) -> None:
+def test_listing_shows_errors_by_line_and_unread_formulas(paper: Path) -> None:
     out = run("check", str(paper), "--no-proposals").stdout
     assert out.startswith(f"{paper}: 2 errors, 1 not judged, 1 holds, 1 definition\n")
     assert "✗ (1) eq:lag, line 8: does not follow from the step before\n" in out
@@ -142,7 +142,7 @@ definitions = { 'v' = 'w + a', 'w' = 's a' }
 """
 
 
-def test_a_scope_keeps_what_still_fits_it_and_may_define_in_any_order(tmp_path: Path) -> None:
+def test_a_scope_keeps_fitting_definitions_in_any_order(tmp_path: Path) -> None:
     (tmp_path / "p.md").write_text(
         "$$ u = a + b $$ (one)\n\n$$ v = a + s a $$ (two)\n\n$$ w = v - a $$\n\n$$ b u = u b $$\n"
     )
@@ -248,7 +248,7 @@ def test_steps(tmp_path: Path, latex: str, steps: list[str]) -> None:
     assert ["".join(each.split()) for each in found] == ["".join(each.split()) for each in steps]
 
 
-def test_ingest_writes_a_model_that_loads_and_refutes_nothing_by_a_guess(tmp_path: Path) -> None:
+def test_a_drafted_model_loads_and_its_guesses_refute_nothing(tmp_path: Path) -> None:
     path, out = tmp_path / "p.md", tmp_path / "all.json"
     path.write_text(
         "The vector $v$ and the scalar $m$:\n$$ m v = v m $$ (one)\n\n$$ i j = -j i $$\n\n$$ \\int v = m $$\n\n$$ \\mathbf{w} := m v $$\n"
@@ -352,7 +352,7 @@ def test_faults_of_a_text_are_mended_as_those_of_a_paper_file(tmp_path: Path) ->
     )
 
 
-def test_a_verdict_where_none_was_expected_passes_unless_it_is_a_fault(tmp_path: Path) -> None:
+def test_an_unexpected_verdict_passes_unless_it_is_a_fault(tmp_path: Path) -> None:
     path = faulty(tmp_path, text=FOUR.replace(r"\partial a = b", "a + b = b + a"))
     result = run("check", str(path), "--no-proposals")
     assert (result.exit_code, "can do without `unread`" in result.output) == (0, True)
@@ -436,7 +436,7 @@ SAID = r"""
         (r"\[ \dot{r} = v \] \[ \dot{r} = a \] \[ v \times r = r \times v \]", "refuted", None),
     ],
 )  # fmt: skip
-def test_what_a_text_says_of_its_symbols_elsewhere_is_no_falsehood(
+def test_claims_that_follow_from_the_text_are_not_refuted(
     tmp_path: Path, formulas: str, verdict: str, why: str | None
 ) -> None:
     path = tmp_path / "p.tex"

@@ -70,7 +70,7 @@ def test_what_says_more_leaves_a_falsehood_open(tmp_path: Path, said: str, formu
     assert outcomes(tmp_path, said, formula) == ["doubtful"]
 
 
-def test_a_value_and_a_definition_of_the_text_may_make_it_true_together(tmp_path: Path) -> None:
+def test_a_value_and_a_definition_may_make_a_claim_true(tmp_path: Path) -> None:
     definition, follows = "z = x + x^2", r"z \sin\theta + z y = x + x^2 \sin\theta + z y"
     assert outcomes(tmp_path, r"\theta = 90^\circ", definition, follows) == [
         "said",

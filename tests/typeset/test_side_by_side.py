@@ -166,7 +166,7 @@ def test_lines_of_one_formula_are_no_difference():
     assert differ(inner, inner.replace("&", r"\\"))
 
 
-def test_a_printed_form_that_cannot_be_taken_apart_leaves_the_proposed_one_unmarked():
+def test_a_proposal_is_unmarked_if_the_print_cannot_be_split():
     proposal = Proposal("a = 2 b", (), Verdict(Outcome.PROVED))
     assert proposal.beside(r"\mystery").difference == [{"same": "a = 2 b"}]
     assert proposal.in_colour(r"\mystery") == in_one_line(proposal.difference(r"\mystery")) == "a = 2 b"

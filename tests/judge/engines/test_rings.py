@@ -80,7 +80,7 @@ def test_a_quotient_is_what_its_divisor_makes_the_dividend(name):
         ring.divide(x, x - x)
 
 
-def test_ratios_are_in_lowest_terms_over_denominators_that_are_each_named_once():
+def test_ratios_are_reduced_with_each_denominator_named_once():
     """Numbers go below with numbers; a denominator is primitive, and its first coefficient is positive."""
     ring, element = sympy_elements()
     random = Random(11)
@@ -101,7 +101,7 @@ def test_ratios_are_in_lowest_terms_over_denominators_that_are_each_named_once()
 
 
 @pytest.mark.parametrize("where", ["value", "relation", "denominator"])
-def test_a_number_that_is_not_python_s_is_found_wherever_it_stands(where):
+def test_a_number_of_another_library_is_found_in_any_position(where):
     ring, _ = sympy_elements()
     foreign = ring.polynomials.integers.one.new({(0,): Residue(1)})
     assert ring.tops([2]) == [2]

@@ -93,7 +93,7 @@ def test_what_stands_in_a_term(latex):
 
 
 @pytest.mark.parametrize("one", INVENTORIES)
-def test_two_terms_have_what_either_has_and_definitions_what_is_written(one):
+def test_the_inventory_of_two_terms_is_the_union(one):
     for other in INVENTORIES:
         both = [term(one), term(other)]
         orders, circles, *counts = told(both, DEFINITIONS)
@@ -249,7 +249,7 @@ def test_what_is_not_supposed_of_them(formula):
 @pytest.mark.parametrize(
     ("size", "factor"), list(product((1, 2, 3), ("1", "2", r"\frac{1}{2}", r"\frac{1}{3}")))
 )
-def test_the_rate_of_an_exponential_has_the_factor_of_its_exponent(size, factor):
+def test_the_rate_of_an_exponential_has_the_chain_factor(size, factor):
     rate = rf"\frac{{d}}{{dt}} e^{{\frac{{f}}{{{size}}}}} = {factor} \dot{{f}} e^{{\frac{{f}}{{{size}}}}}"
     is_right = factor == (rf"\frac{{1}}{{{size}}}" if size > 1 else "1")
     (said,) = read_formula(rate, TABLE, {}).statements

@@ -173,9 +173,7 @@ def test_an_equation_is_solved_by_what_is_not_0(premise, follows, apart, does_no
 
 
 @pytest.mark.parametrize(("premise", "follows", "apart", "does_not"), LED)
-def test_the_second_engine_alone_divides_by_nothing_that_may_be_0(
-    monkeypatch, premise, follows, apart, does_not
-):
+def test_the_jet_engine_divides_by_nothing_that_may_be_0(monkeypatch, premise, follows, apart, does_not):
     """What the first engine takes for true is not proved if the second does not see it."""
     monkeypatch.setattr(Equations, "imply", lambda self, residuals: True)
     without = [rf"{premise} \Rightarrow {follows}"] if apart and "^2 h" not in follows else []

@@ -204,7 +204,7 @@ def test_zero_in_the_first_engine_alone_is_a_disagreement(monkeypatch, latex):
         judged(latex)
 
 
-def test_a_counterexample_of_the_second_engine_alone_is_a_disagreement(monkeypatch):
+def test_a_counterexample_of_the_jet_engine_alone_disagrees(monkeypatch):
     from workbench.engines.polynomial.polynomial_engine import ExactEngine
 
     monkeypatch.setattr(ExactEngine, "at", lambda *arguments: 0)

@@ -115,7 +115,7 @@ def test_examples_of_indices_that_may_be_any_prove_nothing():
         (r"\frac{\partial q^2}{\partial q} p_n = 2 q p_n", True),
     ],
 )
-def test_what_differentiates_a_field_of_every_order_is_judged_member_by_member(latex, proved):
+def test_derivatives_of_fields_of_any_order_are_judged_by_member(latex, proved):
     table = SymbolTable.build(
         {
             r"\rho": {"kind": "vector", "coordinate": True},

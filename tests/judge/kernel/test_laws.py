@@ -153,9 +153,7 @@ MEMBERS = {"z": r"\begin{bmatrix} x_1 \\ x_2 \\ x_3 \end{bmatrix}"}
         (r"\dot{y}_2 = f", Outcome.REFUTED),
     ],
 )
-def test_members_of_a_family_are_free_where_nothing_defines_the_family(
-    formula: str, outcome: Outcome
-) -> None:
+def test_members_of_an_undefined_family_are_free(formula: str, outcome: Outcome) -> None:
     symbols = {"v": "vector", "x_n": "scalar", "y_n": "scalar", "f": "scalar"}
     definitions = [*(f"{name} = {body}" for name, body in MEMBERS.items()), r"y_{n+1} = \dot{y}_n"]
     assert check(formula, symbols, definitions=definitions).outcome == outcome

@@ -45,7 +45,7 @@ def term(latex, integers="mn", table=TABLE):
         ("f + 12 f^{n+12}", 12),
     ],
 )
-def test_the_largest_number_of_a_formula_and_of_what_defines_its_symbols(latex, largest):
+def test_the_largest_literal_includes_those_of_definitions(latex, largest):
     definitions, table = defined(**{r"\Phi_1": r"\tilde{a}", r"\Phi_{n+1}": r"\dot{\Phi}_n + \Phi_n \Phi_1"})
     assert behind([term(latex, table=table)], definitions) == largest + 1
     assert behind([term("g"), term(latex, table=table)], definitions) == largest + 1
@@ -99,7 +99,7 @@ def test_how_long_sums_must_be_to_refute():
     assert lasts_of(r"\sum_{k=1}^{3} f^k = \sum_{k=1}^{3} g^k", "n") == [{}]
 
 
-def test_no_two_indices_are_the_same_and_the_sums_end_where_they_are_told_to():
+def test_distinct_indices_respect_the_bounds_of_sums():
     orders = Ranges({name: range(1, 3) for name in "ijn"}, tuple("ijn"))
     found = list(Distinct(orders, {"n": 7}).assignments())
     assert found == [{"i": 1, "j": 2, "n": 7}, {"i": 2, "j": 1, "n": 7}]

@@ -87,7 +87,7 @@ def test_what_fails_for_some_n_is_refuted(latex):
     assert found.outcome == Outcome.REFUTED
 
 
-def test_what_needs_the_rule_of_leibniz_is_proved_for_a_range_only():
+def test_claims_that_need_leibniz_rule_are_proved_for_a_range():
     found = check(
         r"(x \times y)^{(n+1)} = (\dot{x} \times y + x \times \dot{y})^{(n)}",
         symbols=SYMBOLS,
@@ -131,7 +131,7 @@ def test_a_constant_vanishes_from_the_first_derivative_on_only():
     assert with_free_derivatives(_read("c^{(n+1)}")).type == instantiate(_read("c^{(n+1)}"), {"n": 0}).type
 
 
-def test_functions_of_terms_are_the_same_where_the_terms_and_the_orders_are():
+def test_functions_are_equal_if_their_terms_and_orders_are():
     """Also of terms that are printed alike; c more derivatives are taken of the same function."""
     one, other = (symbol(Declaration(Name("x"), VECTOR, uniform=uniform), ()) for uniform in (False, True))
     n, k = Linear.variable("n"), Linear.variable("k")

@@ -18,7 +18,7 @@ def product(roots, powers):
 
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("operator", ["=", r"\neq"])
-def test_polynomials_have_the_same_zeros_if_they_have_the_same_roots(seed, operator):
+def test_polynomials_with_equal_roots_have_equal_zero_sets(seed, operator):
     random = Random(seed)
     roots = random.sample([-2003, -7, 0, 1, 5, 1009], random.randint(1, 3))
     others = list(roots) if seed % 3 == 0 else random.sample([-2003, -7, 0, 1, 5, 1009], random.randint(1, 3))
@@ -64,7 +64,7 @@ def test_what_is_not_0_must_be_defined():
     assert judged(r"\frac{f}{g} \neq 0 \Rightarrow f \neq 0").outcome == Outcome.PROVED
 
 
-def test_what_holds_only_while_its_premise_lasts_asks_which_is_meant():
+def test_a_claim_that_needs_a_lasting_premise_asks_its_author():
     verdict = judged(r"f = 1 \Rightarrow \dot{f} = 0")
     assert verdict.outcome == Outcome.UNCHECKED
     assert verdict.reason.startswith("false if the condition holds at one instant only")

@@ -1,7 +1,8 @@
 """The claim language: LaTeX to typed terms, and terms to LaTeX.
 
-What is this? `grammar` makes brackets of LaTeX, `naming` finds the symbols, `elaboration` makes typed terms,
-`printing` writes them, `goals` reads statements with quantifiers and their proofs. When do I come here? To
-teach the reader a spelling: a command in grammar/vocabulary.py, an accent in naming/spelling.py. What may it
-import? core. What checks it? tests/language, with one line for each reading in tests/language/readings.
+What is this? `grammar` parses LaTeX into brackets, `naming` finds the symbols, `elaboration` builds typed
+terms, `printing` writes them, `goals` reads statements with quantifiers and their proofs. When do I come
+here? To teach the reader a spelling: a command in grammar/vocabulary.py, an accent in naming/spelling.py.
+What may it import? core. What checks it? tests/language, with one line for each reading in
+tests/language/readings.
 """

@@ -1,4 +1,4 @@
-"""How a paper's author writes: which terms its [notation] has a spelling for."""
+"""The author's notation: terms that the [notation] of a paper has a spelling for."""
 
 from __future__ import annotations
 
@@ -16,13 +16,12 @@ from workbench.language.naming.reading_conventions import Gradient
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import meaning_of, read_term
 
-#: What tells the symbol in a place from all others.
+#: Marks the symbol of a slot, so that it differs from all other symbols.
 _PLACE = ("a place",)
 
 
 class Hand:
-    """The notation of one table, by what it means. What the reader would take for something else is not in
-    it."""
+    """The notation of one table by its meanings. Spellings that the reader would misread are left out."""
 
     def __init__(self, table: SymbolTable) -> None:
         self._table = table
@@ -69,8 +68,8 @@ def _derivative_in(frame: str) -> Notation:
 
 
 def _meaning(entry: Notation, table: SymbolTable) -> Term | None:
-    """What the entry means, of symbols in the places of its arguments; None if that says too little for terms
-    to be known by it."""
+    """Returns the meaning of the entry, with symbols in the slots of its arguments; None if terms cannot be
+    recognized by it."""
     places = {
         letter: symbol(Declaration(Name(letter, of=_PLACE), kind))
         for letter, said in entry.formals.items()
@@ -81,7 +80,8 @@ def _meaning(entry: Notation, table: SymbolTable) -> Term | None:
 
 
 def _matches(meaning: Term, term: Term, found: dict[str, Term]) -> bool:
-    """Whether the term is built as the meaning is, with some terms in its places."""
+    """True if the term has the structure of the meaning, with terms in its slots; records these in
+    `found`."""
     if isinstance(meaning, Symbol) and meaning.declaration.name.of == _PLACE:
         same_type = meaning.type == term.type or isinstance(term, Zero)
         return same_type and found.setdefault(meaning.declaration.name.letter, term) == term

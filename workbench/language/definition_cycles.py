@@ -1,4 +1,4 @@
-"""What a definition rests on: members that two would define, and definitions in a circle, are refused."""
+"""Checks of definitions: rejects members that two definitions cover, and circular definitions."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from workbench.language.naming.symbols import SymbolTable
 
 
 def entered(key: str, definition: Definition, table: SymbolTable) -> SymbolTable:
-    """The table that knows the definition, too. Raises SpecError for its key."""
+    """Returns the table with the definition added. Raises SpecError for its key."""
     _refuse_circle(key, definition, table)
     _refuse_overlap(key, definition, table)
     name = definition.declaration.name
@@ -29,8 +29,11 @@ def entered(key: str, definition: Definition, table: SymbolTable) -> SymbolTable
 
 
 def _refuse_overlap(key: str, definition: Definition, table: SymbolTable) -> None:
-    """Of a_{n+1} and a_{n+2}, or K_{m,0} and K_{0,n}, either could define a₂, or K_{0,0}. A single member may
-    be defined apart."""
+    """Raises SpecError if two definitions cover one member.
+
+    a_{n+1} and a_{n+2} would both define a₂, K_{m,0} and K_{0,n} both K_{0,0}. A single member may be defined
+    separately.
+    """
     name = definition.declaration.name
     if all(place.is_number for place in definition.index):
         return
@@ -48,7 +51,7 @@ def _refuse_overlap(key: str, definition: Definition, table: SymbolTable) -> Non
 
 
 def _common(one: Linear, other: Linear) -> int | None:
-    """The least number that both index places can be, letters being 0 or more; None if there is none."""
+    """Returns the least number that both indices can equal, with letters ≥ 0; None if there is none."""
     least = max(one.constant, other.constant)
     is_open = [not place.is_number or place.constant == least for place in (one, other)]
     return least if all(is_open) else None
@@ -68,7 +71,7 @@ def _refuse_circle(key: str, definition: Definition, table: SymbolTable) -> None
 
 
 def _may_be_base(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
-    """Whether the member, defined by itself, comes before Φ_own or is the first of these: Φ₁ for Φ_{n+1}."""
+    """True if the member, defined separately, precedes Φ_own or is the first of these: Φ₁ for Φ_{n+1}."""
     return any(not place.is_number for place in own) and _is_before(member, own)
 
 
@@ -77,7 +80,7 @@ def _is_before(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
 
 
 def _all_lower(members: Sequence[tuple[Linear, ...]], own: tuple[Linear, ...]) -> bool:
-    """Whether the members come before Φ_own in an order that ends: by one index, or by all together."""
+    """True if the members precede Φ_own in a well-founded order: by one index, or by all together."""
     by_one = any(all(_step(m[at], place) > 0 for m in members) for at, place in enumerate(own))
     return by_one or all(
         _is_before(m, own) and any(_step(i, p) > 0 for i, p in zip(m, own, strict=True)) for m in members
@@ -85,7 +88,7 @@ def _all_lower(members: Sequence[tuple[Linear, ...]], own: tuple[Linear, ...]) -
 
 
 def _step(used: Linear, own: Linear) -> int:
-    """How far the index used stands below that of the definition, at the least; -1 if that is unknown."""
+    """Returns how far the used index is below that of the definition, at least; -1 if that is unknown."""
     step = own - used
     grows = all(coefficient > 0 for _, coefficient in step.coefficients)
     return step.constant if step.is_number or (grows and used.is_number) else -1

@@ -1,4 +1,4 @@
-"""Entries of [definitions] to definitions: their names, types and weights are inferred from their bodies."""
+"""Definitions from the entries of [definitions]; names, types and weights are inferred from the bodies."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from workbench.language.naming.spelling import Named
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
 
-#: How the weight of Φ_n may grow with n, in the order in which it is tried.
+#: Growth of the weight of Φ_n with n, in the order in which the values are tried.
 _SLOPES = (1, 0, 2, 3, -1, 4)
 
 
 def read_definitions(entries: Mapping[str, str], table: SymbolTable) -> tuple[Definitions, SymbolTable]:
-    """All definitions of a paper, in order, and the table that knows their symbols too.
+    """Returns all definitions of a paper, in order, and the table with their symbols added.
 
     Raises as `read_definition`.
     """
@@ -39,18 +39,18 @@ def read_definitions(entries: Mapping[str, str], table: SymbolTable) -> tuple[De
 
 
 def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
-    """One definition, which uses only what the table knows, and the table that knows its symbol too.
+    """Returns one definition, which uses only symbols of the table, and the table with its symbol added.
 
-    The key is a symbol (α), a member of a family (Φ_1), a recurrence step (Φ_{n+1}, after its base), a
-    family at once (Φ_n), or one of these with formal arguments, which are declared symbols: Φ_{n+1}(x). A
-    symbol that is not in [symbols] gets the type and weight of its body; a family the linear weight that
-    fits. A letter of which the body does not speak is a label: the l of J_l.
-    Raises SpecError for the key, ReadError and IllFormedAt for the body.
+    The key is a symbol (α), a member of a family (Φ_1), a recurrence step (Φ_{n+1}, after its base), a whole
+    family (Φ_n), or one of these with formal arguments, which are declared symbols: Φ_{n+1}(x). A symbol that
+    is not in [symbols] gets the type and weight of its body; a family gets the linear weight that matches. A
+    letter that does not occur in the body is a label: the l of J_l. Raises SpecError for the key, ReadError
+    and IllFormedAt for the body.
     """
     head = _head(key, table)
     if letters := {
         letter for letter in head.variables if Name(letter) in table.symbols
-    }:  # T_m beside a symbol m
+    }:  # T_m next to a symbol m
         head = _head(key, table, letters)
     declaration = _known(head, table)
     if declaration is None and (labels := _labels(head, body, table)):
@@ -64,7 +64,7 @@ def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition
 
 @dataclass(frozen=True)
 class _Head:
-    """The left side of a definition: the spellings that it may mean, best first, and its formal arguments."""
+    """The left side of a definition: its possible spellings, best first, and its formal arguments."""
 
     key: str
     spellings: tuple[Named, ...]
@@ -72,7 +72,7 @@ class _Head:
 
     @property
     def own(self) -> Named:
-        """The spelling where letters are index places and numbers are not."""
+        """The spelling in which letters are index slots and numbers are not."""
         return self.spellings[-1]
 
     @property
@@ -121,8 +121,8 @@ def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
 
 
 def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
-    """The letters in the places of indices that are symbols or frames; or all, if the body speaks of none of
-    them and no member is known."""
+    """Returns the letters in index slots that are symbols or frames; or all letters, if the body contains
+    none of them and no member is known."""
     if found := {
         letter
         for letter in head.variables
@@ -137,7 +137,7 @@ def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
 
 
 def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, ...]] | None:
-    """The declaration that the table has for the left side already, and the index there."""
+    """Returns the declaration of the left side in the table, and its index; None if there is none."""
     known = _names(head, table)
     for name, index in head.spellings:
         declaration = known.get(name)
@@ -149,7 +149,7 @@ def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, 
 
 
 def _inside(head: _Head, table: SymbolTable, known: tuple[Declaration, tuple[Linear, ...]]) -> SymbolTable:
-    """The table for the body: members of the family below its own index may be used."""
+    """Returns the table for the body, in which lower members of the family may be used."""
     declaration, index = known
     if not declaration.introduced or not head.variables:
         return table
@@ -163,7 +163,7 @@ def _with_member(table: SymbolTable, declaration: Declaration, index: tuple[Line
 def _defined(
     head: _Head, known: tuple[Declaration, tuple[Linear, ...]], table: SymbolTable, body: str
 ) -> Definition:
-    """The definition of a symbol whose type and weight are known; the body must have them too."""
+    """Returns the definition of a symbol with known type and weight; the body must have the same."""
     declaration, index = known
     for flag in ("constant", "unit", "rotation", "transform", "symmetric", "diagonal", "coordinate", "free"):
         if getattr(declaration, flag):
@@ -183,7 +183,7 @@ def _defined(
 
 
 def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
-    """The definition of a symbol that is not in [symbols]."""
+    """Returns the definition of a symbol that is not in [symbols]."""
     own, index = head.own
     bases = {name: place for name in _names(head, table) if (place := own.index_of(name)) is not None}
     if bases:
@@ -215,7 +215,7 @@ def _declaration(head: _Head, type_: Type, weight: Linear | None) -> Declaration
 def _recurrence(
     head: _Head, body: str, table: SymbolTable, bases: Mapping[Name, tuple[Linear, ...]]
 ) -> tuple[Definition, SymbolTable]:
-    """A step Φ_{n+1} after the base Φ_1: the numbered symbols become members of one family."""
+    """Returns the step Φ_{n+1} after the base Φ_1: the numbered symbols become members of one family."""
     symbols = _names(head, table)
     declared = {name: symbols[name] for name in bases}
     free = [name for name, declaration in declared.items() if not declaration.introduced]
@@ -243,7 +243,7 @@ def _recurrence(
 
 @dataclass
 class _Step:
-    """A recurrence step whose family is still to be typed and weighed."""
+    """A recurrence step whose family has no type and weight yet."""
 
     head: _Head
     body: str
@@ -252,7 +252,8 @@ class _Step:
     faults: list[IllFormedAt] = field(default_factory=list)
 
     def fit(self, type_: Type) -> tuple[Definition, SymbolTable] | None:
-        """The definition of a family of this type, real or else dual, with the weight that fits."""
+        """Returns the definition of a family of this type, real or else dual, with the matching weight; None
+        if none does."""
         for dual in dict.fromkeys((type_.dual, True)):
             for weight in self.weights():
                 try:
@@ -276,7 +277,7 @@ class _Step:
         return _defined(self.head, known, _inside(self.head, table, known), self.body), table
 
     def weights(self) -> Iterator[Linear | None]:
-        """Weights linear in the index that agree with the bases; None if these have none."""
+        """Yields weights linear in the index that match the bases; None if the bases have no weight."""
         (first, declaration), *_ = self.bases.items()
         if declaration.weight is None:
             yield None
@@ -287,7 +288,7 @@ class _Step:
                 yield weight
 
     def of_members(self, weight: Linear | None) -> Linear | None:
-        """The weight of Φ_n from that of Φ_{n+1}."""
+        """Returns the weight of Φ_n from that of Φ_{n+1}."""
         (place,) = self.head.own[1]
         ((letter, _),) = place.coefficients
         shift = {letter: Linear.variable("@0") - place.constant}

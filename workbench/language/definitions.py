@@ -1,4 +1,4 @@
-"""What the defined symbols of a paper stand for: one step at a time, or all the way down."""
+"""The definitions of a paper's symbols: one step at a time, or expanded completely."""
 
 from __future__ import annotations
 
@@ -28,23 +28,23 @@ from workbench.core.terms import (
 from workbench.core.types import PI, SCALAR, Declaration
 from workbench.language.naming.spelling import Named
 
-#: At the left of the name of a positive number, it names its root.
+#: Left subscript that marks the root of a positive number.
 _ROOT = ("\\surd",)
 
 
 class Lookup(Protocol):
-    """One step of definition: the body of a defined symbol, None for a free one."""
+    """A lookup of definitions: the body of a defined symbol in one step, None for a free one."""
 
     def lookup(self, symbol: Symbol) -> Term | None: ...
 
 
 class Definitions:
-    """The definitions of a paper, asked for one symbol at a time.
+    """The definitions of a paper, looked up symbol by symbol.
 
-    A definition says what it says for the members that its index reaches with n ≥ 0, and nothing of others:
-    a_{n+1} := … defines a₁, a₂, … and leaves a declared a₀ free. A single member is asked for first, Φ₁
-    before Φ_{n+1}; of the others none is defined twice. A recurrence descends from a number to its base; a
-    symbolic Φ_n stays a free member of the family, and Φ_{n+1} is rewritten in Φ_n.
+    A definition covers the members that its index reaches with n ≥ 0: a_{n+1} := … defines a₁, a₂, … and
+    leaves a declared a₀ free. The definition of a single member takes precedence, Φ₁ over Φ_{n+1}; no other
+    member is defined twice. A recurrence descends from a number to its base; a symbolic Φ_n stays a free
+    member of the family, and Φ_{n+1} is rewritten in terms of Φ_n.
     """
 
     def __init__(self, definitions: Iterable[Definition] = ()) -> None:
@@ -52,7 +52,8 @@ class Definitions:
         self._of: dict[Name, list[Definition]] = {}
         for definition in sorted(self._all, key=lambda d: sum(not place.is_number for place in d.index)):
             self._of.setdefault(definition.declaration.name, []).append(definition)
-        # by the whole name, since a base Φ₁ is a symbol of its own until the recurrence makes it a member
+        # The key is the whole name, since a base Φ₁ is a separate symbol until the recurrence makes it a
+        # member.
         self._exact = {
             d.declaration.name.at(d.index): d for d in self._all if all(i.is_number for i in d.index)
         }
@@ -66,7 +67,7 @@ class Definitions:
         return len(self._all)
 
     def about(self, symbol: Symbol) -> tuple[Definition, ...]:
-        """The definitions of the symbol's family: also of its members by themselves, as Φ₁ is one of Φₙ."""
+        """Returns the definitions of the symbol's family, including those of single members, as Φ₁ of Φₙ."""
         family = symbol.declaration.name
         if family not in self._about:
             names = ((d, d.declaration.name) for d in self._all)
@@ -75,7 +76,7 @@ class Definitions:
         return self._about[family]
 
     def reached(self, term: Term) -> Iterator[Term]:
-        """What stands in the term, and in the definitions of all that stands there, down to the last."""
+        """Yields the subterms of the term, and those of all definitions in it, recursively."""
         waiting, seen = [term], set()
         while waiting:
             for part in waiting.pop().walk():
@@ -85,8 +86,11 @@ class Definitions:
                     waiting += [definition.body for definition in self.about(part)]
 
     def known_of(self, statement: Statement) -> Iterator[Relation]:
-        """Of all that the statement speaks of: that what is declared positive is not 0; that π is not, or,
-        where only sines and the like hold it, the cosine and sine of its half."""
+        """Yields what is known of the symbols of the statement.
+
+        A positive symbol is not 0. π is not 0; if it occurs only in sines and the like, the cosine and sine
+        of its half are given instead.
+        """
         reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
         found = [part for part in reached if isinstance(part, Symbol)]
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
@@ -101,15 +105,15 @@ class Definitions:
                 yield relation("≠", pi, zero())
 
     def is_pi(self, declaration: Declaration) -> bool:
-        """Whether it is the number π, which a model may leave undeclared, and no symbol that is any."""
+        """True for the number π, which a model may leave undeclared; False for a declared free symbol."""
         is_number = declaration.type == SCALAR and not declaration.free
         return declaration.name == PI.name and is_number and declaration.name not in self._of
 
     def lookup(self, symbol: Symbol) -> Term | None:
-        """What the symbol is defined as, one step, for its own index and arguments; None if it is primitive.
+        """Returns the body of the symbol for its index and arguments, one step; None if it is primitive.
 
-        The same symbol gives the same object. Raises IllFormed for a member that no definition reaches, of a
-        family that only definitions introduce.
+        The same symbol gives the same object. Raises IllFormed for an undefined member of a family that only
+        definitions introduce.
         """
         is_defined = symbol.declaration.name in self._of
         if not is_defined and not symbol.declaration.positive:
@@ -139,8 +143,8 @@ class Definitions:
 
 
 def squared_root(symbol: Symbol) -> Term:
-    """x = r², of a positive x: every such x has an r that is as smooth, and of every r but 0 the square is
-    one."""
+    """Returns x = r² for a positive x: every such x has an equally smooth r, and the square of every r ≠ 0 is
+    positive."""
     own = symbol.declaration
     name = replace(own.name, left_sub=(*_ROOT, *own.name.left_sub))
     root = replace(own, name=name, weight=None, positive=False)
@@ -148,7 +152,7 @@ def squared_root(symbol: Symbol) -> Term:
 
 
 def number_behind(root: Symbol) -> Symbol:
-    """The positive number of which `squared_root` made this root; any other symbol itself."""
+    """Returns the positive number whose root `squared_root` created; other symbols unchanged."""
     own = root.declaration
     if own.name.left_sub[:1] != _ROOT:
         return root
@@ -157,7 +161,7 @@ def number_behind(root: Symbol) -> Symbol:
 
 
 def expand(term: Term, definitions: Lookup) -> Term:
-    """The term with every defined symbol replaced by its body, down to primitive symbols.
+    """Returns the term with every defined symbol replaced by its body, down to primitive symbols.
 
     Equal symbols become one object, so that Φ_8 stays a small graph although it is a huge tree.
     """
@@ -193,7 +197,7 @@ class _Expansion:
 
 
 def only_turns(term: Term, pi: Symbol) -> bool:
-    """Whether π stands in it only as an addend of what a sine or the like is taken of."""
+    """True if π occurs only as an addend of the argument of a sine or the like."""
     if isinstance(term, Apply) and term.head in CIRCULAR:
         return all(_is_addend(each, pi) for each in term.arguments)
     return term != pi and all(only_turns(child, pi) for child in term.children)
@@ -208,7 +212,7 @@ def _is_addend(term: Term, pi: Symbol) -> bool:
 
 
 def solve(pattern: tuple[Linear, ...], index: tuple[Linear, ...]) -> dict[str, Linear] | None:
-    """The values of the pattern's variables at which it equals the index; None if there are none."""
+    """Returns the values of the pattern's variables at which it equals the index; None if there are none."""
     values: dict[str, Linear] = {}
     for place, wanted in zip(pattern, index, strict=True):
         if place.is_number:
@@ -230,7 +234,7 @@ def _with_arguments(body: Term, definition: Definition, symbol: Symbol) -> Term:
 
 
 def replaced(term: Term, given: Callable[[Symbol], Term | None]) -> Term:
-    """The term with what is given for its symbols, where something is. Raises IllFormed."""
+    """Returns the term with its symbols replaced where `given` returns a term. Raises IllFormed."""
     return _replaced(term, given, {})
 
 

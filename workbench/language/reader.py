@@ -1,4 +1,4 @@
-"""LaTeX to typed terms: strict, by type, never a guess."""
+"""The reader: LaTeX to typed terms, strictly by type, without guesses."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ _SIGNS = re.compile(r"\\(pm|mp)(?![A-Za-z])")
 
 
 def read(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> tuple[Statement, ...]:
-    """The statements of a formula, in reading order: one for each line of cases, aligned or array, and for
-    each of several relations between commas.
+    """Returns the statements of a formula, in reading order.
 
-    `integers` are the integer variables allowed (n, k_1 …), beside those for which the formula itself states
-    a range (", n ≥ 1"). Raises ReadError where the text cannot be read, IllFormedAt where types or weights
-    do not fit; both with line and column.
+    There is one statement for each line of cases, aligned or array, and for each relation between commas.
+    `integers` are the allowed integer variables (n, k_1 …), besides those for which the formula itself states
+    a range (", n ≥ 1"). Raises ReadError for a syntax error, IllFormedAt if types or weights do not match;
+    both with line and column.
     """
     return read_formula(latex, table, integers).statements
 
@@ -46,8 +46,10 @@ def read(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> tuple[
 def read_formula(
     latex: str, table: SymbolTable, integers: Iterable[str] = (), as_condition: bool = False
 ) -> Reading:
-    """As `read`, with the ranges that the formula states for its integers. As a condition, what stands
-    between commas holds together, and nothing in it is a condition of the rest."""
+    """Like `read`, but also returns the ranges that the formula states for its integers.
+
+    as_condition: the statements between commas hold together, and none of them is a condition of the others.
+    """
     names = frozenset(integers)
     sides = [len(_SIGNS.findall(side)) for side in latex.split("=")]
     says_both, says_either = all(sides) and len(sides) > 1, sorted(sides) == [0, 1]
@@ -63,7 +65,7 @@ def read_formula(
 
 
 def _either(latex: str, upper: Statement, lower: Statement) -> Statement:
-    """Of two equations of scalars, that one holds: the product of their differences is 0."""
+    """Returns the statement that one of two scalar equations holds: the product of their differences is 0."""
     if upper == lower:
         return upper
     both = [each for each in (upper, lower) if isinstance(each, Relation)]
@@ -81,13 +83,13 @@ def _sign(above: bool, match: re.Match[str]) -> str:
 
 
 def read_term(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Term:
-    """The term of an expression without relations. Raises as `read`."""
+    """Returns the term of an expression without relations. Raises as `read`."""
     names = frozenset(integers)
     return _placed(latex, table, lambda lines, table: term_of(lines, table, names))
 
 
 def meaning_of(node: Node, table: SymbolTable) -> Term | None:
-    """The term of a tree, in which terms may stand already; None if it has none."""
+    """Returns the term of a tree that may contain terms; None if it has none."""
     try:
         return Elaborator(table, frozenset()).term(node)
     except (Fault, Misfit, RecursionError):
@@ -95,8 +97,8 @@ def meaning_of(node: Node, table: SymbolTable) -> Term | None:
 
 
 def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Reason:
-    """What a formula is that states nothing. Raises `error` for one that cannot be read as a statement, and
-    as `read` where it is an expression that cannot be read."""
+    """Returns the reason why a formula states nothing. Raises `error` if it cannot be read as a statement,
+    and as `read` for an expression that cannot be read."""
     if error.code is SyntaxCode.SAYS_NOTHING:
         return SyntaxCode.DECLARES_ONLY()
     if error.code is not SyntaxCode.ALONE:

@@ -1,1 +1,2 @@
-"""Syntax nodes to typed terms, one module for each part of the notation. `elaborate` calls the others."""
+"""Elaboration: syntax nodes to typed terms, one module for each part of the notation. `elaborate` is the
+entry."""

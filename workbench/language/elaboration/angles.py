@@ -1,4 +1,4 @@
-"""Angles as they are printed: that between two vectors, and a product behind a sine without brackets."""
+"""Angles in print: the angle between two vectors, and products after a sine without brackets."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from workbench.core.terms import Derivative, Symbol, Term
 from workbench.language.grammar.syntax import Bracket, Node
 from workbench.language.naming.scope import Scope
 
-#: Letters that are angles wherever a text writes them behind a sine.
+#: Letters that are angles after a sine.
 _ANGLES = frozenset(
     {
         "\\alpha",
@@ -24,8 +24,11 @@ _ANGLES = frozenset(
 
 
 def of_angle_between(scope: Scope, head: str, argument: Node) -> Term | None:
-    """\\cos\\langle a, b\\rangle of two vectors, a · b by their lengths, and the sine, |a × b| by them; None
-    where ⟨a, b⟩ is a name, or no angle."""
+    """Returns \\cos\\langle a, b\\rangle or \\sin\\langle a, b\\rangle of two vectors: a · b or |a × b| over
+    their lengths.
+
+    Returns None if ⟨a, b⟩ is a name or not an angle.
+    """
     if not isinstance(argument, Bracket) or argument.kind != "\\langle" or len(argument.parts) != 2:
         return None
     if head not in ("cos", "sin") or scope.spelt(argument) is not None:
@@ -41,14 +44,14 @@ def of_angle_between(scope: Scope, head: str, argument: Node) -> Term | None:
 
 
 def is_angle(term: Term) -> bool:
-    """Whether it is a scalar symbol whose letter is that of an angle, or the time."""
+    """True for a scalar symbol whose letter denotes an angle, and for the time."""
     letter = term.declaration.name.letter if isinstance(term, Symbol) else ""
     return term.type.kind == "scalar" and (letter in _ANGLES or _is_time(term))
 
 
 def goes_on(argument: Term, following: Term) -> bool:
-    """Whether a factor behind a sine belongs to its argument: that is a number or a length so far, and an
-    angle follows, as in \\tan l\\phi and \\sin\\omega t."""
+    """True if a factor after a sine belongs to its argument, as in \\tan l\\phi and \\sin\\omega t: the
+    argument so far is a number or a length, and an angle follows."""
     parts = [argument, following]
     if any(isinstance(part, Derivative) or part.type.kind != "scalar" for part in parts):
         return False

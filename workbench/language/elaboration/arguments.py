@@ -1,5 +1,5 @@
-"""What stands in a bracket behind a symbol and says only what it depends on: the same wherever the symbol has
-a bracket, since f(x) and f(y) are two values."""
+"""Arguments in a bracket after a symbol that only state its dependence. They must be the same at every
+occurrence, since f(x) and f(y) are two values."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from workbench.language.printing.printer import to_latex
 
 
 def _both_readings(function: Term, bracket: Bracket) -> Reason:
-    """The question, with both readings and the lines of a model that say which it is."""
+    """Returns the question with both readings and the lines of a model that decide between them."""
     parts = list(map(latex_of, bracket.parts))
     inside, own = ", ".join(parts), to_latex(function)
     names = ", ".join(f"'{part}'" for part in parts)
@@ -42,7 +42,7 @@ def _both_readings(function: Term, bracket: Bracket) -> Reason:
 
 
 def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
-    """Whether the bracket says only what the symbol depends on: x(t), and P(D) for an operator."""
+    """True if the bracket only states the dependence of the symbol: x(t), and P(D) for an operator."""
     function = term
     while isinstance(function, Derivative):
         function = function.body
@@ -93,7 +93,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
 
 
 def _is_symbol_or_quaternion(value: Term) -> bool:
-    """Whether it may be that of which something is a function, as R(p q) and J(-x) are."""
+    """True if the term can be a function argument, as in R(p q) and J(-x)."""
     match value:
         case Apply(head="neg" | "inverse" | "transpose", arguments=(inner,)):
             return _is_symbol_or_quaternion(inner)
@@ -103,14 +103,17 @@ def _is_symbol_or_quaternion(value: Term) -> bool:
 
 
 def _is_coordinate(scope: Scope, function: Term) -> bool:
-    """Whether other symbols depend on it by [conventions], so that it depends on none of them."""
+    """True if other symbols depend on it by [conventions], so that it depends on none of them."""
     names = {each.declaration.name for each in function.walk() if isinstance(each, Symbol)}
     return not names.isdisjoint(scope.table.arguments)
 
 
 def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
-    """Whether it is a name or a number beside a scalar, a scalar behind a tensor, a time, t - t_0, or another
-    place of a declared argument, of its kind: k + 1 or \\Delta k."""
+    """True if the part can be an argument of the function.
+
+    It is a name or a number after a scalar, a scalar after a tensor, a time such as t - t_0, or another value
+    of a declared argument of its kind, as k + 1 or \\Delta k.
+    """
     value, is_symbol = scope.term(part), is_accented_symbol(function)
     if any(each.clock for each in _outside_of_functions(value)):
         return is_symbol and not _is_constant(function)
@@ -127,7 +130,7 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
 
 
 def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
-    """Whether no type tells the product from the function: A(g) and A(g^{-1}) of two matrices."""
+    """True if no type distinguishes product and function: A(g) and A(g^{-1}) of two matrices."""
     inverted = value.arguments[0] if isinstance(value, Apply) and value.head == "inverse" else value
     if not isinstance(inverted, Symbol):
         return False
@@ -143,7 +146,7 @@ def is_said_factor(scope: Scope, part: Node) -> bool:
 
 
 def _outside_of_functions(value: Term) -> Iterator[Declaration]:
-    """The symbols of t + h, and none of 1 + cos ω t, which is no instant."""
+    """Yields the symbols of t + h, but none of 1 + cos ω t, which is not an instant."""
     if isinstance(value, Symbol):
         yield value.declaration
     if not (isinstance(value, Apply) and value.head in CIRCULAR | {"exp"}):
@@ -152,7 +155,7 @@ def _outside_of_functions(value: Term) -> Iterator[Declaration]:
 
 
 def _taken(value: Term) -> Iterator[Declaration]:
-    """The symbols of which it holds the value, and not only a rate."""
+    """Yields the symbols whose value the term contains, and not only a rate."""
     if isinstance(value, Symbol):
         yield value.declaration
     if not isinstance(value, Derivative):
@@ -166,7 +169,7 @@ def _may_be_of(scope: Scope, argument: Name, value: Term) -> bool:
 
 
 def _without_prefix(name: Name) -> Name:
-    """t of \\Delta t_k."""
+    """Returns the name without its prefix: t for \\Delta t_k."""
     return Name(name.letter, tuple(style for style in name.styles if not is_prefix(style)))
 
 
@@ -180,24 +183,25 @@ def _is_name(part: Node) -> bool:
 
 
 def _without_sup(term: Term) -> Term:
-    """R of R^T and f of f²."""
+    """Returns the base of a superscript: R of R^T and f of f²."""
     is_raised = isinstance(term, Power) or (isinstance(term, Apply) and len(term.children) == 1)
     return term.children[0] if is_raised else term
 
 
 def _has_tensor(scope: Scope, pair: Bracket) -> bool:
-    """Whether it is a row of blocks such as (a, T)."""
+    """True for a row of blocks such as (a, T)."""
     return any(scope.term(part).type.kind == "tensor" for part in pair.parts)
 
 
 def _is_no_place(scope: Scope, bracket: Bracket, function: Symbol) -> bool:
-    """Whether it holds a ∇, and is of another type than what the function is of."""
+    """True if the bracket contains a ∇ and has another type than the arguments of the function."""
     (part, *more), places = bracket.parts, {each.type for each in function.declaration.of}
     return not more and "\\nabla" in latex_of(part) and scope.term(part).type not in places
 
 
 def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
-    """x[2] may be the second component of x, and x[k + 1] is the member behind x[k]."""
+    """Raises Fault for x[2], which may be the second component of x, and x[k + 1], which may be the next
+    member."""
     function = _without_sup(term)
     if len(bracket.parts) != 1 or not is_accented_symbol(function) or scope.table.notations.shapes(bracket):
         return
@@ -214,7 +218,7 @@ def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
 
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
-    """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
+    """Raises Fault if a symbol has other arguments elsewhere in the formula, or in its definition."""
     _require_once(bracket)
     _take_instant(scope, bracket, function)
     parts = [_without_time(scope, part) for part in bracket.parts if not scope.is_time(part)]
@@ -232,14 +236,14 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
 
 
 def _require_once(bracket: Bracket) -> None:
-    """Raises Fault for R(x, x): one of two arguments is a misprint, or R is taken on a diagonal."""
+    """Raises Fault for R(x, x): it may be a misprint, or mean R on a diagonal."""
     parts = [latex_of(part) for part in bracket.parts]
     if repeated := next((part for place, part in enumerate(parts) if part in parts[:place]), None):
         raise Fault(SyntaxCode.STANDS_TWICE_AMONG_ARGUMENTS(repeated=repeated), bracket.at)
 
 
 def _require_all_once(scope: Scope, bracket: Bracket, function: Symbol) -> None:
-    """Raises Fault where a function is written with other arguments than it is declared with."""
+    """Raises Fault if a function has other arguments than in its declaration."""
     _require_once(bracket)
     written = [scope.term(part) for part in bracket.parts if not scope.is_time(part)]
     missing = [each for each in function.declaration.of if not (each in written or each.declaration.clock)]
@@ -254,7 +258,7 @@ def _is_rate_of(part: Node, known: Collection[str]) -> bool:
 
 
 def _take_instant(scope: Scope, bracket: Bracket, function: Term) -> None:
-    """Raises Fault for x(t_0) beside x(t), and for x(t) beside x times a number in a bracket."""
+    """Raises Fault for x(t_0) next to x(t), and for x(t) next to x times a number in a bracket."""
     instants = tuple(latex_of(part) for part in bracket.parts if _is_instant(part))
     for name, index in _symbols(function):
         if instants and scope.instants.setdefault((name, index), instants) != instants:
@@ -263,7 +267,7 @@ def _take_instant(scope: Scope, bracket: Bracket, function: Term) -> None:
 
 
 def _refuse_both(scope: Scope, bracket: Bracket, function: Term, is_factor: bool) -> None:
-    """Raises Fault where brackets behind a symbol say what it depends on, and multiply it."""
+    """Raises Fault if brackets after a symbol both state its dependence and multiply it."""
     for symbol in _symbols(function):
         places = scope.brackets.setdefault(symbol, {})
         places.setdefault(is_factor, bracket)
@@ -282,13 +286,13 @@ def _is_instant(part: Node) -> bool:
 
 
 def is_argument(scope: Scope, part: Node) -> bool:
-    """Whether the paper says that f(x) is f, which depends on x; f(\\dot{x}) is f then, too."""
+    """True if the paper states that f(x) is f, which depends on x; f(\\dot{x}) is f then, too."""
     known = scope.table.arguments
     return bool(known) and not known.isdisjoint(_names(_without_time(scope, part)))
 
 
 def _without_time(scope: Scope, part: Node) -> Node:
-    """q of q(t)."""
+    """Returns q for q(t)."""
     match part:
         case Product(items=(argument, Bracket(kind="(", parts=(time,)))) if scope.is_time(time):
             return argument

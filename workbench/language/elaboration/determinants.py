@@ -1,4 +1,4 @@
-"""The determinant that spells a vector product: one row or column of vectors, the others of scalars."""
+"""Determinants that spell a vector product: one row or column of vectors, the others of scalars."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from workbench.language.naming.scope import Scope
 
 
 def of_vectors(scope: Scope, node: Node) -> Term | None:
-    """The determinant of the 3×3 matrix, expanded by its vectors; None where it is one of scalars."""
+    """Returns the determinant of the 3×3 matrix, expanded by its vectors; None if all entries are scalars."""
     while isinstance(node, Group | Bracket) and len(node.parts) == 1:
         (node,) = node.parts
     if not isinstance(node, Matrix) or [len(row) for row in node.rows] != [3, 3, 3]:

@@ -1,4 +1,4 @@
-"""Bracket structure to typed terms: what each kind of node is, sums and brackets."""
+"""The elaborator: syntax nodes to typed terms, with sums and brackets."""
 
 from __future__ import annotations
 
@@ -54,7 +54,8 @@ class Elaborator(Scope):
         self._read: dict[tuple[int, frozenset[str]], tuple[Node, Term]] = {}
 
     def term(self, node: Node) -> Term:
-        """Read once, however many of the paper's signs are tried around it."""
+        """Returns the term of a node. Each node is read once, even if several notations of the paper are
+        tried on it."""
         key = id(node), self.variables
         if key not in self._read:
             with self.nested(node.at):
@@ -114,11 +115,11 @@ class Elaborator(Scope):
         return construct.number(value) if value else construct.zero()
 
     def entry(self, node: Node) -> Term:
-        """An entry of a matrix, in which a dot alone stands for 0."""
+        """Returns an entry of a matrix; a lone dot is 0."""
         is_dot = isinstance(node, Infix) and node.operator == "·"
         return construct.zero() if is_dot else self.term(node)
 
-    # sums and brackets
+    # Sums and brackets.
 
     def sum(self, node: Sum) -> Term:
         addends: list[Term] = []
@@ -171,13 +172,13 @@ class Elaborator(Scope):
         if self.table.has_quaternions and (parts := _scalar_and_vector(terms)) is not None:
             return self.apply(node.at, "quaternion", *parts)
         if len(terms) == 2 and node.kind in ("(", "[") and _are_beside(*terms):
-            return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
+            return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): side by side
         message = SyntaxCode.TRIPLE_PRODUCT_OR_PAIR()
         raise Fault(SyntaxCode.EXPRESSIONS_BETWEEN_BRACKETS(terms=len(terms), message=message), node.at)
 
 
 def _times_unit(term: Term) -> Term:
-    """n I of a number n, and of its negative."""
+    """Returns n I for a number n or its negative; other terms unchanged."""
     match term:
         case Apply(head="neg", arguments=(Number() | Integer() as inner,)):
             return construct.apply("neg", _times_unit(inner))
@@ -191,12 +192,12 @@ def _times_unit(term: Term) -> Term:
 
 
 def _are_beside(one: Term, other: Term) -> bool:
-    """Whether they are of two kinds, and of one height."""
+    """True if the terms have different kinds and the same height."""
     return one.type.kind != other.type.kind and one.type.rows == other.type.rows
 
 
 def _scalar_and_vector(terms: Sequence[Term]) -> tuple[Term, Term] | None:
-    """The parts of a quaternion written (s, x) or by its four components; None for anything else."""
+    """Returns the parts of a quaternion written (s, x) or by its four components; None for other terms."""
     if len(terms) == 4 and all(term.type.kind == "scalar" for term in terms):
         return terms[0], construct.block([[term] for term in terms[1:]])
     if len(terms) == 2 and terms[0].type.kind == "scalar":
@@ -206,7 +207,7 @@ def _scalar_and_vector(terms: Sequence[Term]) -> tuple[Term, Term] | None:
 
 
 def _parts_of_quaternion(addends: Sequence[Term]) -> Term:
-    """s + x: the scalars and the vectors of a sum, each added up."""
+    """Returns s + x as a quaternion: the sums of the scalars and of the vectors."""
     parts = [[a for a in addends if a.type.kind == kind] for kind in ("scalar", "vector")]
     return construct.apply(
         "quaternion", *(p[0] if len(p) == 1 else construct.apply("add", *p) for p in parts)

@@ -1,4 +1,4 @@
-"""The entries of a matrix in which cells are left empty: zeros, or room around a block of several columns."""
+"""Matrices with empty cells: the cells are zeros, or space around a block of several columns."""
 
 from __future__ import annotations
 
@@ -20,9 +20,11 @@ class _Reader(Protocol):
 
 
 def entries_of(reader: _Reader, node: Matrix) -> list[list[Term]]:
-    """The entries row by row. Where the printed blocks of a row fill all of its columns, its empty cells are
-    room around them, and so are empty rows; any other empty cell is a zero. Raises Fault where a whole row or
-    column is empty."""
+    """Returns the entries row by row.
+
+    If the printed blocks of a row fill all of its columns, its empty cells are space around them, and so are
+    empty rows; other empty cells are zeros. Raises Fault if a whole row or column is empty.
+    """
     cells: _ROWS = [[None if _is_empty(each) else reader.entry(each) for each in row] for row in node.rows]
     if not any(None in row for row in cells):
         return [[entry for entry in row if entry is not None] for row in cells]
@@ -49,19 +51,19 @@ def _is_nothing(cells: Sequence[Term | None]) -> bool:
 
 
 def _without_room(rows: _ROWS) -> _ROWS:
-    """The rows without the empty ones, if the blocks in the others are as high as all rows together."""
+    """Returns the rows without the empty ones if the other rows' blocks fill the height; else all rows."""
     kept = [row for row in rows if not _is_nothing(row)]
     heights = [max(term.type.rows for term in row if term is not None) for row in kept]
     return kept if len(kept) < len(rows) == sum(heights) else rows
 
 
 def _is_spanned(row: Sequence[Term | None]) -> bool:
-    """Whether the entries, some of several columns, are together as wide as the row has cells."""
+    """True if the entries, some of several columns, are together as wide as the row."""
     return None in row and sum(term.type.columns for term in row if term is not None) == len(row)
 
 
 def _spread(row: Sequence[Term | None], widths: Sequence[int], at: int) -> list[Term]:
-    """The entries of a row as blocks of these widths."""
+    """Returns the entries of a row as blocks of these widths."""
     own = [term for term in row if term is not None]
     if _is_spanned(row):
         if [term.type.columns for term in own] != list(widths):

@@ -1,4 +1,4 @@
-"""\\min_{x \\in V_3} f = m: what is least (or greatest) over which letters, and what it is."""
+"""Extrema \\min_{x \\in V_3} f = m: the body, the bound letters and the value."""
 
 from __future__ import annotations
 
@@ -17,13 +17,15 @@ from workbench.language.naming.symbols import SymbolTable
 
 
 def is_extremal(side: Node) -> TypeGuard[Product]:
-    """Whether the side is \\min or \\max of something."""
+    """True if the side is \\min or \\max of a term."""
     return isinstance(side, Product) and isinstance(side.items[0], Extremal)
 
 
 def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
-    """What a chain with \\min or \\max on some sides says of them: all are equal to its other sides, of which
-    there must be one. Raises Fault and Misfit."""
+    """Returns the extrema of a chain with \\min or \\max on some sides. All equal its one other side.
+
+    Raises Fault and Misfit.
+    """
     for sign, at in chain.relations:
         if sign != "=":
             raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_SAID(sign=sign), at)
@@ -57,7 +59,7 @@ def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:
 
 
 def _bound(over: Node) -> Iterator[tuple[Node, Members | None]]:
-    """The letters under the sign, each with its set; None where none is said."""
+    """Yields the letters under the sign with their sets; None if no set is given."""
     waiting: list[Node] = []
     for part in over.parts if isinstance(over, Group) else (over,):
         if isinstance(part, Chain):
@@ -78,7 +80,7 @@ def _bound(over: Node) -> Iterator[tuple[Node, Members | None]]:
 
 
 def _letter(table: SymbolTable, reader: Elaborator, node: Node, members: Members | None) -> Symbol:
-    """The letter as it is declared; one that is not is a constant of its set."""
+    """Returns the letter with its declaration; an undeclared letter is a constant of its set."""
     name = letter_name(node)
     if name is None or str(name) in reader.variables:
         raise Fault(SyntaxCode.EXPECTED_LETTER_SUCH_X(), node.at)

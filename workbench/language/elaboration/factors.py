@@ -1,4 +1,4 @@
-"""Factors in juxtaposition, each read once, and what they are together."""
+"""Factors in juxtaposition: each is read once, and they combine to a product."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from workbench.language.naming.scope import Scope
 class Factor:
     term: Term
     at: int
-    end: int  # the item after it
+    end: int  # index of the item after it
     node: Node
 
 
 class Row:
-    """Factors in juxtaposition."""
+    """A row of factors in juxtaposition."""
 
     def __init__(self, scope: Scope, items: Sequence[Node], read: Callable[[Row, int], Factor]) -> None:
         self.scope = scope
         self._read = read
         self.items = items
         self._known: dict[int, Factor] = {}
-        self.open_head = ""  # what ends the row with an argument that is not bracketed
+        self.open_head = ""  # the last head whose argument is not bracketed
 
     def term(self) -> Term:
         return self.multiply(self.factors())
@@ -75,7 +75,7 @@ class Row:
         return self.scope.apply(factors[-1].at, "mul", *pair)
 
     def operand(self, factor: Factor, more: Sequence[Factor]) -> None:
-        """An operator acts on the factor; refused where it may act on more than that."""
+        """Marks that an operator acts on the factor; raises Misfit if it may act on more than that."""
         if isinstance(factor.node, Bracket):
             return
         if any(other.term.type.kind != "scalar" for other in more):
@@ -85,7 +85,7 @@ class Row:
             self.scope.tensor_operand = factor.at
 
     def factor(self, place: int) -> Factor:
-        """The factor that begins at an item: read once, however often it is looked at."""
+        """Returns the factor that begins at an item. Each factor is read once."""
         if place not in self._known:
             with self.scope.nested(self.items[place].at):
                 self._known[place] = self._read(self, place)
@@ -93,7 +93,7 @@ class Row:
 
 
 def _is_scalar_above_vector(term: Term) -> bool:
-    """Whether it is a quaternion that is written as a column of four: (s; x), or its components."""
+    """True for a quaternion written as a column of four: (s; x), or its components."""
     return isinstance(term, Block) and term.type.rows == 4 and scalar_and_vector(term) is not None
 
 

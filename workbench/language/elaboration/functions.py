@@ -1,4 +1,4 @@
-"""Functions and derivatives in a row of factors, and how far each reaches."""
+"""Functions and derivatives in a row of factors, and the reach of each."""
 
 from __future__ import annotations
 
@@ -41,7 +41,8 @@ _OR_A_FACTOR = ', or say [conventions] brackets = "factors": what is in one behi
 
 
 def function(row: Row, place: int) -> Factor:
-    """det, sym, vect … take the run of tensors that follows, the others take one factor."""
+    """Returns the factor of a function. det, sym, vect … take the following run of tensors, others take one
+    factor."""
     item = row.items[place]
     leaf = item.nucleus if isinstance(item, Scripted) else item
     assert isinstance(leaf, Leaf), "a function"
@@ -84,13 +85,14 @@ def function(row: Row, place: int) -> Factor:
 
 
 def _is_power_of_value(row: Row, head: str, behind: Node) -> bool:
-    """\\sin(x)^2, where the paper says that it is (\\sin x)^2."""
+    """True for \\sin(x)^2 if the paper states that it is (\\sin x)^2."""
     is_power = isinstance(behind, Scripted) and isinstance(behind.nucleus, Bracket) and behind.sup is not None
     return is_power and head in OF_ANGLES and row.scope.allows(Relaxation.POWERS_OF_VALUES)
 
 
 def _of_the_paper(row: Row, item: Any, leaf: Leaf, place: int) -> Factor | None:
-    """\\operatorname{Exp}(x) and \\mathrm{Ad}_T, as [notation] explains them; what is raised is the value."""
+    """Returns \\operatorname{Exp}(x) and \\mathrm{Ad}_T by [notation], else None. A superscript applies to
+    the value."""
     sup = item.sup if isinstance(item, Scripted) else None
     bare = leaf if item is leaf else replace(item, sup=None)
     if bare != leaf and bare.sub is None and not bare.primes:
@@ -116,7 +118,8 @@ def _of_the_paper(row: Row, item: Any, leaf: Leaf, place: int) -> Factor | None:
 
 
 def _refuse_transposed_map(value: Term, sup: Node | None) -> None:
-    """\\mathrm{Ad}_g^T(x) of a column is the transposed map at x, which no value tells."""
+    """Raises Fault for \\mathrm{Ad}_g^T(x) of a column: it may be the transposed map at x, which no value
+    determines."""
     if sup is not None and is_transpose(sup) and value.type.columns == 1:
         raise Fault("the transpose of the map, or of its value? bracket the value", sup.at)
 
@@ -126,7 +129,7 @@ def _is_transposed(bracket: Scripted) -> bool:
 
 
 def _applied_in_a_row(row: Row, word: Node, place: int) -> Factor | None:
-    """\\mathrm{Ad}_g x at the end of a row, where the paper explains \\mathrm{Ad}_g(x)."""
+    """Returns \\mathrm{Ad}_g x at the end of a row, if the paper explains \\mathrm{Ad}_g(x); else None."""
     node = Product(word.at, (word, Bracket(word.at, "(", (Leaf(word.at, "LETTER", "x"),))))
     if (
         isinstance(row.items[place + 1], Bracket)
@@ -161,7 +164,7 @@ def _root(row: Row, leaf: Leaf, place: int) -> Factor:
 
 
 def _is_norm_squared(term: Term) -> bool:
-    """q q^* or q^* q, which is a number."""
+    """True for q q^* or q^* q, which is a number."""
     match term:
         case Apply(head="mul", arguments=(one, Apply(head="conjugate", arguments=(other,)))):
             return one == other
@@ -171,7 +174,7 @@ def _is_norm_squared(term: Term) -> bool:
 
 
 def _of_two(row: Row, leaf: Leaf, place: int) -> Factor:
-    """quat(s, x): a scalar part and a vector part; atan2(y, x)."""
+    """Returns quat(s, x), with a scalar and a vector part, or atan2(y, x)."""
     item = row.items[place + 1]
     if not (isinstance(item, Bracket) and len(item.parts) == 2) or row.items[place] is not leaf:
         what = {"atan2": "two scalars, \\operatorname{atan2}(y, x)"}.get(
@@ -227,7 +230,7 @@ def _is_bracket(node: Node) -> bool:
 
 
 def _is_rate_beside(term: Term, angle: Sequence[Factor]) -> bool:
-    """Whether it is a rate, or a power of one, behind an angle that is none: \\sin\\theta \\dot{\\theta}."""
+    """True for a rate, or a power of one, after an angle that is not a rate: \\sin\\theta \\dot{\\theta}."""
     rate = term.base if isinstance(term, Power) else term
     return isinstance(rate, Derivative) and not any(
         isinstance(part, Derivative) for factor in angle for part in factor.term.walk()
@@ -256,7 +259,8 @@ def derivative(row: Row, place: int, found: Rate) -> Factor:
 
 
 def _differentiated(row: Row, place: int, found: Rate, rate: Callable[[Term], Term]) -> Factor:
-    """What stands behind the upper d, all of it, or else the factors behind the fraction; a bracket alone."""
+    """Returns the derivative of everything after the upper d, or else of the factors after the fraction; a
+    bracket is one factor."""
     scope, item = row.scope, row.items[place]
     if found.behind:
         body = scope.term(in_a_row(item.at, found.behind))

@@ -1,4 +1,4 @@
-"""The signs · × ⊗ ∘ between what stands in rows, and those that a paper explains."""
+"""The infix signs · × ⊗ ∘ between rows, and those that a paper explains."""
 
 from __future__ import annotations
 
@@ -17,8 +17,10 @@ _AMBIGUOUS = "several products without brackets are ambiguous"
 
 
 def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
-    """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else; but
-    ω × ω × r is ω × (ω × r), since ω × ω is 0."""
+    """Returns a · b, a × b, a ⊗ b, P ∘ Q from left to right, if no other order has a meaning.
+
+    ω × ω × r is ω × (ω × r), since ω × ω is 0.
+    """
     if _turns_often(scope, operands, signs):
         return construct.apply("cross", operands[0], infix(scope, operands[1:], signs[1:]))
     if _is_triple(scope, operands, signs):
@@ -54,15 +56,15 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
 
 
 def _is_matrix_product(term: Term) -> bool:
-    """Whether brackets change nothing in a row of such."""
+    """True if brackets change nothing in a row of such products."""
     if not isinstance(term, Apply) or term.head != "mul":
         return False
     return all(factor.type.is_square for factor in term.arguments)
 
 
 def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:
-    """Whether they are × between vectors alone, of which all but the last are the same but for numbers before
-    them, or which the paper reads from the right."""
+    """True for × between vectors only, if all but the last are equal up to numeric factors, or if the paper
+    reads them from the right."""
     if len(operands) < 3 or {sign.operator for sign in signs} != {"×"}:
         return False
     first, last = operands[0], operands[-1]
@@ -74,21 +76,22 @@ def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool
 
 
 def _is_triple(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:
-    """Whether it is a × b · c of three vectors: × has no number behind it."""
+    """True for a × b · c of three vectors, which has one meaning: × cannot act on a number."""
     if [sign.operator for sign in signs] != ["×", "·"] or {o.type.kind for o in operands} != {"vector"}:
         return False
     return all(explained(scope, sign, *operands[:2]) is None for sign in signs)
 
 
 def _moved(term: Term) -> Term:
-    """The vector without the scalars before it."""
+    """Returns the vector without scalar factors before it."""
     if isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "scalar":
         return _moved(term.arguments[1])
     return term
 
 
 def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Term:
-    """a × T takes each column; in a paper of dyads, T × a takes each row, and a · T is Tᵀ a."""
+    """Returns a sign between a vector and a tensor: a × T acts on each column; in a paper with dyads, T × a
+    acts on each row, and a · T is Tᵀ a."""
     kinds = (left.type.kind, right.type.kind)
     has_dyads = scope.allows(Relaxation.DYADS)
     if head == "cross" and kinds == ("vector", "tensor"):
@@ -120,7 +123,7 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
 
 
 def _last(product: Term) -> Term | None:
-    """The b of the number c aᵀ b."""
+    """Returns the b of the number c aᵀ b, else None."""
     if not isinstance(product, Apply) or product.type.kind != "scalar":
         return None
     last = product.arguments[-1]
@@ -128,7 +131,7 @@ def _last(product: Term) -> Term | None:
 
 
 def explained(scope: Scope, sign: Infix, left: Term, right: Term) -> Term | None:
-    """a ∧ b, or p · q of quaternions, as the paper's [notation] explains it; None where it does not."""
+    """Returns a ∧ b, or p · q of quaternions, as the paper's [notation] explains it; else None."""
     for entry in scope.table.notations.signs(sign.operator):
         assert entry.sign is not None, "of a sign"
         terms = dict(zip(entry.sign[1:], (left, right), strict=True))
@@ -138,13 +141,14 @@ def explained(scope: Scope, sign: Infix, left: Term, right: Term) -> Term | None
 
 
 def _from_column(scope: Scope, at: int, term: Term) -> Term:
-    """The quaternion that a column of four is, (s; x); anything else as it is."""
+    """Returns the quaternion of a column of four, (s; x); other terms unchanged."""
     parts = scalar_and_vector(term) if (term.type.rows, term.type.columns) == (4, 1) else None
     return term if parts is None else scope.apply(at, "quaternion", *parts)
 
 
 def _beside_quaternion(sign: Infix, left: Term, right: Term) -> str | None:
-    """The product of quaternions is also written ⊗ or ∘; a dot may be that of columns of four."""
+    """Returns the head of a product of quaternions written ⊗ or ∘, else None. A dot is ambiguous: it may be
+    the product of columns of four."""
     kinds = [left.type.kind, right.type.kind]
     if "quaternion" not in kinds or "scalar" in kinds:
         return None

@@ -1,4 +1,4 @@
-"""A letter under its fonts, accents and scripts: which symbol it is, and what is done to it."""
+"""Letters with fonts, accents and scripts: the symbol, and the operations applied to it."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, spell, under_accent
 
-#: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
+#: A term, and a superscript outside its accents that is still to be applied.
 Lettered = tuple[Term, Node | None]
 
 
 def named(scope: Scope, node: Node) -> Term:
-    """The term of a symbol with its accents and scripts."""
+    """Returns the term of a symbol with its accents and scripts."""
     term, sup, _ = letter(scope, node, Scripts(), None)
     return term if sup is None else raised(scope, term, sup)
 
@@ -56,8 +56,12 @@ def named(scope: Scope, node: Node) -> Term:
 def letter(
     scope: Scope, node: Node, scripts: Scripts, bracket: Bracket | None
 ) -> tuple[Term, Node | None, bool]:
-    """The symbol inside the node, which takes the scripts that stand outside of its accents (in \\dot{x}_1
-    the index belongs to x) and, if it is a function symbol, the bracket that follows; whether it did."""
+    """Returns the symbol in the node, its remaining superscript, and whether it takes the bracket that
+    follows.
+
+    Scripts outside the accents belong to the symbol (in \\dot{x}_1 the index belongs to x). A function symbol
+    takes the bracket.
+    """
     lettering = _Lettering(scope, bracket)
     return *lettering.read(node, scripts, ()), lettering.takes_bracket
 
@@ -73,8 +77,8 @@ class _Lettering:
         self.scope = scope
         self.bracket = bracket
         self.takes_bracket = False
-        self.primes = 0  # those that are signs of the paper
-        self.below: Node | None = None  # such a sign that is yet to be read
+        self.primes = 0  # number of primes that are marks of the paper
+        self.below: Node | None = None  # a subscript that is a mark of the paper, still to be read
 
     def read(self, node: Node, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
         match node:
@@ -145,7 +149,7 @@ class _Lettering:
         return term, scripts.sup
 
     def labelled(self, node: Node, scripts: Scripts) -> Lettered | None:
-        """(x)_B, (x_1)_B and [C]_B, where x_B, {x_1}_B and C_B are symbols."""
+        """Returns (x)_B, (x_1)_B and [C]_B, if x_B, {x_1}_B and C_B are symbols; else None."""
         match node:
             case Bracket(
                 kind="(" | "[",
@@ -163,7 +167,7 @@ class _Lettering:
         return None
 
     def of_a_pair(self, node: Node, styles: tuple[str, ...]) -> Term:
-        """\\vec{AB}, which must be declared."""
+        """Returns \\vec{AB}, which must be declared. Raises Fault."""
         pair = under_accent(node, styles)
         declared = None if pair is None else self.scope.table.symbols.get(pair.name)
         if declared is None:
@@ -194,7 +198,7 @@ class _Lettering:
         return (term if sup is None else raised(self.scope, term, sup)), outer.sup
 
     def symbol(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Lettered:
-        """The term of a letter, with the superscript as part of the name if there is such a name."""
+        """Returns the term of a letter; the superscript is part of the name if such a name exists."""
         scope = self.scope
         found = meaning(scope.table, scope.variables, leaf, styles, scripts, self.bracket is not None)
         if found is None and (term := self.of_what_is_below(leaf, styles, scripts)) is not None:
@@ -213,7 +217,8 @@ class _Lettering:
         return term, found.sup
 
     def of_what_is_below(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Term | None:
-        """c_\\theta, where the paper says what that is of an angle; of a number below, it is a label."""
+        """Returns c_\\theta, if the paper defines the letter for an angle; None if the subscript is a
+        label."""
         if scripts != Scripts(sub=scripts.sub, sup=scripts.sup) or scripts.sub is None:
             return None
         letter: Node = leaf
@@ -238,7 +243,7 @@ class _Lettering:
         return self.built_in(found.what, scripts, leaf.at)
 
     def sized_sign(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Term | None:
-        """E_{3×3}, where E is the paper's sign for a unit matrix or a zero of any size."""
+        """Returns E_{3×3}, if E is the paper's sign for a unit matrix or a zero of any size; else None."""
         if scripts != Scripts(sub=scripts.sub, sup=scripts.sup) or size_below(scripts.sub)[0] is None:
             return None
         letter = Name.styled(styles, leaf.text)
@@ -256,7 +261,7 @@ class _Lettering:
         return self.scope.build(leaf.at, construct.symbol, declaration, index, arguments)
 
     def own_tilde(self, node: Accented, scripts: Scripts, styles: tuple[str, ...]) -> Lettered | None:
-        """\\tilde{x}, if that is a symbol."""
+        """Returns \\tilde{x}, if that is a symbol; else None."""
         if "\\tilde" in styles or not self.scope.table.has_tildes:
             return None
         try:
@@ -265,7 +270,7 @@ class _Lettering:
             return None
 
     def accented_by_the_paper(self, node: Styled, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
-        """\\hat{x}: the name, if there is one; else what the paper says of the accent."""
+        """Returns \\hat{x}: the symbol of that name, or else the meaning of the accent in the paper."""
         try:
             return self.read(node.body, scripts, (*styles, node.style))
         except Fault as fault:
@@ -280,12 +285,12 @@ class _Lettering:
             return notated(self.scope, node.at, entries, term, node.style), sup
 
     def refuse_primed(self, node: Node, scripts: Scripts) -> None:
-        """\\dot{x}': the sign ' on x, or on what the accent makes of it?"""
+        """Raises Fault for \\dot{x}': the mark ' may apply to x or to the accented term."""
         if scripts.primes and self.primes:
             raise Fault(SyntaxCode.FIRST_ACCENT_OR_PRIME(), node.at)
 
     def built_in(self, name: Name, scripts: Scripts, at: int) -> Term:
-        """I, ε, D, t, π, e^x and C_n^k."""
+        """Returns a built-in: I, ε, D, t, π, e^x and C_n^k."""
         match name.base:
             case "\\mathbf{I}" | "\\underline{\\mathbf{I}}":
                 return sized_as_printed(construct.identity(), scripts.sub, at)
@@ -308,14 +313,14 @@ class _Lettering:
         return self.scope.combinations(scripts.sub, scripts.sup)
 
     def zero(self, scripts: Scripts, at: int) -> Term:
-        """𝟎 is the zero vector; 𝟎_{3×3} is the zero tensor. Beside other terms 𝟎 takes their kind, and 𝟎₃
-        that of a column or of a square matrix."""
+        """Returns the zero vector 𝟎 or the zero tensor 𝟎_{3×3}. Next to other terms 𝟎 takes their kind, and
+        𝟎₃ the type of a column or of a square matrix."""
         if scripts.sub is not None and size_below(scripts.sub) in ((None, False), (SCALAR, True)):
             raise Fault(SyntaxCode.EXPECTED_SHAPE_ZERO_SUCH(), scripts.sub.at)
         return sized_as_printed(construct.zero(VECTOR), scripts.sub, at)
 
     def unknown(self, letter: Name, scripts: Scripts, at: int) -> Fault:
-        """Why a name means nothing: an index without a range, or no such symbol."""
+        """Returns the fault of an unknown name: an index without a range, or an undeclared symbol."""
         scope = self.scope
         for tried in (scripts, scripts.without_sup()):
             spelling = spell(letter, tried, INDEX_LETTERS | scope.variables)
@@ -362,7 +367,7 @@ class _Lettering:
 
 
 def _is_braced(node: Node) -> bool:
-    """Whether it is a sum or several factors, with nothing around them that prints."""
+    """True for a sum or a product, in braces that print nothing."""
     match node:
         case Group(parts=(Product(items=(first, *_)),)):
             return not is_function(first)
@@ -372,7 +377,7 @@ def _is_braced(node: Node) -> bool:
 
 
 def _column(scope: Scope, row: Bracket) -> Term:
-    """(x, y, z)^T, a column; of rows they are the rows of a column transposed."""
+    """Returns (x, y, z)^T, a column; if the parts are rows, they become the rows of a matrix."""
     terms = [scope.term(part) for part in row.parts]
     if not all(term.type.rows == 1 for term in terms):
         raise Fault(SyntaxCode.COLUMNS_BESIDE_EACH_OTHER(), row.at)

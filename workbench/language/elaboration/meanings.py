@@ -1,5 +1,5 @@
-"""What a letter with its scripts means in a paper: a symbol, an integer, what [notation] says, or what every
-formula has."""
+"""Meanings of letters with scripts in a paper: a symbol, an integer, an entry of [notation], or a
+built-in."""
 
 from __future__ import annotations
 
@@ -20,17 +20,20 @@ _UNITS = frozenset((UNIT, Name("I", ("\\underline", "\\mathbf"))))
 _FONTS = ((), ("\\boldsymbol",), ("\\mathrm",), ("\\mathbb",), ("\\mathit",), ("\\mathsf",), ("\\mathcal",))
 _ANY_FONT = frozenset(Name("I", styles) for styles in _FONTS)
 _PLAIN = frozenset((Name("\\varepsilon"), Name("D", ("\\mathbf",)), CLOCK.name, PI.name))
-#: e^x and C_n^k.
+#: The heads of e^x and C_n^k.
 EXPONENTIALS = frozenset((Name("e"), Name("e", ("\\mathrm",))))
 _COMBINATIONS = frozenset((Name("C"), Name("C", ("\\mathbf",)), Name("C", ("\\mathrm",))))
 
 
 @dataclass(frozen=True, slots=True)
 class Meaning:
-    """what: an integer variable, a symbol of the paper, an entry of [notation], or a name that every formula
-    has.   sup: the superscript, where it is no part of that.   takes_bracket: it is a function.
-    primes: how many of the primes are no part of the name, but signs that [notation] explains.
-    below: the subscript, where it is such a sign."""
+    """The meaning of a letter.
+
+    what: an integer variable, a symbol of the paper, an entry of [notation], or a built-in name.
+    sup: the superscript, if it is not part of that.   takes_bracket: True for a function.
+    primes: the number of primes that are marks of [notation] and not part of the name.
+    below: the subscript, if it is such a mark.
+    """
 
     what: str | Declaration | Notation | Name
     sup: Node | None
@@ -41,7 +44,7 @@ class Meaning:
 
     @property
     def name(self) -> Name | str:
-        """What tells it from all others but the members of its family."""
+        """The identity of the meaning; members of one family share it."""
         match self.what:
             case Declaration(name=name) | Notation(key=name):
                 return name
@@ -56,8 +59,7 @@ def meaning(
     scripts: Scripts,
     has_bracket: bool = False,
 ) -> Meaning | None:
-    """The meaning of a letter; None where it has none here. The superscript belongs to the name if there is
-    such a name."""
+    """Returns the meaning of a letter, or None. The superscript belongs to the name if such a name exists."""
     if leaf.kind == "LETTER" and not (styles or scripts.primes or scripts.left_sub or scripts.left_sup):
         variable = variable_name(Scripted(leaf.at, leaf, scripts.sub) if scripts.sub else leaf)
         if variable is not None and variable in variables:
@@ -101,7 +103,7 @@ def _built_in(letter: Name, scripts: Scripts) -> Meaning | None:
     size, is_single = size_below(sub)
     if letter in _ANY_FONT and size is not None and not is_single:
         return Meaning(UNIT, sup)  # I_{3 \times 3}
-    is_unit = size is not None and size.rows > 1  # \mathbf{I}_1 is that of a body 1
+    is_unit = size is not None and size.rows > 1  # \mathbf{I}_1 belongs to a body 1
     if (sub is None and letter in _PLAIN | _UNITS) or (is_unit and letter in _UNITS):
         return Meaning(letter, sup)
     if sup is not None and letter in (EXPONENTIALS if sub is None else _COMBINATIONS):

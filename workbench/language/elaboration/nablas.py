@@ -1,4 +1,4 @@
-"""∇ of fields, by the derivative ∂/∂x with respect to the place, whose row i is that of the component i:
+"""∇ of fields, by the derivative ∂/∂x with respect to the position, whose row i belongs to the component i:
 
 ∇f = (∂f/∂x)ᵀ     ∇·v = tr ∂v/∂x     ∇×v = 2 vect ∂v/∂x     (a·∇)v = (∂v/∂x) a     ∇²f = ∇·∇f
 """
@@ -33,7 +33,7 @@ NABLA = "\\nabla"
 
 @dataclass(frozen=True, slots=True)
 class Del(Node):
-    """∇, and what is written on it: by what it differentiates, its power, the sign behind it."""
+    """A ∇ with its variable, its power, and the sign after it."""
 
     by: Node | None = None
     power: Node | None = None
@@ -41,7 +41,7 @@ class Del(Node):
 
 
 def as_del(node: Node) -> Del | None:
-    """∇, ∇_q or ∇²; None for anything else."""
+    """Returns the node as ∇, ∇_q or ∇²; None for other nodes."""
     if isinstance(node, Del):
         return node
     scripts = node if isinstance(node, Scripted) else Scripted(node.at, node)
@@ -54,7 +54,7 @@ def as_del(node: Node) -> Del | None:
 
 
 def with_sign(rows: Sequence[Sequence[Node]], signs: Sequence[Infix], sign: Infix) -> Del | None:
-    """∇· or ∇×, where the sign stands behind a ∇ that ends the last row."""
+    """Returns ∇· or ∇×, if a ∇ ends the last row before the sign; else None."""
     found = as_del(rows[-1][-1]) if rows[-1] else None
     if found is None or found.sign or sign.operator not in ("·", "×"):
         return None
@@ -64,7 +64,7 @@ def with_sign(rows: Sequence[Sequence[Node]], signs: Sequence[Infix], sign: Infi
 
 
 def along(node: Node) -> tuple[Node, Del] | None:
-    """The a of (a · ∇), and the ∇."""
+    """Returns the a of (a · ∇), and the ∇; None for other nodes."""
     match node:
         case Bracket(kind="(" | "[", parts=(part,)):
             match core(part):
@@ -74,7 +74,7 @@ def along(node: Node) -> tuple[Node, Del] | None:
 
 
 def of_field(row: Row, place: int, sign: Del, direction: Node | None = None) -> Factor:
-    """The ∇ at that place of the row with what it acts on: one factor."""
+    """Returns the ∇ at this index of the row with its argument, as one factor."""
     scope = row.scope
     if place + 1 == len(row.items):
         raise Fault(SyntaxCode.NABLA_OF_WHAT(), sign.at)

@@ -1,7 +1,7 @@
-"""Sets and maps to which a formula gives a name.
+"""Named sets and maps:
 
-S = \\{ pattern \\mid conditions \\}
-f : A \\to B, f(x) = …   or   f : A \\to B, x \\mapsto …   or   x \\mapsto …
+S = \\{ pattern \\mid conditions \\} f : A \\to B, f(x) = …   or   f : A \\to B, x \\mapsto …   or   x
+\\mapsto …
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def is_map(clause: Node) -> TypeGuard[Chain]:
 
 
 def is_set(clause: Node) -> TypeGuard[Chain]:
-    """Whether the clause is S = {… | …}."""
+    """True if the clause is S = {… | …}."""
     match clause:
         case Chain(sides=(_, Bracket(kind="\\{", parts=(_, *conditions))), relations=(("=", _),)):
             return any(isinstance(condition, Chain) for condition in conditions)
@@ -61,7 +61,7 @@ def is_set(clause: Node) -> TypeGuard[Chain]:
 
 
 def wants_value(clause: Node) -> bool:
-    """Whether it is f : A → B, of which what follows says what f(x) is."""
+    """True for f : A → B without a value of f(x), which the next clause must give."""
     return is_map(clause) and "↦" not in _signs(clause)
 
 
@@ -69,11 +69,11 @@ def _signs(clause: Node | None) -> list[str]:
     return [sign for sign, _ in clause.relations] if isinstance(clause, Chain) else []
 
 
-# maps
+# Maps.
 
 
 def named_map(reader: Elaborator, clause: Chain, value: Any) -> Naming:
-    """A map: its values must be members of the second set. Raises Fault and Misfit."""
+    """Returns a map: its values must be members of the second set. Raises Fault and Misfit."""
     sides, signs = list(clause.sides), _signs(clause)
     name = sides.pop(0) if signs[0] == ":" else None
     begin = "" if name is None else f"{_shown(name)} : "
@@ -102,7 +102,7 @@ def named_map(reader: Elaborator, clause: Chain, value: Any) -> Naming:
 
 
 def _rule(reader: Elaborator, begin: str, argument: Node, body: Node) -> Naming:
-    """x ↦ …, of a declared symbol."""
+    """Returns x ↦ …, for a declared symbol x."""
     if _is_new(reader, argument):
         raise Fault(SyntaxCode.SET_WRITE_F_B(), argument.at)
     point, image = reader.term(argument), _value(reader, body)
@@ -110,7 +110,7 @@ def _rule(reader: Elaborator, begin: str, argument: Node, body: Node) -> Naming:
 
 
 def _argument(applied: Node, name: Node | None) -> Node:
-    """x of f(x)."""
+    """Returns the x of f(x). Raises Fault."""
     match applied:
         case Product(items=(head, Bracket(kind="(", parts=(argument,)))) if _shown(head) == _shown(name):
             return argument
@@ -129,7 +129,7 @@ def _is_new(reader: Elaborator, node: Node) -> bool:
 
 
 def _shown(name: Node | None) -> str:
-    """The name of a map: a letter, or the inverse of one."""
+    """Returns the name of a map: a letter, or the inverse of one."""
     power, plain = None, name
     if isinstance(name, Scripted) and name.sup is not None:
         power, plain = linear(name.sup, ()), Scripted(name.at, name.nucleus, name.sub, None, name.primes)
@@ -147,7 +147,8 @@ def _known(where: Node) -> Members:
 
 
 def _conditions(members: Members, term: Term, at: int, seen: bool = True) -> list[Relation]:
-    """What makes the term a member; without `seen`, nothing where that is not seen from the term."""
+    """Returns the conditions for the term to be a member; without `seen`, none if the term does not show
+    them."""
     try:
         return members.conditions(term)
     except IllFormed as fault:
@@ -158,12 +159,12 @@ def _conditions(members: Members, term: Term, at: int, seen: bool = True) -> lis
         return []
 
 
-# sets
+# Sets.
 
 
 @dataclass
 class _Described:
-    """What stands between the braces, sorted: the pattern, its letters with their sets, other relations."""
+    """The contents of the braces: the pattern, its letters with their sets, other relations."""
 
     pattern: Node
     domains: list[tuple[Node, Members]] = field(default_factory=list)
@@ -195,8 +196,10 @@ class _Described:
 
 
 def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
-    """A set by a pattern and what its letters are. What speaks of no letter must be true; a set that is known
-    must have just these members. Raises Fault and Misfit."""
+    """Returns a set by a pattern and the domains of its letters. Raises Fault and Misfit.
+
+    Conditions without a letter must be true; a known set must have exactly these members.
+    """
     name, bracket = clause.sides
     assert isinstance(bracket, Bracket), "a set"
     described = _Described.of(bracket)
@@ -245,14 +248,14 @@ def _implied(given: Sequence[Statement], wanted: Sequence[Statement]) -> list[St
 
 
 def _is_any(letter: Symbol, of: Members) -> bool:
-    """Whether it stands for all members, or for all of their type."""
+    """True if the letter stands for all members, or for all of their type."""
     return letter.declaration in (
         each.letter(letter.declaration.name) for each in (of, replace(of, trait=""))
     )
 
 
 def _is_general(member: Term, letters: Sequence[Symbol]) -> bool:
-    """Whether it is a + ε b with two letters, which every dual number or vector is."""
+    """True for a + ε b with two letters, which every dual number or vector is."""
     match member:
         case Apply(head="add", arguments=(real, Apply(head="mul", arguments=(DualUnit(), dual)))):
             return real != dual and real in letters and dual in letters

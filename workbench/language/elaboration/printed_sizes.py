@@ -1,4 +1,4 @@
-"""The size that is printed below a zero, a unit matrix or a bracket; it binds the type."""
+"""Sizes printed below a zero, a unit matrix or a bracket; they fix the type."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from workbench.language.naming.scope import Scope
 
 
 def size_below(sub: Node | None) -> tuple[Type | None, bool]:
-    """What 3×1 or a single 3 says below a zero or a unit tensor, and whether it is a single number."""
+    """Returns the type of 3×1 or a single 3 below a zero or a unit tensor, and whether it is a single
+    number."""
     inner = core(sub)
     match inner:
         case Product(
@@ -33,8 +34,7 @@ def size_below(sub: Node | None) -> tuple[Type | None, bool]:
 
 
 def sized_as_printed(term: Term, sub: Node | None, at: int) -> Term:
-    """A zero or a unit matrix of any size, as one of the size below it; any other term itself. Raises
-    Misfit."""
+    """Returns a zero or a unit matrix with the printed size; other terms unchanged. Raises Misfit."""
     size, is_single = size_below(sub)
     if not isinstance(term, Zero | Identity) or filling(term) is None or term.printed or size is None:
         return term
@@ -46,7 +46,7 @@ def sized_as_printed(term: Term, sub: Node | None, at: int) -> Term:
 
 
 def sized_matrix(scope: Scope, node: Node, sub: Node) -> Term:
-    """The term of a bracket or of a matrix with its size below it. Raises Fault and Misfit."""
+    """Returns the term of a bracket or matrix with its size below it. Raises Fault and Misfit."""
     size, is_single = size_below(sub)
     if size is None or is_single or not isinstance(core(node), Bracket | Matrix):
         raise Fault(SyntaxCode.SUBSCRIPT_ON_EXPRESSION(), node.at)

@@ -1,4 +1,4 @@
-"""What stands in a row: factors, functions and what they take, d/dt, and the signs · × ⊗ ∘ between them."""
+"""Rows: factors, functions with their arguments, d/dt, and the signs · × ⊗ ∘ between them."""
 
 from __future__ import annotations
 
@@ -52,7 +52,8 @@ _DIFFERENTIATE = GRADIENTS | {"d/dt", "∇", "the operator"}
 
 
 def product(scope: Scope, items: Sequence[Node]) -> Term:
-    """Factors and infix signs. Juxtaposition binds tighter than signs; \\sum takes all that follows."""
+    """Returns the term of factors and infix signs. Juxtaposition binds tighter than signs; \\sum extends to
+    the end."""
     rows: list[list[Node]] = [[]]
     signs: list[Infix] = []
     for place, item in enumerate(items := spelled_out(scope, items)):
@@ -81,7 +82,7 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
 
 
 def _with_sign_behind(scope: Scope, item: Node, sign: Infix) -> Node:
-    """x \\times, with nothing behind it, as the paper spells it."""
+    """Returns x \\times without a right operand, as the paper defines it. Raises Fault."""
     node = Product(item.at, (item, sign))
     if scope.spelt(node) is None:
         raise Fault(SyntaxCode.NOTHING_AFTER(operator=sign.operator), sign.at)
@@ -101,7 +102,8 @@ def _joined(scope: Scope, rows: Sequence[Row], signs: list[Infix]) -> Term:
 
 
 def _of_dyad(scope: Scope, rows: Sequence[Row], signs: Sequence[Infix]) -> Term | None:
-    """a b · c of three vectors, a (b · c), which is the dyad a b applied to c, too; and a · b c."""
+    """Returns a b · c of three vectors as a (b · c), which is the dyad a b applied to c, too; and a · b c.
+    Else None."""
     if [sign.operator for sign in signs] != ["·"] or scope.table.has_quaternions:
         return None
     (above, below), at = [row.factors() for row in rows], signs[0].at
@@ -118,7 +120,7 @@ def _of_dyad(scope: Scope, rows: Sequence[Row], signs: Sequence[Infix]) -> Term 
 
 
 def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Term:
-    """a b/c with nothing behind c: whichever of the factors is divided, it is the same."""
+    """Returns a b/c at the end of a row: the result does not depend on which factor is divided."""
     *others, solidus = signs
     if solidus.operator != "/" or any(sign.operator == "/" for sign in others):
         raise Fault(SyntaxCode.WHAT_DIVIDED_WHAT_WRITE(), solidus.at)
@@ -134,7 +136,7 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     dividend, divisor = [_row(scope, row) for row in above], _row(scope, below)
     numerator, denominator = _joined(scope, dividend, others), divisor.term()
     is_one = divisor.factor(0).end == len(below) and (len(below) < 3 or not divisor.open_head)
-    heads = {dividend[-1].open_head, divisor.open_head}  # \\sin\\phi/\\cos\\theta is one by the other
+    heads = {dividend[-1].open_head, divisor.open_head}  # \\sin\\phi/\\cos\\theta is a quotient of values
     if (dividend[-1].open_head and not heads <= CIRCULAR) or not is_one:
         raise Fault(SyntaxCode.REACH_OF_SLASH(), solidus.at)
     if (own := explained(scope, solidus, numerator, denominator)) is not None:
@@ -143,7 +145,7 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
 
 
 def _with_signs(rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Iterator[Node]:
-    """The rows with the signs between them."""
+    """Yields the rows with the signs between them."""
     for row, sign in zip_longest(rows, signs):
         yield from row
         if sign is not None:
@@ -151,17 +153,18 @@ def _with_signs(rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Itera
 
 
 def _refuse_reach(row: Row, sign: Infix, operand: Term) -> None:
-    """d/dt a × b, curl a × b, det A · B: whatever takes a may also take a × b, unless a is bracketed."""
+    """Raises Misfit for d/dt a × b, curl a × b, det A · B: the head may apply to a × b unless a is
+    bracketed."""
     head = row.open_head
     takes_tensors = head in OF_TENSORS - {"vect"} and sign.operator == "·" and operand.type.kind == "tensor"
     takes_parts = head in ("re", "du") and operand.type.dual
-    takes_factor = head == "gradient" and operand.type.kind == "scalar"  # ∇f · v is no ∇(f v)
+    takes_factor = head == "gradient" and operand.type.kind == "scalar"  # ∇f · v is not ∇(f v)
     if takes_tensors or takes_parts or takes_factor or head in _DIFFERENTIATE:
         raise Fault(SyntaxCode.HOW_FAR_DOES_REACH(name=word_of(head)), row.items[0].at)
 
 
 def _is_vect_of_product(row: Sequence[Node], operands: Sequence[Term], sign: Infix) -> bool:
-    """Whether vect A · B is meant as vect (A · B): with a tensor B it has no other meaning."""
+    """True if vect A · B means vect (A · B): with a tensor B it has no other meaning."""
     unbracketed = isinstance(row[0], Leaf) and row[0].text == "vect" and not isinstance(row[1], Bracket)
     is_vect = isinstance(operands[0], Apply) and operands[0].head == "vect"
     return unbracketed and is_vect and sign.operator == "·" and operands[1].type.kind == "tensor"
@@ -205,14 +208,14 @@ def _factor(row: Row, place: int) -> Factor:
 
 
 def _is_place(scope: Scope, value: Node, part: Node) -> bool:
-    """Whether what stands before (t) or (q) may be taken there: (x + y)(t), and no 2(t)."""
+    """True if the node before (t) or (q) may be evaluated there: (x + y)(t), but not 2(t)."""
     if scope.is_time(part):
         return not is_numeral(value)
     return isinstance(value, Bracket) and is_argument(scope, part)
 
 
 def _as_name(scope: Scope, item: Node) -> Node | None:
-    """Ad_T, where that is a symbol."""
+    """Returns Ad_T as a name if that is a symbol, else None."""
     nucleus = item.nucleus if isinstance(item, Scripted) else item
     letter = as_letter(nucleus)
     if letter is nucleus or not isinstance(letter, Leaf) or not scope.table.has_letter(letter.text):
@@ -249,7 +252,7 @@ def _in_frame(scope: Scope, label: Node, column: Matrix) -> Term:
 
 
 def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
-    """A symbol; if it is a function symbol, with its arguments. x(t) is x, P(D) is P."""
+    """Returns a symbol; a function symbol with its arguments. x(t) is x, P(D) is P."""
     scope = row.scope
     following = row.items[place + 1] if place + 1 < len(row.items) else None
     bracket = core(following.nucleus if isinstance(following, Scripted) else following)
@@ -282,7 +285,8 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
 
 
 def _called_function(row: Row, place: int, item: Node) -> Term | None:
-    """\\mathrm{d} A(g), as the paper spells it of A; None where the bracket is no argument of A."""
+    """Returns \\mathrm{d} A(g), as the paper defines it for A; None if the bracket is not an argument of
+    A."""
     scope, (argument, *more) = row.scope, row.items[place + 1 : place + 3]
     is_name = isinstance(core(argument), Leaf | Styled | Accented | Scripted)
     bracket = core(more[0].nucleus if isinstance(more[0], Scripted) else more[0]) if more else None
@@ -297,7 +301,7 @@ def _called_function(row: Row, place: int, item: Node) -> Term | None:
 
 
 def _called(scope: Scope, item: Node, argument: Node) -> Term | None:
-    """S(x) and c \\theta, as the paper spells them."""
+    """Returns S(x) and c \\theta, as the paper defines them; else None."""
     inner = argument.nucleus if isinstance(argument, Scripted) else argument
     bare = inner if isinstance(core(inner), Bracket) else argument
     plain = core(bare)
@@ -317,7 +321,8 @@ def _sup_alone(item: Scripted) -> Node | None:
 
 
 def _raised_function(scope: Scope, value: Term, above: Node, argument: Node) -> Term:
-    """S^T(x) is the transpose of S(x), and c^2 x the square of c x; f^{-1}(x) may be the inverse function."""
+    """Returns S^T(x), the transpose of S(x), and c^2 x, the square of c x. Raises Fault for f^{-1}(x), which
+    may be the inverse function."""
     if isinstance(argument, Scripted) and isinstance(core(argument.nucleus), Bracket):
         raise Fault(SyntaxCode.SCRIPTS_ARGUMENT_FUNCTION_BRACKET(), argument.at)
     if value.type.kind == "scalar" and isinstance(core(above), Sum):
@@ -326,7 +331,7 @@ def _raised_function(scope: Scope, value: Term, above: Node, argument: Node) -> 
 
 
 def _behind(scope: Scope, value: Term, argument: Node) -> Term:
-    """R(\\theta)^T is that of the value."""
+    """Returns R(\\theta)^T, the transpose of the value, and similar superscripts after the argument."""
     if not isinstance(argument, Scripted):
         return value
     if argument.sup is None or argument.sub is not None or argument.primes or argument.factorial:

@@ -1,4 +1,4 @@
-"""Fractions: numbers, quotients, and the d/dt, ∂/∂x and d/dx that are printed as one."""
+"""Fractions: numbers, quotients, and d/dt, ∂/∂x and d/dx printed as fractions."""
 
 from __future__ import annotations
 
@@ -33,9 +33,14 @@ _PARTIAL = "\\partial"
 
 
 class Rate(NamedTuple):
-    """\\frac{d^k x}{dt^k}: the orders above and below (None where none is written), and what stands behind
-    the upper d. `by`: of \\frac{\\partial^3 x}{\\partial y^2 \\partial z} what it differentiates by, with
-    orders. `head`: "partial", or "total" for \\frac{dx}{dy}. `upright`: whether the d is no italic letter."""
+    """The parts of \\frac{d^k x}{dt^k}.
+
+    order_above, order_below: the orders, None if not written.
+    behind: the nodes after the upper d.
+    by: of \\frac{\\partial^3 x}{\\partial y^2 \\partial z} the variables with their orders.
+    head: "partial", or "total" for \\frac{dx}{dy}.
+    upright: True if the d is not an italic letter.
+    """
 
     order_above: Node | None
     order_below: Node | None
@@ -47,10 +52,10 @@ class Rate(NamedTuple):
 
 
 def rate(scope: Scope, fraction: Fraction) -> Rate | None:
-    """The parts of a d/dt; None for a quotient.
+    """Returns the parts of a d/dt; None for a quotient.
 
-    With d or t as symbols of the paper it is still the derivative. With both it may also be a quotient of
-    products, and is refused. Raises Fault.
+    If d or t is a symbol of the paper it is still the derivative. If both are, it may also be a quotient of
+    products: raises Fault.
     """
     above, below = _factors(fraction.numerator), _factors(fraction.denominator)
     frame, above = _frame(above)
@@ -83,7 +88,7 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
 def _partial(
     fraction: Fraction, upper: _Letter, above: tuple[Node, ...], below: tuple[Node, ...], frame: Node | None
 ) -> Rate:
-    """\\frac{\\partial^k f}{\\partial x^i \\partial y^j}."""
+    """Returns the parts of \\frac{\\partial^k f}{\\partial x^i \\partial y^j}."""
     if frame is not None or _letter(below[0]).text != _PARTIAL or upper.text != _PARTIAL:
         raise Fault(SyntaxCode.EXPECTED_PARTIAL_DERIVATIVE_FRAC(), fraction.at)
     groups: list[list[Node]] = []
@@ -100,7 +105,7 @@ def _partial(
 
 
 def _split_order(variable: tuple[Node, ...]) -> tuple[tuple[Node, ...], Node | None]:
-    """x and 2 of x^2, which below a ∂ is no power."""
+    """Returns x and 2 for x^2, which is not a power below a ∂."""
     *before, last = variable
     if not isinstance(last, Scripted):
         return variable, None
@@ -115,7 +120,7 @@ def _split_order(variable: tuple[Node, ...]) -> tuple[tuple[Node, ...], Node | N
 
 
 def _frame(above: tuple[Node, ...]) -> tuple[Node | None, tuple[Node, ...]]:
-    """The frame of {}^A d, and what stands behind it; a superscript on d itself is its order."""
+    """Returns the frame of {}^A d, and the nodes from d on; a superscript on d is its order."""
     match above:
         case (Scripted(nucleus=Group(parts=()), sub=None, sup=frame, primes=0), d, *rest) if (
             frame is not None and _letter(d).text == "d"
@@ -125,7 +130,7 @@ def _frame(above: tuple[Node, ...]) -> tuple[Node | None, tuple[Node, ...]]:
 
 
 def _frame_of_time(scope: Scope, time: Node) -> Node | None:
-    """The frame B of \\frac{dx}{dt_B}, where t_B is no symbol."""
+    """Returns the frame B of \\frac{dx}{dt_B}, if t_B is not a symbol; else None."""
     match time:
         case Scripted(nucleus=Leaf(text="t") as letter, sub=label, sup=None, primes=0, factorial=False):
             name = spell_label(label) if label is not None else None
@@ -143,7 +148,7 @@ def quotient(scope: Scope, fraction: Fraction) -> Term:
 
 
 def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator: Term) -> Term:
-    """places: of the fraction or of the /, and of the divisor."""
+    """Returns the quotient. places: the offsets of the fraction or of the /, and of the divisor."""
     at, below = places
     if isinstance(denominator, Zero):
         raise Fault(SyntaxCode.DIVISION_ZERO(), below)
@@ -151,8 +156,8 @@ def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator:
 
 
 def value_of(scope: Scope, head: str, argument: Term) -> Term:
-    """The function's value; tan, cot, sec and csc are quotients of sines and cosines, sinh, cosh and tanh are
-    made of exponentials."""
+    """Returns the function's value; tan, cot, sec and csc are quotients of sines and cosines, sinh, cosh and
+    tanh are composed of exponentials."""
     if head == "tanh":
         return construct.apply("div", *(value_of(scope, x, argument) for x in ("sinh", "cosh")))
     if head in HYPERBOLIC:
@@ -177,7 +182,7 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
 
 
 def slope(scope: Scope, at: int, found: Rate, body: Term) -> Term:
-    """∂/∂x of the body as often as it is said."""
+    """Returns ∂/∂x of the body, as often as the orders state."""
 
     def count(order: Node | None) -> int:
         if order is None:
@@ -198,7 +203,7 @@ def slope(scope: Scope, at: int, found: Rate, body: Term) -> Term:
 
 
 def _is_numeral(fraction: Fraction) -> bool:
-    """Whether both parts are written as numbers, so that the fraction is one."""
+    """True if both parts are numerals, so that the fraction is a number."""
     top, bottom = core(fraction.numerator), core(fraction.denominator)
     if isinstance(top, Sum) and len(top.addends) == 1:
         top = top.addends[0][2]
@@ -211,7 +216,7 @@ def _factors(node: Node) -> tuple[Node, ...]:
 
 
 class _Letter(NamedTuple):
-    """A letter, its name as a symbol (with its font), and its superscript; "" for anything else."""
+    """A letter, its name as a symbol (with its font), and its superscript; "" for other nodes."""
 
     text: str
     name: str
@@ -224,7 +229,7 @@ def _letter(node: Any) -> _Letter:
     if isinstance(node, Scripted) and node.sub is None and not node.primes and not node.factorial:
         node, order = node.nucleus, node.sup
         if order == Group(getattr(order, "at", 0), ()):
-            order = None  # d^{}, as macros with an order that may be empty write it
+            order = None  # d^{} of macros with an empty order
     if isinstance(node, Styled) and node.style == "\\mathrm":
         node, styles = node.body, (node.style,)
     node = core(node)

@@ -1,6 +1,6 @@
-"""What a formula says of its letters beside its statements: the ranges of integers, and sets.
+"""Ranges of integers and set memberships in a formula.
 
-Nothing is supposed by ∈: a symbol that is not declared as what the formula says of it is refused.
+∈ adds no hypothesis: a symbol whose declaration does not imply the membership is rejected.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from workbench.language.naming.symbols import SymbolTable
 
 NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
 
-#: Letter and dimension of a set → what its members are called.
+#: Letter and dimension of a set → the kind of its members.
 _SETS = {
     ("R", ""): "scalar",
     ("R", "3"): "vector",
@@ -60,12 +60,12 @@ def _transposed(term: Term) -> Term:
 
 
 def _upper_left(matrix: Term) -> Term:
-    """The block of 3×3 of a matrix of 4×4."""
+    """Returns the upper left 3×3 block of a 4×4 matrix."""
     first = block([[identity(TENSOR)], [_transposed(zero(VECTOR))]])
     return apply("mul", apply("mul", _transposed(first), matrix), first)
 
 
-#: What is true of the members of a set alone: by what they are called, and by their type.
+#: Equations that characterize the members of a set, by the kind of the members and their type.
 _EQUATIONS: dict[str | None, dict[Type, Callable[[Term], list[tuple[Term, Term]]]]] = {
     "skew tensor": {TENSOR: lambda x: [(apply("transpose", x), apply("neg", x))]},
     "rotation": {
@@ -95,8 +95,10 @@ _OF_TIME = re.compile(r"\^\{\\mathbb\{R\}\}$")
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """The values that a formula states for an integer variable: lower … upper, both included.
-    None: no bound.   generic: it states none, and these stand for any."""
+    """The values of an integer variable in a formula: lower … upper, both included.
+
+    None: no bound.   generic: no range is stated, and these values are examples.
+    """
 
     variable: str
     lower: Linear
@@ -106,14 +108,14 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class Membership:
-    """The expressions that a formula says to be in a set."""
+    """The expressions that a formula states to be in a set."""
 
     members: tuple[Node, ...]
     where: Node
 
 
 def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> bool:
-    """Whether the clause is no relation between terms, but says what values its letters take."""
+    """True if the clause states values of its letters, and is not a relation between terms."""
     signs = [sign for sign, _ in clause.relations]
     if clause.universal and set(signs) <= {"="}:
         names = {_index_name(side, table) for side in clause.sides[:1]}
@@ -129,7 +131,7 @@ def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> boo
 
 
 def qualifies(clause: Node, table: SymbolTable, integers: frozenset[str]) -> bool:
-    """Whether the clause is a condition of the equation beside it: f ≠ 0, or i = j of integers."""
+    """True if the clause is a condition of the equation next to it: f ≠ 0, or i = j for integers."""
     if not isinstance(clause, Chain):
         return False
     numbers = [side for side in clause.sides if isinstance(side, Leaf) and side.text.isdigit()]
@@ -140,7 +142,8 @@ def qualifies(clause: Node, table: SymbolTable, integers: frozenset[str]) -> boo
 
 
 def _index_name(node: Node, table: SymbolTable) -> str | None:
-    """The integer variable that a range is about. One in bold is that in light type, if bold is no symbol."""
+    """Returns the integer variable of a range, else None. A bold letter counts as light if bold is not a
+    symbol."""
     match node:
         case Styled(style="\\mathbf" | "\\boldsymbol" as style, body=body):
             name = variable_name(core(body))
@@ -150,7 +153,7 @@ def _index_name(node: Node, table: SymbolTable) -> str | None:
 
 
 def _bar(node: Node) -> tuple[Node, ...] | None:
-    """The a, b of \\overline{a, b}."""
+    """Returns the a, b of \\overline{a, b}, else None."""
     match node:
         case Styled(style="\\overline", body=Group(parts=(_, _) as ends)):
             return ends
@@ -160,7 +163,8 @@ def _bar(node: Node) -> tuple[Node, ...] | None:
 def ranges_of(
     clause: Chain, members: Sequence[Node], table: SymbolTable, integers: frozenset[str]
 ) -> list[Range | Membership]:
-    """What "n ≥ 1", or "a, b ∈ S" with the members before the last one, says. Raises Fault."""
+    """Returns the ranges or memberships of "n ≥ 1", or of "a, b ∈ S" with the members before the last. Raises
+    Fault."""
     (sign, _), *more = clause.relations
     if more:
         raise Fault(SyntaxCode.EXPECTED_ONE_RANGE_SUCH(), more[0][1])
@@ -187,7 +191,7 @@ def _no_variable(name: str, at: int) -> Fault:
 
 
 def _letters(node: Node) -> frozenset[str]:
-    """The integer variables that a bound such as m or n − 1 names."""
+    """Returns the integer variables in a bound such as m or n − 1."""
     if isinstance(node, Sum):
         return frozenset().union(*(_letters(addend) for _, _, addend in node.addends))
     name = variable_name(node)
@@ -195,7 +199,7 @@ def _letters(node: Node) -> frozenset[str]:
 
 
 def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[Range | Membership]:
-    """n ∈ ℕ is a range; a, b ∈ V₃ is said of terms."""
+    """Returns the range of n ∈ ℕ, or the membership of a, b ∈ V₃."""
     lower = NATURALS.get(set_name(where))
     if lower is None:
         return [Membership(members, where)]
@@ -212,16 +216,16 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
 
 
 def refuse_alone(members: Sequence[Node]) -> None:
-    """Raises Fault if there are expressions of which nothing is said."""
+    """Raises Fault if there are expressions without a statement about them."""
     if members:
         raise Fault(SyntaxCode.ALONE(), members[0].at)
 
 
-# sets
+# Sets.
 
 
 def require_member(term: Term, where: Node, at: int) -> None:
-    """Raises Fault for a set that is not known, and for a term that is not declared to be in it."""
+    """Raises Fault for an unknown set, and for a term that is not declared to be in it."""
     name, kind = set_name(where), kind_of_members(where)
     if kind is None:
         raise Fault(SyntaxCode.SET_WITHOUT_MEMBERS(name=name), where.at)
@@ -234,8 +238,11 @@ def require_member(term: Term, where: Node, at: int) -> None:
 
 
 def member_claims(term: Term, where: Node, at: int, table: SymbolTable) -> list[Relation]:
-    """What says that a term is in the set: equations, none for what is declared to be in it, or for a matrix
-    of free numbers, of which it only says what they are. Raises Fault."""
+    """Returns the equations that make the term a member of the set.
+
+    Returns none if it is declared as a member, or if it is a matrix of free numbers, which the membership
+    then defines. Raises Fault.
+    """
     kind = kind_of_members(where)
     is_shaped = kind is not None and term.type in _EQUATIONS.get(kind, {})
     if kind is not None and is_shaped and not isinstance(term, Symbol) and not _is(term, kind):
@@ -246,7 +253,7 @@ def member_claims(term: Term, where: Node, at: int, table: SymbolTable) -> list[
 
 
 def _is_of_free_numbers(term: Term, table: SymbolTable) -> bool:
-    """Whether scalars that nothing defines stand in a matrix by themselves."""
+    """True if a matrix has undefined scalars as entries."""
     entries = [entry for row in term.entries for entry in row] if isinstance(term, Block) else []
     return any(
         isinstance(entry, Symbol)
@@ -257,7 +264,7 @@ def _is_of_free_numbers(term: Term, table: SymbolTable) -> bool:
 
 
 def names_a_set(lines: Lines) -> bool:
-    """Whether a formula is a known set alone, such as SO(3)."""
+    """True if a formula is a known set alone, such as SO(3)."""
     match lines.lines:
         case ((node,),):
             with suppress(Fault):
@@ -266,7 +273,7 @@ def names_a_set(lines: Lines) -> bool:
 
 
 def kind_of_members(where: Node) -> str | None:
-    """What the members of a set are called, real or dual; None for a set that is not known. Raises Fault."""
+    """Returns the kind of the members of a set, real or dual; None for an unknown set. Raises Fault."""
     name = _STYLE.sub("", _OF_TIME.sub("", set_name(where))).replace("^", "_")
     letter, _, dimension = name.partition("_")
     return _SETS.get((letter, dimension)) or (_columns(dimension) if letter == "R" else None)
@@ -290,7 +297,7 @@ def _is(term: Term, kind: str) -> bool:
 
 
 def _columns(dimension: str) -> str | None:
-    """What the members of ℝⁿ and ℝ^{n×m} are called; of a size that only the text knows too."""
+    """Returns the kind of the members of ℝⁿ and ℝ^{n×m}; the size may be symbolic."""
     if re.fullmatch(_SIZE, dimension):
         return "column"
     if re.fullmatch(rf"{_SIZE}(?:×|\\times){_SIZE}", dimension):
@@ -300,7 +307,7 @@ def _columns(dimension: str) -> str | None:
 
 
 def set_name(node: Node) -> str:
-    """The canonical name of a set; SO(3) is spelled SO_3. Raises Fault."""
+    """Returns the canonical name of a set; SO(3) is spelled SO_3. Raises Fault."""
     match node:
         case Product(items=(*letters, Bracket(kind="(", parts=(Leaf(kind="NUMBER") as size,)))):
             nucleus = in_a_row(node.at, letters)

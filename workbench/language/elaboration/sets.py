@@ -1,8 +1,8 @@
-"""Sets: what kind their members are, and the equations that tell them from others of that kind.
+"""Sets: the kind of their members, and the equations that characterize them.
 
     \\mathbb{R}  V_3  L(V_3, V_3)  SO_3  \\mathfrak{so}_3  S^2  SE_3  \\mathcal{M}_{n \\times m}(\\mathbb{R})
 
-underlined for those with dual parts. A superscript ℝ, for functions of time, says nothing of an instant.
+underlined for those with dual parts. A superscript ℝ, for functions of time, has no meaning at one instant.
 """
 
 from __future__ import annotations
@@ -45,8 +45,11 @@ class Members:
     trait: str = ""
 
     def conditions(self, term: Term) -> list[Relation]:
-        """The equations that make the term a member; none where its kind or declaration says so. Raises
-        IllFormed if it is of another kind, NotImplementedError for what is not seen to be made of R and p."""
+        """Returns the equations that make the term a member; none if its kind or declaration implies it.
+
+        Raises IllFormed if it has another kind, NotImplementedError if it is not recognizably composed of R
+        and p.
+        """
         if term.type.with_dual(False) != self.type.with_dual(False):
             raise IllFormed(TypeCode.MEMBER_OF_ANOTHER_TYPE(name=self.name, type=self.type, type_2=term.type))
         found = []
@@ -65,7 +68,7 @@ class Members:
         return found
 
     def letter(self, name: Name) -> Declaration:
-        """A letter for any one member."""
+        """Returns the declaration of a letter for an arbitrary member."""
         return Declaration(
             name,
             self.type,
@@ -89,7 +92,7 @@ _KNOWN = {
 
 
 def members_of(where: Node) -> Members | None:
-    """The members of the set; None for one that is not known. Raises Fault for what is no set."""
+    """Returns the members of the set; None for an unknown set. Raises Fault if it is not a set."""
     match where:
         case Product(items=(Leaf() | Styled() | Scripted() as head, Bracket(kind="(", parts=parts))):
             found = _of_family(head, parts)
@@ -110,7 +113,7 @@ def members_of(where: Node) -> Members | None:
 
 
 def _of_family(head: Node, parts: tuple[Node, ...]) -> Members | None:
-    """L(V, V), the linear maps of vectors, and M_{n×m}(ℝ)."""
+    """Returns the members of L(V, V), the linear maps of vectors, and of M_{n×m}(ℝ); else None."""
     letter = head.nucleus if isinstance(head, Scripted) else head
     plain = letter
     while isinstance(plain, Styled | Group):
@@ -140,8 +143,10 @@ def _rotation_of(term: Term) -> Term:
 
 
 def bound_letter(table: SymbolTable, node: Node, members: Members) -> tuple[SymbolTable, Symbol] | None:
-    """The table with the letter as any member of the set; None if the node is no letter. Raises Fault for one
-    that a definition has."""
+    """Returns the table with the letter as an arbitrary member of the set; None if the node is not a letter.
+
+    Raises Fault for a defined letter.
+    """
     name = letter_name(node)
     if name is None:
         return None
@@ -152,13 +157,13 @@ def bound_letter(table: SymbolTable, node: Node, members: Members) -> tuple[Symb
 
 
 def letter_name(node: Node) -> Name | None:
-    """The name of a letter with its fonts and its subscript; None for anything else."""
+    """Returns the name of a letter with its fonts and its subscript; None for other nodes."""
     spelling = letter_spelling(node)
     return None if spelling is None else spelling.exact
 
 
 def letter_spelling(node: Node) -> Spelling | None:
-    """A letter with its fonts and its subscript as it is written; None for anything else."""
+    """Returns a letter with its fonts and its subscript as written; None for other nodes."""
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     if scripted.factorial or scripted.sup is not None:
         return None

@@ -1,4 +1,4 @@
-"""What stands in a row as authors write it: \\Delta t, one symbol; \\mathbf{pq}, two."""
+"""Names that authors write with several letters: \\Delta t is one symbol, \\mathbf{pq} two."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from workbench.language.naming.spelling import in_a_word, prefixed
 
 
 def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
-    """The items, each a factor or a sign."""
+    """Returns the items, each a factor or a sign."""
     after = [*items[1:], None]
     bare = [part for item, next_ in zip(items, after, strict=True) for part in _without_braces(item, next_)]
     letters = [part for item in bare for part in letters_in_one_font(item)]
@@ -40,7 +40,7 @@ def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 
 def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
-    """{\\mathbf{A}} and {{}^1 x} before a bracket are the symbols."""
+    """Returns {\\mathbf{A}} and {{}^1 x} before a bracket as the symbols without braces."""
     match item:  # {a b}_1 prints a b_1, and {a (b)}^T a (b)^T
         case Scripted(nucleus=Group(parts=(Product(items=(*first, last)),)), primes=0):
             if isinstance(last, Bracket) if item.sub is None else item.sup is None and _is_bare_letter(last):
@@ -56,7 +56,7 @@ def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
 
 
 def _before_exponential(scope: Scope, item: Node) -> Sequence[Node]:
-    """R e^x of Re^x, where R is a symbol: no power stands on the real part."""
+    """Returns R e^x for Re^x, if R is a symbol: the real part takes no power."""
     match item:
         case Scripted(nucleus=Leaf(kind="FUNCTION", name="Re", bare=True, at=at), sub=None, sup=Node()):
             if scope.knows("R") and "Re" not in scope.table.conventions.functions:
@@ -70,7 +70,7 @@ def _is_bare_letter(node: Node) -> bool:
 
 
 def letters_in_one_font(item: Node) -> Iterator[Node]:
-    """\\mathbf{pq}^* is \\mathbf{p} \\mathbf{q}^*: no symbol has two letters in one font. The hat of
+    """Yields \\mathbf{p} \\mathbf{q}^* for \\mathbf{pq}^*: no symbol has two letters in one font. The hat of
     \\hat{pq} stands over the product."""
     inner: Any = item.nucleus if isinstance(item, Scripted) else item
     body = core(inner.body) if isinstance(inner, Styled) and inner.style in FONTS else None
@@ -98,13 +98,13 @@ def _with_prefixes(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 
 def _prefixed(scope: Scope, before: Node, item: Node) -> Node | None:
-    """\\Delta and t as the symbol \\Delta t, if it is one."""
+    """Returns \\Delta and t as the symbol \\Delta t, if it is one; else None."""
     joined = prefixed(before, item)
     return joined if joined is not None and scope.table.has_prefixed(*_styled_letter(joined)) else None
 
 
 def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
-    """DV as the symbol of two letters, if it is declared."""
+    """Returns the items with DV as a symbol of two letters, if it is declared."""
     found: list[Node] = []
     place = 0
     while place < len(items):
@@ -118,12 +118,12 @@ def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 
 def word_of(scope: Scope, items: Sequence[Node], styles: tuple[str, ...] = ()) -> Node | None:
-    """The letters, or a \\Delta before one, as one symbol; None where none is written so. Raises Fault where
-    each letter is a symbol, too."""
+    """Returns the letters, or a \\Delta before one, as one symbol, else None. Raises Fault if each letter is
+    a symbol, too."""
     if not styles and len(items) == 2 and (joined := _prefixed(scope, *items)) is not None:
         return joined
     word = in_a_word(items) if scope.table.longest_word > 1 else None
-    if word is None or not ACCENTS.isdisjoint(styles):  # \\vec{AB'} is a name with all that stands in it
+    if word is None or not ACCENTS.isdisjoint(styles):  # \\vec{AB'} is a name with everything in it
         return None
     own, letters = _styled_letter(word)
     if not scope.table.has_letter(Name.styled((*styles, *own), letters).base):
@@ -148,7 +148,7 @@ def _styled_letter(node: Node) -> tuple[tuple[str, ...], str]:
 
 
 def subscripted_norm(scope: Scope, node: Node, sub: Node) -> Term | None:
-    """\\|x\\|_2 of a column and \\|A\\|_F, which is \\sqrt{\\operatorname{tr} A^T A}."""
+    """Returns \\|x\\|_2 of a column and \\|A\\|_F, which is \\sqrt{\\operatorname{tr} A^T A}; else None."""
     letter = core(sub)
     if not isinstance(node, Bracket) or node.kind not in ("|", "\\|") or len(node.parts) != 1:
         return None
@@ -165,7 +165,7 @@ def subscripted_norm(scope: Scope, node: Node, sub: Node) -> Term | None:
 
 
 def refuse_row_of_vectors(scope: Scope, row: Product) -> None:
-    """[a \\, b \\, c] has no product in it."""
+    """Raises Fault for [a \\, b \\, c], which contains no product."""
     if len(row.items) > 1 and all(_is_vector(scope, item) for item in row.items):
         message = SyntaxCode.COLUMNS_OR_TRIPLE_PRODUCT()
         raise Fault(message, row.at)

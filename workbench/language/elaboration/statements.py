@@ -1,4 +1,4 @@
-"""Lines of a formula to statements, with the conditions that they stand under, and to ranges of integers."""
+"""Statements from the lines of a formula, with their conditions, and ranges of integers."""
 
 from __future__ import annotations
 
@@ -39,13 +39,14 @@ from workbench.language.grammar.vocabulary import ORIENTATIONS
 from workbench.language.naming.scope import DEEPEST_TERM
 from workbench.language.naming.symbols import SymbolTable
 
-#: An index that may be any is tried with so many values; a formula has at most so many of them.
+#: Number of values that are tried for an index without a range, and the largest number of such indices in a
+#: formula.
 GENERIC_VALUES, MOST_GENERIC = 3, 4
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What a formula says, line by line, and the ranges it states for its integers."""
+    """The statements of a formula, line by line, and the ranges of its integers."""
 
     statements: tuple[Statement, ...]
     ranges: tuple[Range, ...] = ()
@@ -54,9 +55,11 @@ class Reading:
 def reading_of(
     lines: Lines, table: SymbolTable, integers: frozenset[str], as_condition: bool = False
 ) -> Reading:
-    """The statements of all lines, each under the conditions of its line; as a condition, all that is said
-    holds together. An index of free symbols that nothing states a range for is any. Raises Fault and
-    Misfit."""
+    """Returns the statements of all lines, each under the conditions of its line.
+
+    as_condition: all statements hold together. An index of free symbols without a range is arbitrary. Raises
+    Fault and Misfit.
+    """
     generic: tuple[Range, ...] = ()
     while True:
         try:
@@ -90,7 +93,7 @@ def _reading(lines: Lines, table: SymbolTable, integers: frozenset[str], as_cond
 
 
 def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
-    """The one expression of a text without relations. Raises Fault and Misfit."""
+    """Returns the one expression of a text without relations. Raises Fault and Misfit."""
     clauses = clauses_of(lines)
     if not clauses:
         raise Fault(SyntaxCode.EXPECTED_EXPRESSION_GOT_NOTHING(), lines.at)
@@ -104,12 +107,12 @@ def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
 
 
 def clauses_of(lines: Lines) -> list[Node]:
-    """The clauses of all lines."""
+    """Returns the clauses of all lines."""
     return [clause for row in _rows_of(lines) for clause in row]
 
 
 def _rows_of(lines: Lines) -> list[list[Node]]:
-    """The clauses of each line; the conditions behind an environment belong to all of its lines."""
+    """Returns the clauses of each line; conditions after an environment belong to all of its lines."""
     rows: list[list[Node]] = []
     for line in lines.lines:
         first, *rest = line
@@ -134,14 +137,15 @@ def _is_condition(clause: Node) -> bool:
 
 
 def _given(condition: Node) -> Node:
-    """f ≠ 0 behind an environment is no claim of a line that states a range only."""
+    """Returns f ≠ 0 after an environment as a condition, since a line that only states a range claims
+    nothing."""
     is_unequal = isinstance(condition, Chain) and {sign for sign, _ in condition.relations} == {"≠"}
     return Given(condition.at, (condition,)) if is_unequal else condition
 
 
 @dataclass
 class _Row:
-    """A line, sorted: what it claims, under which conditions, and what it says of its letters."""
+    """A line sorted into claims, conditions, and statements about letters."""
 
     claims: list[Node] = field(default_factory=list)
     joined: list[Node] = field(default_factory=list)  # the claims that "and" joins
@@ -193,7 +197,8 @@ class _Row:
         refuse_alone(members)
 
     def _bind(self, table: SymbolTable, integers: frozenset[str]) -> None:
-        """Beside an equation, f ≠ 0 and i = j are its conditions; with "and" the two are claimed together."""
+        """Makes f ≠ 0 and i = j conditions if an equation is next to them; with "and", all of them are
+        claims."""
         own = [c for c in self.claims if c in self.joined or not qualifies(c, table, integers)]
         if not own:
             return
@@ -247,7 +252,7 @@ def _statements(reader: Elaborator, clause: Node) -> list[Statement]:
 
 
 def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
-    """x = { a, if p; b, if q } says p ⇒ x = a and q ⇒ x = b."""
+    """Returns p ⇒ x = a and q ⇒ x = b for x = { a, if p; b, if q }."""
     said: list[Statement] = []
     cases = clause.sides[-1]
     assert isinstance(cases, Lines), "a brace"
@@ -311,14 +316,15 @@ def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> St
 
 
 def _refuse_applied(reader: Elaborator, terms: Sequence[Term]) -> None:
-    """\\mathbf{D} T is the derivative of T; among operators a reader would take it for a product of two."""
+    """Raises Misfit for \\mathbf{D} T, the derivative of T, next to operators: it could be a product of
+    two."""
     if reader.tensor_operand is not None and any(term.type.kind == "operator" for term in terms):
         fault = IllFormed(TypeCode.OPERATOR_BESIDE_TENSOR(), "brackets, or \\circ")
         raise Misfit(fault, reader.tensor_operand)
 
 
 def _refuse_rows(terms: Sequence[Term], sides: Sequence[Node]) -> None:
-    """Vectors below each other that are a matrix: its rows, where vectors are columns?"""
+    """Raises Misfit for vectors in a column next to a matrix: they may be meant as its rows."""
     sizes = {term.type.rows for term in terms if term.type.is_square}
     for term, side in zip(terms, sides, strict=True):
         entries = term.entries if isinstance(term, Block) else ()

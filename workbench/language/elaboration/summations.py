@@ -14,12 +14,13 @@ from workbench.language.grammar.syntax import Chain, Group, Leaf, Node, Scripted
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import variable_name
 
-#: What the number of all members may be called, where a text gives it no name.
+#: Letters for the number of all members, if a text does not name it.
 _COUNTS = "NMLKnmlk"
 
 
 def summation(scope: Scope, node: Summation, body: Callable[[], Term]) -> Term:
-    """Σ_{k=a}^{b}, Σ_{k₁+k₂=k}, Σ_k or Σ_k^b of the body, which is read with the variables in scope."""
+    """Returns Σ_{k=a}^{b}, Σ_{k₁+k₂=k}, Σ_k or Σ_k^b of the body, which is read with the variables in
+    scope."""
     lower = node.lower.parts[0] if isinstance(node.lower, Group) and node.lower.parts else node.lower
     no_bounds = "a sum without bounds is not read; " if node.upper is None else ""
     expected = f"{no_bounds}expected the bounds of the sum, as in \\sum_{{k=0}}^{{n}}"
@@ -54,7 +55,7 @@ def _bounds(
 
 
 def _last_of_all(scope: Scope, expected: str, at: int) -> Linear:
-    """The number of members of the families of a formula: Σ_i is from 1 to this."""
+    """Returns the number of members of the families of a formula, the upper bound of Σ_i from 1."""
     name = next(letter for letter in _COUNTS if letter not in scope.table)
     if name not in scope.variables:
         raise Unranged(name, expected, at)
@@ -72,7 +73,7 @@ def _upper_bound(scope: Scope, node: Node) -> Linear:
 
 
 def _labelled(node: Node) -> str | None:
-    """N_P, which counts something, as the name of a number."""
+    """Returns the name of N_P, a number that counts something; else None."""
     match node:
         case Scripted(nucleus=Leaf(kind="LETTER", text=text), sub=sub, sup=None, primes=0, factorial=False):
             label = core(sub)

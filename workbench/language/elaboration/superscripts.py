@@ -1,4 +1,4 @@
-"""What stands above a term: transpose, inverse, power, an order of derivatives, what the paper says of it."""
+"""Superscripts: transpose, inverse, power, order of derivatives, and marks of the paper."""
 
 from __future__ import annotations
 
@@ -31,8 +31,10 @@ from workbench.language.naming.symbols import may_be_label
 
 
 def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
-    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse? Of a quaternion's
-    conjugate both are the same."""
+    """Raises Fault for \\dot{T}^{-1}: the inverse of the derivative or the derivative of the inverse.
+
+    For the conjugate of a quaternion both are the same.
+    """
     inner = core(sup)
     inverts = isinstance(inner, Sum) and [sign for sign, _, _ in inner.addends] == ["-"]
     differs = inverts or (term.type.kind != "quaternion" and isinstance(inner, Leaf) and inner.text == "*")
@@ -62,7 +64,7 @@ def refuse_label(term: Term, sup: Node) -> None:
 
 
 def is_transpose(sup: Node | None) -> bool:
-    """Whether it is the T of A^T or A^{\\mathrm{T}}."""
+    """True for the T of A^T or A^{\\mathrm{T}}."""
     inner = core(sup)
     if isinstance(inner, Styled) and inner.style in ("\\mathrm", "\\mathsf"):
         inner = core(inner.body)
@@ -70,7 +72,7 @@ def is_transpose(sup: Node | None) -> bool:
 
 
 def with_quotients(node: Node) -> Node:
-    """The exponent of e, where / is a quotient and no part of a label."""
+    """Returns the exponent of e with / as a quotient, not as part of a label."""
     match node:
         case Group(parts=parts) | Bracket(parts=parts):
             return replace(node, parts=tuple(map(with_quotients, parts)))
@@ -84,7 +86,7 @@ def with_quotients(node: Node) -> Node:
 
 
 def _halves(node: Node | None) -> int | None:
-    """k of x^{k/2} with an odd k; None for any other superscript."""
+    """Returns k of x^{k/2} with an odd k; None for other superscripts."""
     match core(node):
         case Sum(addends=(("-", _, inner),)):
             found = _halves(inner)
@@ -100,7 +102,7 @@ def _halves(node: Node | None) -> int | None:
 
 
 def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:
-    """The one of the entries that fits the term, applied to it. Raises Fault."""
+    """Returns the entry that fits the term, applied to it. Raises Fault."""
     for entry in entries:
         (letter_of,) = entry.formals
         if entry.fits({letter_of: term}):
@@ -110,7 +112,8 @@ def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spel
 
 
 def rooted(scope: Scope, at: int, term: Term) -> Term:
-    """The root; of a quotient that of its roots, which are real where the judges take one at all."""
+    """Returns the root; for a quotient the quotient of the roots, which are real where the judges take
+    roots."""
     match term:
         case Apply(head="div", arguments=(above, below)):
             return scope.apply(at, "div", rooted(scope, at, above), rooted(scope, at, below))
@@ -118,7 +121,7 @@ def rooted(scope: Scope, at: int, term: Term) -> Term:
 
 
 def raised(scope: Scope, term: Term, sup: Node) -> Term:
-    """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
+    """Returns term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
     if own := [e for e in scope.table.notations.marks(sup) if str(term.type) in e.formals.values()]:
         return notated(scope, sup.at, own, term, "the superscript")
     inner = core(sup)

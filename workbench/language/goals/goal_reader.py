@@ -1,17 +1,17 @@
-r"""Goals read from LaTeX to typed terms.
+r"""The reader of goals: LaTeX to typed terms with quantifiers.
 
     \forall n \geq 1 : \exists! B \in L(V_3, V_3), b \in V_3 : \forall r \in V_3 : x^{(n)} = b + B x
 
-`;` separates what holds together and binds least, then come `\Leftrightarrow` and `\Rightarrow`, then
-`\wedge`; `\Big( … \Big)` groups. A quantifier reaches as far to the right as it can. What stands between
-these marks is read by the reader of formulas, with the bound letters declared by their sets:
+`;` is a conjunction and binds least, then come `\Leftrightarrow` and `\Rightarrow`, then `\wedge`; `\Big( …
+\Big)` groups. A quantifier extends as far to the right as possible. The reader of formulas reads the text
+between these marks, with the bound letters declared by their sets:
 
     \mathbb{R}  V_3  L(V_3, V_3)  SO_3  S^2 (unit vectors)  A(D) (operators in D)  {A \to B} (maps)
 
-underlined for dual ones. A letter of one of them is a constant; with `^\mathbb{R}` behind it, as in the
-chapter's SO_3^ℝ, a function of time. An `\exists` is about one instant, and so is a premise; with
-`\Longrightarrow` what stands before it is supposed for all times. `a \geqslant b` compares two real scalars.
-`\forall k < n` is about the integers k from 0 to n − 1.
+underlined for dual ones. A letter of such a set is a constant; with `^\mathbb{R}` after the set, as in the
+chapter's SO_3^ℝ, it is a function of time. An `\exists` holds at one instant, and so does a premise; the
+premise of `\Longrightarrow` holds at all times. `a \geqslant b` compares two real scalars. `\forall k < n`
+ranges over the integers k from 0 to n − 1.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ _BELOW = re.compile(r"(?P<name>[A-Za-z])\s*<\s*(?P<bound>[^<]+)")
 
 
 def read_goal(latex: str, scope: Scope) -> Goal:
-    """Raises GoalError, ReadError or IllFormedAt."""
+    """Returns the goal. Raises GoalError, ReadError or IllFormedAt."""
     reader = _Reader(list(_pieces(latex)))
     goal = reader.goal(scope)
     if reader.pieces:
@@ -64,7 +64,7 @@ def read_goal(latex: str, scope: Scope) -> Goal:
 
 
 def _pieces(latex: str) -> Iterator[str]:
-    """The marks of a goal and what stands between them; marks in braces belong to what stands there."""
+    """Yields the marks of a goal and the texts between them; marks in braces belong to the texts."""
     start = depth = 0
     for mark in _MARK.finditer(latex):
         text = mark[0]
@@ -170,7 +170,7 @@ class _Reader:
         return self.pieces.pop(0)
 
 
-# what a quantifier binds
+# The sets of quantifiers.
 
 _SETS: dict[str, tuple[Type, str | None]] = {
     "R": (SCALAR, None),

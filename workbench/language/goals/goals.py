@@ -1,4 +1,4 @@
-"""Goals: statements with quantifiers, and what their formulas are read in."""
+"""Goals: statements with quantifiers, and the scope in which their formulas are read."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from workbench.language.reader import read_formula, read_term
 
 
 class GoalError(ValueError):
-    """A goal that cannot be read."""
+    """A goal that cannot be parsed."""
 
 
 @dataclass(frozen=True)
@@ -32,20 +32,20 @@ class Variable:
 
     @property
     def letter(self) -> Name:
-        """Its name, of a map without its argument."""
+        """The name of the letter; for a map without its argument."""
         return self.declaration.name.without_arguments()
 
 
 @dataclass(frozen=True)
 class Atom:
-    """Equations and inequations without quantifiers: what the kernel judges."""
+    """Equations and disequations without quantifiers, which the judge of formulas decides."""
 
     statement: Statement
 
 
 @dataclass(frozen=True)
 class AtLeast:
-    """left ≥ right, of real scalars."""
+    """left ≥ right for real scalars."""
 
     left: Term
     right: Term
@@ -59,7 +59,7 @@ class All:
 
 @dataclass(frozen=True)
 class AllFrom:
-    """For every integer from `least` on."""
+    """The statement for every integer from `least` on."""
 
     integer: str
     least: int
@@ -68,7 +68,7 @@ class AllFrom:
 
 @dataclass(frozen=True)
 class AllBelow:
-    """For every integer from `least` on that is less than `bound`."""
+    """The statement for every integer from `least` on that is less than `bound`."""
 
     integer: str
     least: int
@@ -85,7 +85,7 @@ class Exists:
 
 @dataclass(frozen=True)
 class Implies:
-    """`lasting`: the premise is supposed for all times, and not at one instant."""
+    """An implication. `lasting`: the premise holds at all times, and not only at one instant."""
 
     premise: Goal
     conclusion: Goal
@@ -108,7 +108,7 @@ Goal = Atom | AtLeast | All | AllFrom | AllBelow | Exists | Implies | Iff | Both
 
 @dataclass(frozen=True)
 class Scope:
-    """What formulas are read in: the symbols, their definitions, the integer variables (name → its least)."""
+    """The scope of formulas: the symbols, their definitions, the integer variables (name → least value)."""
 
     table: SymbolTable
     definitions: Definitions
@@ -125,11 +125,12 @@ class Scope:
         return replace(self, integers={**self.integers, name: least})
 
     def term(self, latex: str) -> Term:
-        """Raises ReadError or IllFormedAt."""
+        """Returns the term of a LaTeX text. Raises ReadError or IllFormedAt."""
         return read_term(latex, self.table, self.integers)
 
     def statement(self, latex: str) -> Statement:
-        """Raises ReadError or IllFormedAt; ReadError where the formula states another range than its goal."""
+        """Returns the statement of a LaTeX text. Raises ReadError or IllFormedAt; ReadError if the formula
+        states another range than its goal."""
         reading = read_formula(latex, self.table, self.integers)
         for stated in reading.ranges:
             if not stated.lower.is_number or self.integers.get(stated.variable) != int(stated.lower):
@@ -140,7 +141,7 @@ class Scope:
 
 
 def inside(goal: Goal) -> tuple[Goal, ...]:
-    """The goals that it is made of."""
+    """Returns the direct subgoals."""
     match goal:
         case All(body=body) | AllFrom(body=body) | AllBelow(body=body) | Exists(body=body):
             return (body,)
@@ -152,7 +153,7 @@ def inside(goal: Goal) -> tuple[Goal, ...]:
 
 
 def atoms(goal: Goal) -> Iterator[Statement]:
-    """The formulas that the goal is made of."""
+    """Yields the formulas in the goal."""
     if isinstance(goal, Atom):
         yield goal.statement
     for part in inside(goal):
@@ -160,13 +161,13 @@ def atoms(goal: Goal) -> Iterator[Statement]:
 
 
 def bound_integers(goal: Goal) -> set[str]:
-    """The integers that the goal binds anywhere."""
+    """Returns the integers that the goal binds anywhere."""
     own = {goal.integer} if isinstance(goal, AllFrom | AllBelow) else set()
     return own.union(*map(bound_integers, inside(goal)))
 
 
 def equations(statement: Statement) -> Iterator[Relation]:
-    """The relations of a chain or a system. Raises GoalError for a statement with ⇒ or ⇔ within."""
+    """Yields the relations of a chain or a system. Raises GoalError for a statement with ⇒ or ⇔."""
     match statement:
         case Relation(operator="=" | "≠"):
             yield statement

@@ -1,10 +1,10 @@
-"""Proofs of goals: which rule is applied where, with the witnesses and instances that a rule needs.
+"""Proofs of goals: trees of rules, with the witnesses and instances that a rule needs.
 
     Unique({"X": r"\\Phi^{-1} (\\det \\Phi) \\mathbf{I}"}, only=Follows(r"\\Phi^{-1} Y", Y=Use(0)))
 
-A proof says nothing of itself: `rules.prove` derives from it what has to be shown, and for which n. Formulas
-are LaTeX in the notation of the claim, with the letters that the goal has bound on the way. Quantifiers ∀,
-premises and conjunctions are taken apart without being asked.
+A proof asserts nothing: `prove_goal.prove` derives the obligations from it, and for which n. Formulas are
+LaTeX in the notation of the claim, with the letters that the goal has bound so far. The quantifier ∀,
+premises and conjunctions are decomposed automatically.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Kernel:
-    """The judge of formulas decides; `using`: the premises that it may suppose (by number, all by
-    default)."""
+    """The judge of formulas decides. `using`: the premises that it may assume (by number, default all)."""
 
     using: tuple[int, ...] | None = None
 
@@ -33,7 +32,7 @@ class Each:
 
 @dataclass(frozen=True)
 class Ways:
-    """⇔: there, with the left side as a premise, and back."""
+    """⇔: one proof with the left side as a premise, and one for the converse."""
 
     there: Proof = field(default_factory=Kernel)
     back: Proof = field(default_factory=Kernel)
@@ -41,7 +40,7 @@ class Ways:
 
 @dataclass(frozen=True)
 class Witness:
-    """∃: these are the members asked for. using: the premises by which constants are of their set."""
+    """∃: the witnesses. using: the premises that show that constants are in their sets."""
 
     members: Mapping[str, str]
     then: Proof = field(default_factory=Kernel)
@@ -50,8 +49,11 @@ class Witness:
 
 @dataclass(frozen=True)
 class Unique:
-    """∃!: these members do, by `exists`; and whatever does is equal to them, by `only`, where the body of the
-    goal, of the bound letters, is the last premise."""
+    """∃!: `exists` proves that the witnesses satisfy the goal; `only` proves that any others are equal to
+    them.
+
+    The last premise of `only` is the body of the goal for the bound letters.
+    """
 
     members: Mapping[str, str]
     exists: Proof = field(default_factory=Kernel)
@@ -60,8 +62,10 @@ class Unique:
 
 @dataclass(frozen=True)
 class Induction:
-    """∀ n ≥ k: at k; and at n + 1, where the last premise is the goal at n, or, with a letter, at each such
-    integer from k to n."""
+    """∀ n ≥ k: a proof at k, and one at n + 1.
+
+    The last premise of `step` is the goal at n, or, with a letter, the goal at each such integer from k to n.
+    """
 
     begin: Proof = field(default_factory=Kernel)
     step: Proof = field(default_factory=Kernel)
@@ -70,9 +74,11 @@ class Induction:
 
 @dataclass(frozen=True)
 class Use:
-    """One premise, for these values of its ∀ (LaTeX; an integer such as n+1): which of its equations, read
-    from right to left if `back`. members: the proof that values of rotations and unit vectors are such, for
-    all of them or by letter."""
+    """One premise, for these values of its ∀ (LaTeX; an integer such as n+1).
+
+    part: which of its equations.   back: read from right to left.
+    members: the proof that values of rotations and unit vectors are such, for all of them or by letter.
+    """
 
     premise: int
     at: Mapping[str, str] = field(default_factory=dict)
@@ -83,7 +89,7 @@ class Use:
 
 @dataclass(frozen=True)
 class Follows:
-    """An equation a = b from premises lᵢ = rᵢ and an expression F: by a = F(l₁, …) and F(r₁, …) = b."""
+    """An equation a = b from premises lᵢ = rᵢ and an expression F: a = F(l₁, …) and F(r₁, …) = b."""
 
     expression: str
     uses: Mapping[str, Use]
@@ -95,7 +101,7 @@ class Follows:
 
 @dataclass(frozen=True)
 class Have:
-    """First `goal`, by `by`; it is the last premise of `then`."""
+    """Proves `goal` by `by` first; it is the last premise of `then`."""
 
     goal: str
     by: Proof
@@ -104,14 +110,14 @@ class Have:
 
 @dataclass(frozen=True)
 class Given:
-    """First what the goal begins with is taken apart: each ∀ and each premise. (`Have` does not do so.)"""
+    """Decomposes the ∀ and premises at the front of the goal first. (`Have` does not do so.)"""
 
     then: Proof
 
 
 @dataclass(frozen=True)
 class Obtain:
-    """From the premise ∃: members as it says, by its letters, with its body as the last premise of `then`."""
+    """Names the witnesses of a premise ∃ by its letters; its body is the last premise of `then`."""
 
     premise: int
     then: Proof
@@ -119,19 +125,24 @@ class Obtain:
 
 @dataclass(frozen=True)
 class OnCircle:
-    """∃ a ∈ ℝ : cos a = c ∧ sin a = s, for c² + s² = 1. That every point of the unit circle is the cosine and
-    the sine of an angle is not derived from anything: it is what cos and sin are."""
+    """∃ a ∈ ℝ : cos a = c ∧ sin a = s, for c² + s² = 1.
+
+    That every point of the unit circle is the cosine and sine of an angle is not derived: it defines cos and
+    sin.
+    """
 
 
 @dataclass(frozen=True)
 class Jet:
-    """∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b, at the instant; also for scalars and tensors. With t₀ the
-    instant, (t − t₀)ⁿ b / n! is one."""
+    """∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b, at the instant; also for scalars and tensors.
+
+    With t₀ the instant, (t − t₀)ⁿ b / n! is a witness.
+    """
 
 
 @dataclass(frozen=True)
 class Cases:
-    """Under the equation, and under its opposite: one of the two is always so."""
+    """One proof under the equation, and one under its negation."""
 
     equation: str
     equal: Proof = field(default_factory=Kernel)
@@ -140,7 +151,7 @@ class Cases:
 
 @dataclass(frozen=True)
 class Pointwise:
-    """Two tensors are equal if they take every vector `letter` to the same one; two vectors, if their
+    """Two tensors are equal if they map every vector `letter` to equal vectors; two vectors, if their
     products with every vector are equal."""
 
     letter: str
@@ -149,8 +160,12 @@ class Pointwise:
 
 @dataclass(frozen=True)
 class Pascal:
-    """∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k). term: F, in the integers j and k.   step: L, in Y, with
-    Gₙ₊₁ = L Gₙ (by `follow`) and L F(j, k) = F(j+1, k) + F(j, k+1) (by `grow`); G₀ = F(0, 0), by `begin`."""
+    """∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k).
+
+    term: F, in the integers j and k.
+    step: L, in Y, with Gₙ₊₁ = L Gₙ (by `follow`) and L F(j, k) = F(j+1, k) + F(j, k+1) (by `grow`).
+    begin: the proof of G₀ = F(0, 0).
+    """
 
     term: str
     step: str = r"\dot{Y}"
@@ -161,8 +176,11 @@ class Pascal:
 
 @dataclass(frozen=True)
 class Termwise:
-    """Two sums over one range are equal if their addends are; `letter` stands for the integer, and j for what
-    is left of n: premises about n are about n = letter + j then (less what is added to n in the range)."""
+    """Two sums over one range are equal if their addends are.
+
+    `letter` stands for the summation integer, and j for the rest of n: premises about n become premises about
+    n = letter + j (less the offset of n in the range).
+    """
 
     letter: str = "k"
     then: Proof = field(default_factory=Kernel)
@@ -170,14 +188,14 @@ class Termwise:
 
 @dataclass(frozen=True)
 class ByLength:
-    """A real scalar or vector is 0 if its square is."""
+    """A real scalar or vector is 0 if its square is 0."""
 
     then: Proof = field(default_factory=Kernel)
 
 
 @dataclass(frozen=True)
 class Contradicts:
-    """a ≠ b, for from a = b, the last premise of `then`, follows the equation that the premise denies."""
+    """a ≠ b: from a = b, the last premise of `then`, follows the equation that the premise denies."""
 
     premise: int
     then: Proof = field(default_factory=Kernel)
@@ -195,7 +213,7 @@ class Squares:
 
 @dataclass(frozen=True)
 class TwoWitnesses:
-    """Against ∃!: both do, and they are not equal."""
+    """Against ∃!: both witnesses satisfy the goal, and they are not equal."""
 
     first: Mapping[str, str]
     second: Mapping[str, str]
@@ -205,7 +223,7 @@ class TwoWitnesses:
 
 @dataclass(frozen=True)
 class At:
-    """Against ∀: it fails for these values of the letters that it binds (of integers, numbers)."""
+    """Against ∀: it fails for these values of the bound letters (numbers for integers)."""
 
     values: Mapping[str, str]
     then: Against
@@ -213,7 +231,8 @@ class At:
 
 @dataclass(frozen=True)
 class Part:
-    """Against a conjunction: this part of it fails (an equivalence has two, there and back)."""
+    """Against a conjunction: this part fails (an equivalence has two parts, the implication and its
+    converse)."""
 
     number: int
     then: Against
@@ -229,8 +248,10 @@ class Broken:
 
 @dataclass(frozen=True)
 class Impossible:
-    """Against ∃: from its body, which is the last premise, an equation follows that does not speak of what is
-    asked for and fails for some values, or always, as 0 = 1 does."""
+    """Against ∃: its body, the last premise, implies an equation that fails.
+
+    The equation does not contain the bound letters, and fails for some values, or always, as 0 = 1 does.
+    """
 
     then: Proof
     so: str = "0 = 1"
@@ -267,7 +288,7 @@ Against = TwoWitnesses | At | Part | Broken | Impossible | False_
 
 @dataclass(frozen=True)
 class Proven:
-    """A proof of a claim's goal; or what stands `against` it; or both: with its hypothesis, and without."""
+    """A proof of a claim's goal, or a refutation `against` it; or both: with its hypothesis, and without."""
 
     proof: Proof | None = None
     against: Against | None = None

@@ -1,1 +1,2 @@
-"""From LaTeX to the brackets of a formula: tokens, vocabulary, LALR grammar, syntax nodes."""
+"""Grammar: from LaTeX to the bracket structure of a formula, by tokens, vocabulary, LALR grammar, syntax
+nodes."""

@@ -1,4 +1,4 @@
-"""LaTeX text to tokens: spacing dropped, brackets and environments matched, |x| opened and closed."""
+"""Tokens of a formula: drops spacing, matches brackets and environments, and opens and closes |x|."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ from workbench.language.grammar.vocabulary import (
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
 
-#: What an alignment mark stands before, and what is no condition: the sign of a relation.
+#: Relation signs after an alignment mark, which do not begin a condition.
 _RELATES = re.compile(r"\s*(?:=|:|\\(?:approx|equiv|neq?|triangleq|coloneqq?)(?![A-Za-z]))")
 
 _SIDES = re.compile(r"\\(left|right)(?![A-Za-z])\s*(\\?.)")
 
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
 
-#: No formula that is read is longer, or nests brackets deeper; none of a book is as long.
+#: Limits on length and nesting, far above those of formulas in print.
 MOST_CHARACTERS = 20_000
 DEEPEST = 40
 
@@ -66,7 +66,7 @@ _TOKEN = re.compile(
 
 
 class _Open(NamedTuple):
-    """A bracket or environment that is open."""
+    """An open bracket or environment."""
 
     what: str
     at: int
@@ -74,15 +74,16 @@ class _Open(NamedTuple):
 
 
 class _Script(NamedTuple):
-    """The first or second argument of \\prescript{A}{B}{x} that is yet to come. depth: how many brackets are
-    open around it."""
+    """The first or second argument of \\prescript{A}{B}{x} that is still to come. depth: the number of open
+    brackets around it."""
 
     depth: int
     below: bool
 
 
 def tokenize(text: str) -> Iterator[Token]:
-    """The tokens of a formula; token.start_pos is its offset, token.end_pos where it ends. Raises Fault."""
+    """Returns the tokens of a formula; token.start_pos and token.end_pos are offsets in the text. Raises
+    Fault."""
     return iter(Tokenizer(text).tokens())
 
 
@@ -96,7 +97,7 @@ class Tokenizer:
         self.open: list[_Open] = []
         self.size = ""  # a pending \left, \right, \bigl …
         self.scripts: list[_Script] = []
-        self.refused: list[Fault] = []  # the first is told if the brackets match
+        self.refused: list[Fault] = []  # the first one is raised if the brackets match
 
     def tokens(self) -> list[Token]:
         if found := _CONTROL.search(self.text):
@@ -117,7 +118,7 @@ class Tokenizer:
         self.out.append(Token(kind, value, start_pos=at, end_pos=self.end))
 
     def ends(self, *kinds: str) -> bool:
-        """Whether the last token is of one of these kinds."""
+        """True if the last token is of one of these kinds."""
         return any(token.type in kinds for token in self.out[-1:])
 
     def match(self, match: re.Match[str]) -> None:
@@ -187,16 +188,17 @@ class Tokenizer:
         elif plain in EXPECTED:
             self.refused.append(Fault(SyntaxCode.NOT_A_FORMULA_SIGN(text=text, EXPECTED=EXPECTED[plain]), at))
         elif plain in UPRIGHT_NAMES or (text.startswith("\\operatorname") and plain.isalpha()):
-            self.emit("FUNCTION", f"\\{plain}", at)  # the paper may say what it is
+            self.emit("FUNCTION", f"\\{plain}", at)  # the paper may define it
         elif plain:
             raise Fault(words_in_a_formula(text), at)
 
     def in_script(self) -> bool:
-        """Whether what comes is a script, or the first letter of what comes."""
+        """True if the next token is in a script, or begins one."""
         return self.ends("SUB", "SUP") or any(opened.contents == "script" for opened in self.open)
 
     def joining(self, kind: str, word: str, at: int) -> None:
-        """ "and", "where" and the like: a comma before them goes; "for all" without one begins conditions."""
+        """Emits "and", "where" and the like; a comma before them is dropped. "for all" without a comma begins
+        conditions."""
         if kind == "FORALL":
             if self.out and not self.ends(*_OPENS_A_CLAUSE):
                 self.emit("GIVEN", word, at)
@@ -206,8 +208,8 @@ class Tokenizer:
             self.emit(kind, {"IMPLICATION": "⇔", "FORALL": "∀"}.get(kind, word), at)
 
     def label(self, letters: str, at: int, braced: bool = False) -> None:
-        """Upright letters, with the commas between words, or the figures of 3-2-1; as a script that stands
-        without braces they need some."""
+        """Emits upright letters, with the commas between words, or the figures of 3-2-1; a script without
+        braces gets braces."""
         if braced:
             self.emit("LBRACE", "{", at)
         if letters[:1].isdecimal():
@@ -245,7 +247,7 @@ class Tokenizer:
             raise Fault(SyntaxCode.UNKNOWN_COMMAND(text=text), at)
 
     def bound_prefixes(self, kind: str, at: int) -> None:
-        """\\dot\\dot\\dot… nests without brackets."""
+        """Raises Fault for more than nine accents: \\dot\\dot\\dot… nests without brackets."""
         if kind in ("ACCENT", "STYLE") and [token.type for token in self.out[-9:]] == [kind] * 9:
             raise Fault(SyntaxCode.MORE_THAN_NINE_ACCENTS(), at)
 
@@ -261,16 +263,16 @@ class Tokenizer:
             self.pop("{", text, at)
             is_script = bool(self.script_here())
             if is_script and self.ends("LBRACE"):
-                del self.out[-2:]  # a script that is empty
+                del self.out[-2:]  # an empty script
             else:
                 self.emit("RBRACE", text, at)
             if is_script:
                 self.scripts.pop()
         elif text == "&":
             if self.inside("cases") and not _RELATES.match(self.text, at + 1):
-                self.joining("GIVEN", text, at)  # the value, and behind the mark its condition
+                self.joining("GIVEN", text, at)  # the value, and after the mark its condition
             elif self.inside("matrix"):
-                doubled = self.text[at - 1 : at] == "&"  # && may leave room between two columns
+                doubled = self.text[at - 1 : at] == "&"  # && may leave space between two columns
                 self.emit("CELL", "&&" if doubled else text, at)
             elif not self.inside("lines", "cases"):
                 raise Fault(SyntaxCode.ALIGNMENT_MARK(), at)
@@ -292,11 +294,12 @@ class Tokenizer:
             raise Fault(SyntaxCode.UNEXPECTED_CHARACTER(text=repr(text), ord=f"{ord(text):04X}"), at)
 
     def script_here(self) -> list[_Script]:
-        """The argument of \\prescript that a brace here is one of."""
+        """Returns the \\prescript whose argument a brace at this position begins; [] if there is none."""
         return [script for script in self.scripts[-1:] if script.depth == len(self.open)]
 
     def null_delimiter(self, at: int) -> None:
-        """\\left\\{ \\begin{array} … \\right. is a brace around lines; no other bracket is one-sided."""
+        """Closes \\left\\{ \\begin{array} … \\right., a brace around lines. Raises Fault for other one-sided
+        brackets."""
         size, self.size = self.size, ""
         if size != "right" or not self.is_open("\\left\\{"):
             raise Fault(SyntaxCode.ONE_SIDED_BRACKET_LEFT(EVALUATED=_EVALUATED), at)
@@ -317,7 +320,7 @@ class Tokenizer:
             self.emit("CLOSE", kind, at)
 
     def is_brace_of_lines(self, behind: int) -> bool:
-        """Whether an environment follows, and \\right. closes the brace; \\right\\} closes a set."""
+        """True if an environment follows and \\right. closes the brace; \\right\\} closes a set."""
         if not re.match(r"\s*\\begin", self.text[behind:]):
             return False
         depth = 1
@@ -328,12 +331,12 @@ class Tokenizer:
         return True
 
     def parts_a_script(self, bar: str, at: int) -> bool:
-        """The one bar of x_{t|t-1} or v_{\\|} is no bracket."""
+        """True for the single bar of x_{t|t-1} or v_{\\|}, which is not a bracket."""
         rest = self.text[at + len(bar) :].partition("}")[0]
         return self.inside("script") and bar not in rest
 
     def opens(self, kind: str, size: str) -> bool:
-        """Whether a bar is an opening one."""
+        """True if a bar opens a bracket."""
         if size.endswith(("l", "left", "r", "right")):
             return size.endswith(("l", "left"))
         return not (self.is_open(kind) and self.ends(*ENDS_A_FACTOR))
@@ -371,9 +374,9 @@ class Tokenizer:
             raise Fault(SyntaxCode.CANNOT_CLOSE_OPENED_BEFORE(text=text, what=opened.what), at)
 
     def is_open(self, what: str) -> bool:
-        """Whether it is the innermost bracket or environment."""
+        """True if this is the innermost bracket or environment."""
         return any(each.what == what for each in self.open[-1:])
 
     def inside(self, *contents: str) -> bool:
-        """Whether that holds one of these: "matrix", "lines", "cases", "script"."""
+        """True if the innermost bracket has one of these contents: "matrix", "lines", "cases", "script"."""
         return any(each.contents in contents for each in self.open[-1:])

@@ -1,5 +1,5 @@
-"""How each form of the notation is written in LaTeX: for terms, whose brackets `printer` decides, and for
-syntax trees, which are spelled as they were read."""
+"""LaTeX forms of the notation: for terms, whose brackets `printer` chooses, and for syntax trees, which keep
+their spelling."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def extremal(least: bool, over: str | None) -> str:
     return scripted("\\min" if least else "\\max", over)
 
 
-#: What begins the forms that take more than one line: brackets around them grow.
+#: Beginnings of forms higher than one line; brackets around them grow.
 _TALL = ("\\frac", "\\sum", "\\begin{bmatrix}")
 
 
@@ -63,7 +63,7 @@ def matrix(rows: Iterable[Sequence[str]]) -> str:
 
 
 def latex_of(node: Node) -> str:
-    """The tree as LaTeX, spelled as it was."""
+    """Returns the tree as LaTeX in its original spelling."""
     match node:
         case Leaf(kind="FUNCTION", text=head):
             return command_of(head)
@@ -138,7 +138,7 @@ def _listed(parts: Iterable[Node]) -> str:
 
 
 def _inside(node: Node | None) -> str | None:
-    """What stands in the braces of an argument; None where there is none."""
+    """Returns the contents of the braces of an argument; None if there is no argument."""
     node = core(node)
     if node is None:
         return None

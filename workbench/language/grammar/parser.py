@@ -1,4 +1,4 @@
-"""The grammar: tokens to nodes."""
+"""The parser: LALR grammar, from tokens to syntax nodes."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ from workbench.language.grammar.syntax import (
 
 
 class _Builder(Transformer):
-    """Grammar rules to nodes; a rule that holds one thing returns that thing."""
+    """Builds nodes from grammar rules; a rule with one child returns that child."""
 
     def start(self, children):
         return children[0]
@@ -145,7 +145,8 @@ class _Builder(Transformer):
         return tuple(child for child in children if isinstance(child, Node))
 
     def bracket(self, children):
-        """[ and ] around a matrix that has no brackets of its own are the matrix's; ||x|| is one sign."""
+        """Returns a bracket. [ and ] around a matrix without brackets belong to the matrix; ||x|| is one
+        sign."""
         kind, parts = str(children[0]), children[1]
         inner = core(parts[0]) if len(parts) == 1 else None
         if kind == "[" and isinstance(inner, Matrix) and inner.bare:
@@ -180,19 +181,19 @@ class _Builder(Transformer):
 
 @dataclass(frozen=True)
 class _Cells:
-    """A row of a matrix: what stands in its cells, None where nothing does, and the marks between them."""
+    """A row of a matrix: the contents of its cells, None for an empty cell, and the marks between them."""
 
     contents: tuple[Node | None, ...]
     marks: tuple[Token, ...]
 
     @property
     def room(self) -> frozenset[int]:
-        """The columns between the two marks of &&, in which nothing stands."""
+        """Returns the empty columns between the two marks of &&."""
         doubled = (place for place, mark in enumerate(self.marks) if mark == "&&")
         return frozenset(place for place in doubled if self.contents[place] is None)
 
     def nodes(self, left_out: Collection[int], at: int) -> tuple[Node, ...]:
-        """The entries; an empty one is {}, at the mark before it."""
+        """Returns the entries; an empty one is {}, at the mark before it."""
         places = [at, *(mark.start_pos or 0 for mark in self.marks)]
         cells = zip(self.contents, places, strict=True)
         kept = (cell for place, cell in enumerate(cells) if place not in left_out)
@@ -200,8 +201,11 @@ class _Cells:
 
 
 def without_room(rows: Sequence[_Cells], at: int) -> Iterator[tuple[Node, ...]]:
-    """The entries of the rows. Two marks && in each row leave room between two columns, and so they do where
-    rows have as many entries only without it; a break behind the last row begins no other one."""
+    """Yields the entries of the rows.
+
+    Two marks && in each row leave space between two columns, and also if the rows have equally many entries
+    only without it. A line break after the last row begins no row.
+    """
     if len(rows) > 1 and rows[-1].contents == (None,):
         rows = rows[:-1]
     shared = frozenset.intersection(*(row.room for row in rows))
@@ -211,19 +215,20 @@ def without_room(rows: Sequence[_Cells], at: int) -> Iterator[tuple[Node, ...]]:
 
 
 def _lacks_body(node: Node) -> bool:
-    """Whether it ends in a \\sum, as before the sign of \\sum_i -x_i."""
+    """True if the node ends in a \\sum, as before the sign of \\sum_i -x_i."""
     return isinstance(node.items[-1] if isinstance(node, Product) else node, Summation)
 
 
 def _braced(argument: Node) -> Node:
-    """The argument of a command: TeX takes one digit of a number that stands without braces."""
+    """Returns the argument of a command. Raises Fault for a number without braces: TeX takes one digit of
+    it."""
     if isinstance(argument, Leaf) and argument.kind == "NUMBER" and len(argument.text) > 1:
         raise Fault(SyntaxCode.TEX_TAKES_ONLY_FIRST(text=argument.text), argument.at)
     return argument
 
 
 def _scripts(scripts: Sequence[tuple[str, int, Node | None]]) -> tuple[Node | None, Node | None, int, bool]:
-    """The subscript, the superscript, the number of primes, and whether it is a factorial."""
+    """Returns the subscript, the superscript, the number of primes, and whether there is a factorial."""
     found: dict[str, Node | None] = {}
     primes, factorial = 0, False
     for kind, at, body in scripts:
@@ -244,7 +249,7 @@ class _Tokens(Lexer):
     def __init__(self, lexer_conf) -> None:
         pass
 
-    def lex(self, data: Any) -> Any:  # type: ignore[override]  # called with the text alone
+    def lex(self, data: Any) -> Any:  # called with the text alone
         return tokenize(data)
 
 
@@ -266,7 +271,7 @@ _NAMES = {
 
 @lru_cache(maxsize=4096)
 def parse(text: str) -> Lines:
-    """The lines of a formula. Raises Fault."""
+    """Returns the lines of a formula. Raises Fault."""
     if len(text) > MOST_CHARACTERS:
         raise Fault(SyntaxCode.FORMULA_CHARACTERS_UP_READ(text=len(text), MOST_CHARACTERS=MOST_CHARACTERS), 0)
     try:
@@ -281,7 +286,7 @@ def parse(text: str) -> Lines:
 
 @cache
 def parses(text: str) -> bool:
-    """Whether the text is a formula, whatever its letters mean."""
+    """True if the text is syntactically a formula."""
     try:
         parse(text)
     except Fault:

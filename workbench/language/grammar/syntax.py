@@ -1,4 +1,4 @@
-"""The bracket structure of a formula, before any type is known."""
+"""Syntax nodes: the bracket structure of a formula, before types are known."""
 
 from __future__ import annotations
 
@@ -11,15 +11,18 @@ from workbench.core.operations import FUNCTIONS
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A piece of a formula; `at` is its offset in the text."""
+    """A node of a formula; `at` is its offset in the text."""
 
     at: int
 
 
 @dataclass(frozen=True, slots=True)
 class Leaf(Node):
-    """A letter, a number, a function (its head), or a mark (T, *, ∞). `name`: what a function is called;
-    `bare`: whether it stands there without a command, so that it may also be a product of letters."""
+    """A letter, a number, a function (its head), or a mark (T, *, ∞).
+
+    name: the name of a function.   bare: True if it has no command, so that it may also be a product of
+    letters.
+    """
 
     kind: str
     text: str
@@ -29,7 +32,7 @@ class Leaf(Node):
 
 @dataclass(frozen=True, slots=True)
 class Group(Node):
-    """{…}: grouping that TeX needs and print does not show."""
+    """{…}: grouping that TeX needs and that does not print."""
 
     parts: tuple[Node, ...]
 
@@ -44,7 +47,7 @@ class Bracket(Node):
 
 @dataclass(frozen=True, slots=True)
 class Styled(Node):
-    """\\mathbf, \\underline and the like: a part of the name."""
+    """\\mathbf, \\underline and the like, which are part of the name."""
 
     style: str
     body: Node
@@ -52,7 +55,7 @@ class Styled(Node):
 
 @dataclass(frozen=True, slots=True)
 class Accented(Node):
-    """\\dot … \\ddddot (accent "1" … "4") and \\tilde ("~"): an operation."""
+    """\\dot … \\ddddot (accent "1" … "4") and \\tilde ("~"), which are operations."""
 
     accent: str
     body: Node
@@ -63,14 +66,14 @@ def core(node: Node) -> Node: ...
 @overload
 def core(node: Node | None) -> Node | None: ...
 def core(node: Node | None) -> Node | None:
-    """The node without braces around it."""
+    """Returns the node without braces around it."""
     while isinstance(node, Group) and len(node.parts) == 1:
         (node,) = node.parts
     return node
 
 
 def both_below(inner: Node | None, outer: Node | None) -> Node | None:
-    """The subscript of {x_a}_b, as of x_{a,b}."""
+    """Returns the subscript of {x_a}_b, which is that of x_{a,b}."""
     if inner is None or outer is None:
         return outer if inner is None else inner
     parts = (part for sub in (inner, outer) for part in (sub.parts if isinstance(sub, Group) else (sub,)))
@@ -78,12 +81,12 @@ def both_below(inner: Node | None, outer: Node | None) -> Node | None:
 
 
 def is_left_script(node: Node | None) -> bool:
-    """Whether the node is {}_a^b, which the letter behind it carries on its left."""
+    """True if the node is {}_a^b, the left scripts of the letter after it."""
     return isinstance(node, Scripted) and isinstance(node.nucleus, Group) and not node.nucleus.parts
 
 
 def unstyled(node: Node) -> tuple[tuple[str, ...], Node]:
-    """The fonts and marks of a node, the outermost first, and what is inside them."""
+    """Returns the fonts and marks of a node, the outermost first, and the node inside them."""
     styles: tuple[str, ...] = ()
     while isinstance(node := core(node), Styled):
         styles, node = (*styles, node.style), node.body
@@ -92,7 +95,7 @@ def unstyled(node: Node) -> tuple[tuple[str, ...], Node]:
 
 @dataclass(frozen=True, slots=True)
 class Scripted(Node):
-    """nucleus with at most one subscript and one superscript, primes, and perhaps a factorial sign."""
+    """A nucleus with at most one subscript and one superscript, primes, and perhaps a factorial sign."""
 
     nucleus: Node
     sub: Node | None = None
@@ -115,7 +118,7 @@ class Binomial(Node):
 
 @dataclass(frozen=True, slots=True)
 class Matrix(Node):
-    """`bare`: it is written without brackets of its own."""
+    """A matrix. `bare`: it has no brackets."""
 
     rows: tuple[tuple[Node, ...], ...]
     bare: bool = field(default=False, compare=False)
@@ -123,14 +126,14 @@ class Matrix(Node):
 
 @dataclass(frozen=True, slots=True)
 class Infix(Node):
-    """· × ⊗ or ∘ between two factors."""
+    """An infix sign between two factors: ·, ×, ⊗ or ∘."""
 
     operator: str
 
 
 @dataclass(frozen=True, slots=True)
 class Summation(Node):
-    """\\sum with its bounds; it acts on the rest of its product."""
+    """\\sum with its bounds; it applies to the rest of its product."""
 
     lower: Node | None
     upper: Node | None
@@ -138,7 +141,7 @@ class Summation(Node):
 
 @dataclass(frozen=True, slots=True)
 class Extremal(Node):
-    """\\min or \\max, with what stands under it; it acts on the rest of its product."""
+    """\\min or \\max with the node under it; it applies to the rest of its product."""
 
     least: bool
     over: Node | None
@@ -153,14 +156,14 @@ class Product(Node):
 
 @dataclass(frozen=True, slots=True)
 class Sum(Node):
-    """Signed addends: (sign, where the sign is, addend); the first may have the sign ""."""
+    """Signed addends: (sign, offset of the sign, addend); the first may have the sign ""."""
 
     addends: tuple[tuple[str, int, Node], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Chain(Node):
-    """a = b ≠ c …: sides, and between them (relation, where it is). `universal`: a ∀ stands before it."""
+    """A chain a = b ≠ c …: sides, and between them (relation, offset). `universal`: a ∀ precedes it."""
 
     sides: tuple[Node, ...]
     relations: tuple[tuple[str, int], ...]
@@ -184,7 +187,7 @@ class Joined(Node):
 
 @dataclass(frozen=True, slots=True)
 class Given(Node):
-    """The conditions behind "for", "where", "with", "if" and the like."""
+    """The conditions after "for", "where", "with", "if" and the like."""
 
     conditions: tuple[Node, ...]
 
@@ -197,27 +200,27 @@ class Lines(Node):
 
 
 def in_a_row(at: int, items: Sequence[Node]) -> Node:
-    """The product of the items; the item, where there is but one."""
+    """Returns the product of the items, or the item if there is only one."""
     return items[0] if len(items) == 1 else Product(at, tuple(items))
 
 
 def is_function(node: Node) -> bool:
-    """A function's name, perhaps with scripts."""
+    """True for the name of a function, perhaps with scripts."""
     leaf = node.nucleus if isinstance(node, Scripted) else node
     return isinstance(leaf, Leaf) and leaf.kind == "FUNCTION"
 
 
 def is_own_word(node: Node) -> TypeGuard[Leaf]:
-    """Whether only a paper can say what the function is."""
+    """True for a function that only a paper can define."""
     return isinstance(node, Leaf) and node.kind == "FUNCTION" and node.name not in FUNCTIONS
 
 
 def as_letter(node: Node) -> Node:
-    """A word such as Ad, where a paper has a symbol of this name."""
+    """Returns a word such as Ad as a letter, for papers with a symbol of this name; other nodes unchanged."""
     return Leaf(node.at, "LETTER", f"\\operatorname{{{node.name}}}") if is_own_word(node) else node
 
 
 def is_numeral(node: Node) -> bool:
-    """A number, perhaps with scripts."""
+    """True for a number, perhaps with scripts."""
     leaf = node.nucleus if isinstance(node, Scripted) else node
     return isinstance(leaf, Leaf) and leaf.kind == "NUMBER"

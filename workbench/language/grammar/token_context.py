@@ -1,4 +1,4 @@
-"""What tokens are by those around them: signs in scripts are marks."""
+"""Tokens that depend on their neighbours: signs in scripts are marks."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from workbench.language.grammar.vocabulary import ENDS_A_FACTOR, ORIENTATIONS
 
 
 def marked(tokens: list[Token]) -> list[Token]:
-    """A sign that stands alone in a script is a mark: q^+, [x]_\\times, x^{\\wedge}, v_\\perp, x_{\\max}."""
+    """Returns the tokens with lone signs in scripts as marks: q^+, [x]_\\times, x^{\\wedge}, v_\\perp,
+    x_{\\max}."""
     found = []
     for place, token in enumerate(tokens):
         if token.type in ("INFIX", "SIGN", "MARK", "EXTREMAL") or token in ORIENTATIONS:

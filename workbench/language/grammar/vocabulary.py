@@ -1,4 +1,4 @@
-"""The commands, characters and words that the claim language knows, and the token that each becomes."""
+"""Vocabulary of the claim language: commands, characters and words, with the token that each becomes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _FONTS = (
 _STYLES = f"{_FONTS} underline overline bar vec hat check breve mathring"
 _LABELS = "dagger ddagger flat natural sharp bullet diamond #"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
-#: (2.1), [3] or (A.4b), as the number of a formula is printed; the length of a space may stand before it.
+#: The printed number of a formula: (2.1), [3] or (A.4b), perhaps after the length of a space.
 NUMBER = re.compile(
     r"(?:\{[^{}]*\})?\s*(?:\\(?:text|mathrm|textrm|mbox)\s*\{\s*)?"
     r"[(\[]\s*(?:[A-Z]\.?)?\d[\d.\-–]*\s*[a-z]?'?\s*[)\]]\s*\}?[\s.,;]*"
@@ -113,7 +113,7 @@ CHARACTERS = {
 _WRITTEN = {token: f"\\{name}" for name, token in reversed(COMMANDS.items())} | {
     token: character for character, token in CHARACTERS.items()
 }
-#: Greek letters as Unicode has them.
+#: Greek letters in Unicode.
 CHARACTERS |= {
     chr(code): ("LETTER", f"\\{name}")
     for name, code in {
@@ -128,7 +128,7 @@ SPACING = frozenset(_SPACING.split()) | {" "}
 SIZES = frozenset(_SIZES.split())
 FONTS = frozenset(f"\\{name}" for name in _FONTS.split())
 
-#: Bracket → (its kind, 1 if it opens, -1 if it closes, 0 if that depends on what stands before it).
+#: Bracket → (its kind, 1 if it opens, -1 if it closes, 0 if that depends on the previous token).
 BRACKETS = {
     "(": ("(", 1),
     ")": ("(", -1),
@@ -158,14 +158,15 @@ ENVIRONMENTS = MATRICES | LINES | {"array"}
 #: Relations of two vectors, and the product that is then zero.
 ORIENTATIONS = {"\\perp": "dot", "\\parallel": "cross"}
 
-#: Signs without a meaning of their own: a paper says in [notation] what they are.
+#: Signs without a built-in meaning: a paper defines them in [notation].
 OWN_SIGNS = {
     "∧": "the vector product is written \\times, the skew tensor of x \\tilde{x}",
     **dict.fromkeys("∨⊕⊖⊙⊞⊟∖*", "a sign that [notation] does not explain"),
     ".": "a full stop inside a formula, which [notation] does not explain as a product",
 }
 
-#: Words that join statements; behind a GIVEN stand the conditions of what is before it, or behind its THEN.
+#: Words that join statements. After a GIVEN come the conditions of the preceding or, with a THEN, the
+#: following statement.
 WORDS = {
     **dict.fromkeys(("where", "with", "for", "if", "when", "whenever", "given", "given that"), "GIVEN"),
     **dict.fromkeys(("provided", "provided that", "assuming", "assuming that", "such that"), "GIVEN"),
@@ -178,16 +179,16 @@ WORDS = {
     "if and only if": "IMPLICATION",
 }
 
-#: What operations are called: no product of letters, with or without a backslash.
+#: Names of operations: never products of letters, with or without a backslash.
 NAMES = frozenset(["Ad", "Exp", "Log", "diag", "log", "rank", "sgn", "sign", "vec", "vex", "Rot", "Trans"])
-#: The same where they stand upright; ad without a command is a product.
+#: The same for upright letters; ad without a command is a product.
 UPRIGHT_NAMES = NAMES | {"ad"}
-#: What stands upright and is more than one letter, and no word: groups and differentials.
+#: Upright names of several letters that are not words: groups and differentials.
 UPRIGHT = frozenset(["SO", "SE", "so", "se", "dt", "dx", "dy", "dz", "dq", "ds"])
 
-#: Ellipses; none of them can be read.
+#: Ellipses, which the parser rejects.
 DOTS = frozenset({"dots", "ldots", "cdots", "vdots", "ddots", "dotsb", "dotsc", "dotsi", "dotsm", "dotso"})
-#: What to write in place of commands that cannot be read.
+#: Replacements for commands that the parser rejects.
 EXPECTED = {
     **dict.fromkeys(
         ("inf", "sup"),
@@ -217,18 +218,18 @@ ENDS_A_FACTOR = frozenset(
 
 
 def is_upright(text: str, plain: str) -> bool:
-    """Whether \\mathrm{plain} is a letter or one of UPRIGHT."""
+    """True if \\mathrm{plain} is a letter or one of UPRIGHT."""
     return text.startswith("\\mathrm") and (len(plain) == 1 or plain in UPRIGHT)
 
 
 def spellings(kind: str) -> frozenset[str]:
-    """The commands and characters that become tokens of this kind."""
+    """Returns the commands and characters that become tokens of this kind."""
     commands = {f"\\{name}" for name, (each, _) in COMMANDS.items() if each == kind}
     return frozenset(commands | {sign for sign, (each, _) in CHARACTERS.items() if each == kind})
 
 
 def written(kind: str, value: str) -> str:
-    """How a token is written: \\times for the INFIX ×."""
+    """Returns the LaTeX of a token: \\times for the INFIX ×."""
     return _WRITTEN.get((kind, value), value)
 
 

@@ -1,4 +1,4 @@
-"""One entry of [symbols]: what its LaTeX key names, and what its table says of it."""
+"""Declarations from the entries of [symbols]: the name from the LaTeX key, the properties from its table."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ _FLAGGED = {
 }
 _ALLOWED = key_names("symbol")
 
-#: What these names mean in every formula. The unit tensor's may be declared to be something else, and so may
-#: the dual unit's where no symbol is dual.
+#: Names with a meaning in every formula. A declaration may replace the unit tensor's, and also the dual
+#: unit's if no symbol is dual.
 UNIT, DUAL_UNIT = Name("I", ("\\mathbf",)), Name("\\varepsilon")
 BUILTIN = {
     DUAL_UNIT: "the dual unit",
@@ -65,7 +65,7 @@ BUILTIN = {
 
 
 def refuse_builtin(name: Name, type_: Type, key: str) -> None:
-    """Raises SpecError for a name that has a meaning of its own, in which it is read and printed back."""
+    """Raises SpecError for a name with a built-in meaning."""
     meaning = BUILTIN.get(name)
     if name == CLOCK.name and type_.kind == "scalar":
         meaning = "the time of x(t) and \\frac{d}{dt}"
@@ -74,8 +74,10 @@ def refuse_builtin(name: Name, type_: Type, key: str) -> None:
 
 
 def read_key(key: str, labels: Collection[str] = ()) -> Named:
-    """A declared LaTeX name, and what stands in its index places, which the letters in `labels` are none of.
-    Raises SpecError."""
+    """Returns a declared LaTeX name and the contents of its index slots; letters in `labels` are not indices.
+
+    Raises SpecError.
+    """
     try:
         lines = parse(key).lines
         if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain):
@@ -86,13 +88,16 @@ def read_key(key: str, labels: Collection[str] = ()) -> Named:
 
 
 def speaks_of(body: str, letters: Iterable[str]) -> bool:
-    """Whether one of the letters stands alone in the LaTeX; p_1 is another symbol than p."""
+    """True if one of the letters occurs alone in the LaTeX; p_1 is another symbol than p."""
     return any(re.search(rf"(?<![\\A-Za-z]){letter}(?![A-Za-z]|\s*_)", body) for letter in letters)
 
 
 def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling:
-    """The spelling of a declared name, where index letters count as integers, save those in `labels`. Raises
-    SpecError."""
+    """Returns the spelling of a declared name, in which index letters count as integers unless they are in
+    `labels`.
+
+    Raises SpecError.
+    """
     left_sub = left_sup = None
     if (pair := in_bracket(node) or under_accent(node)) is not None:
         return Spelling(pair.name, ())
@@ -181,7 +186,7 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
 
 
 def arguments_of(key: str, declaration: Declaration, names: Any) -> Sequence[str]:
-    """What a symbol is said to be a function of."""
+    """Returns the names of the symbols that a symbol is declared to be a function of. Raises SpecError."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise SpecError(DeclarationCode.EXPECTED_LIST_SYMBOLS_SUCH(names=repr(names)), key)
     flags = (*_FLAGS, "rotation", "transform")
@@ -200,7 +205,8 @@ def aliases(key: str, spec: Mapping[str, Any]) -> Sequence[str]:
 
 
 def _weight(key: str, index: Sequence[Linear], weight: Any) -> Weight:
-    """An integer, or a string such as "n+1" in the index letters of the key."""
+    """Returns the weight: an integer, or a string such as "n+1" in the index letters of the key. Raises
+    SpecError."""
     if weight is None or (isinstance(weight, int) and not isinstance(weight, bool)):
         return None if weight is None else Linear(weight)
     letters = sorted(set().union(*(place.variables for place in index)))

@@ -1,4 +1,4 @@
-"""A paper's own notation: a spelling with formal arguments, and what it means in the reader's language."""
+"""Notation of a paper: spellings with formal arguments, and their meaning in the claim language."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from workbench.language.naming.declarations import read_key
 from workbench.language.naming.patterns import Known, agrees, fill, occurs, parts_of, same
 from workbench.language.naming.spelling import refuse_operation, spell_label
 
-#: alone in a bracket or under an accent, with a mark of its own, or beside others.
+#: alone in a bracket or under an accent, with its own mark, or next to others.
 Place = Literal["alone", "marked", "beside"]
 
 _ALLOWED = key_names("notation entry")
@@ -48,7 +48,7 @@ _FORMS = (
 
 @dataclass(frozen=True)
 class Notation:
-    """`key` as the author spells it; `formals`: letter → kind ("dual vector")."""
+    """An entry of [notation]: `key` in the author's spelling; `formals`: letter → kind ("dual vector")."""
 
     key: str
     formals: Mapping[str, str]
@@ -57,8 +57,10 @@ class Notation:
 
     @staticmethod
     def read(key: str, spec: Any) -> Notation:
-        """One entry of [notation]: '[x]_\\times' = { where = { x = "vector" }, means = '…' }. Raises
-        SpecError."""
+        """Returns one entry of [notation]: '[x]_\\times' = { where = { x = "vector" }, means = '…' }.
+
+        Raises SpecError.
+        """
         if (
             not isinstance(spec, Mapping)
             or set(spec) - set(_ALLOWED)
@@ -89,12 +91,12 @@ class Notation:
         return notation
 
     def fits(self, terms: Mapping[str, Term]) -> bool:
-        """Whether the terms are of the kinds of the formal arguments; 0 without a size is of every kind."""
+        """True if the terms have the kinds of the formal arguments; a 0 without a size fits every kind."""
         kinds = self.formals.items()
         return all(filling(terms[x]) == "zero" or str(terms[x].type) == kind for x, kind in kinds)
 
     def filled(self, terms: Mapping[str, Term]) -> Node:
-        """What it means, with these terms for the formal arguments."""
+        """Returns the meaning, with these terms for the formal arguments."""
         typed = {
             letter: zero(type_of_kind(self.formals[letter]) or term.type) if filling(term) == "zero" else term
             for letter, term in terms.items()
@@ -102,20 +104,20 @@ class Notation:
         return fill(self.means, {letter: Known(0, term) for letter, term in typed.items()})
 
     def spelt(self, texts: Mapping[str, str]) -> str:
-        """The notation with these texts for the formal arguments."""
+        """Returns the notation as LaTeX, with these texts for the formal arguments."""
         return latex_of(
             fill(self.pattern, {letter: Leaf(0, "LETTER", text) for letter, text in texts.items()})
         )
 
     @cached_property
     def places(self) -> Mapping[str, Place]:
-        """Where each formal argument stands."""
+        """The place of each formal argument."""
         return dict(_places(self.pattern, self.formals, "alone"))
 
     @property
     def form(self) -> Literal["closed", "marked", "infix", "open"]:
-        """What it is beside others: closed as a bracket or a letter is, with a superscript, a sign between
-        two or a product, or open to what stands there."""
+        """The form of the notation in a row: closed like a bracket or a letter, with a superscript, an infix
+        sign or a product, or open to its neighbours."""
         match core(self.pattern):
             case Leaf() | Styled() | Bracket() | Matrix() | Scripted(sup=None, primes=0):
                 return "closed"
@@ -124,13 +126,13 @@ class Notation:
         return "open" if self.sign is None and not isinstance(self.pattern, Product) else "infix"
 
     def matched(self, node: Node) -> dict[str, Node] | None:
-        """The nodes in the places of the formal arguments; None if the node is not spelt so."""
+        """Returns the nodes of the formal arguments; None if the node does not match."""
         found: dict[str, Node] = {}
         return found if agrees(self.pattern, node, self.formals, found) else None
 
     @property
     def accent(self) -> str | None:
-        """The style that it puts on its one argument."""
+        """The style that it puts on its one argument, else None."""
         match self.pattern:
             case Styled(style=style, body=body) if self._is_formal(body):
                 return style
@@ -138,7 +140,7 @@ class Notation:
 
     @property
     def is_looked_for(self) -> bool:
-        """Whether the reader tries it at anything."""
+        """True if the reader tries it on every node."""
         pattern = core(self.pattern)
         match pattern:
             case Product(items=(_, Infix())):
@@ -150,7 +152,7 @@ class Notation:
 
     @property
     def below(self) -> Node | None:
-        """The subscript that it puts on its one argument."""
+        """The subscript that it puts on its one argument, else None."""
         match self.pattern:
             case Scripted(nucleus=nucleus, sub=Node() as sub, sup=None, primes=0) if self._is_formal(nucleus):
                 return core(sub)
@@ -158,7 +160,7 @@ class Notation:
 
     @property
     def letter(self) -> Node | None:
-        """The letter below which its one argument stands, as the angle of c_\\theta."""
+        """The letter whose subscript is its one argument, as the angle of c_\\theta; else None."""
         match self.pattern:
             case Scripted(nucleus=nucleus, sub=Node() as sub, sup=None, primes=0) if self._is_formal(sub):
                 is_letter = _letter(nucleus) is not None and not isinstance(nucleus, Scripted)
@@ -167,7 +169,7 @@ class Notation:
 
     @property
     def mark(self) -> Node | None:
-        """The superscript that it puts on its one argument."""
+        """The superscript that it puts on its one argument, else None."""
         match self.pattern:
             case Scripted(nucleus=nucleus, sub=None, sup=Node() as sup, primes=0) if self._is_formal(nucleus):
                 return core(sup)
@@ -182,7 +184,7 @@ class Notation:
 
     @property
     def sign(self) -> tuple[str, str, str] | None:
-        """The sign that it puts between two arguments, and their letters."""
+        """The sign that it puts between two arguments, and their letters; else None."""
         match self.pattern:
             case Product(items=(Leaf(text=left), Infix(operator=sign), Leaf(text=right))):
                 return sign, left, right
@@ -190,7 +192,7 @@ class Notation:
 
     @property
     def is_bracket(self) -> bool:
-        """[Ad] and [Ad]^*, which are looked for as brackets."""
+        """True for [Ad] and [Ad]^*, which are matched as brackets."""
         return isinstance(_without_scripts(self.pattern), Bracket)
 
     @property
@@ -203,13 +205,13 @@ class Notation:
 
 @dataclass(frozen=True)
 class Notations:
-    """All notation of a paper, by how it is looked for."""
+    """All notation of a paper, by the way in which it is matched."""
 
     entries: tuple[Notation, ...] = ()
 
     @staticmethod
     def build(specs: Mapping[str, Any]) -> Notations:
-        """Raises SpecError; also where two entries can match one term."""
+        """Returns the notation of a paper. Raises SpecError, also if two entries can match one term."""
         entries = tuple(Notation.read(key, spec) for key, spec in specs.items())
         for place, one in enumerate(entries):
             for other in entries[:place]:
@@ -241,7 +243,7 @@ class Notations:
         return {read_key(entry.key)[0]: entry for entry in self.entries if entry.is_constant}
 
     def shapes(self, node: Node) -> list[tuple[Notation, dict[str, Node]]]:
-        """Entries that are spelt like the node: brackets, matrices and marks on them."""
+        """Returns the entries that match the node: brackets, matrices and marks on them."""
         if not self.entries:
             return []
         named = sorted(self.entries, key=lambda entry: bool(entry.formals))  # [RN] before [x]
@@ -270,7 +272,7 @@ def _letter(node: Node) -> Node | None:
 
 
 def _is_alike(pattern: Node, node: Node) -> bool:
-    """Whether they are one kind of bracket or matrix with as many parts, so that a match is worth trying."""
+    """True for brackets or matrices of one kind with equally many parts, so that a match is worth trying."""
     match pattern, node:
         case Bracket(), Bracket():
             return pattern.kind == node.kind and len(pattern.parts) == len(node.parts)
@@ -306,7 +308,7 @@ def _places(value: Any, formals: Mapping[str, str], place: Place) -> Iterator[tu
 
 
 def _collide(one: Notation, other: Notation) -> bool:
-    """Whether one spelling can be both: the same pattern, with formals of the same kinds."""
+    """True if one spelling can match both: the same pattern, with formals of the same kinds."""
     found: dict[str, Node] = {}
     if not agrees(one.pattern, other.pattern, one.formals, found):
         return False
@@ -318,7 +320,7 @@ def _collide(one: Notation, other: Notation) -> bool:
 
 
 def is_shape(node: Node) -> bool:
-    """Whether a node that is no name may be spelt in the paper's own notation."""
+    """True for a node, other than a name, that the paper's notation may define."""
     nucleus = _without_scripts(node)
     return isinstance(nucleus, Bracket | Matrix) or is_own_word(nucleus)
 

@@ -1,4 +1,4 @@
-"""The bracket structure of a formula as a pattern: letters in it stand for other nodes."""
+"""Patterns of syntax nodes, in which letters stand for other nodes."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from workbench.language.grammar.syntax import Bracket, Chain, Infix, Leaf, Node,
 
 @dataclass(frozen=True, slots=True)
 class Known(Node):
-    """A term that stands for a formal argument."""
+    """A term that replaces a formal argument."""
 
     term: Term
 
 
 @cache
 def _fields(kind: Any) -> tuple[str, ...]:
-    """What a kind of node says, but its place."""
+    """Returns the compared fields of a node class, without its offset."""
     return tuple(each.name for each in fields(kind) if each.name != "at" and each.compare)
 
 
 def parts_of(value: Any) -> Iterable[Any]:
-    """The fields of a node but its place, and what they hold."""
+    """Returns the fields of a node, without its offset, and their contents."""
     if isinstance(value, Sum):
         return [(sign, addend) for sign, _, addend in value.addends]
     if isinstance(value, Chain):
@@ -65,7 +65,7 @@ def agrees(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str,
 
 
 def _before_a_sign(pattern: Node, node: Node) -> Node:
-    """a b \\times as one factor and the sign behind it, if the pattern is x \\times; and so a + b \\times."""
+    """Returns a b \\times, or a + b \\times, as one factor and a sign, if the pattern is x \\times."""
     match pattern, node:
         case Product(items=(Leaf(), Infix())), Sum(
             addends=(*first, (sign, at, Product(items=(*rest, Infix() as end))))

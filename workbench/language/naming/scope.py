@@ -1,4 +1,4 @@
-"""What is known while one formula is read: its symbols, the integers in scope, and how deep it nests."""
+"""The scope of one formula while it is read: its symbols, its integer variables, and its nesting depth."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ from workbench.language.naming.symbols import SymbolTable
 
 Result = TypeVar("Result")
 
-#: How deep terms may nest; a longer product than this counts as nesting too.
+#: Limit on the nesting of terms; a longer product counts as nesting, too.
 DEEPEST_TERM = 120
 _WHICH = "a point or a direction? write the column of four"
 #: [I 0]: the first three of four.
@@ -54,20 +54,21 @@ _FIRST_THREE = construct.block([[construct.identity(), construct.zero(VECTOR)]])
 
 
 class Scope(ABC):
-    """What letters, products and sums are read in. `variables` are the integer variables in scope."""
+    """The scope in which letters, products and sums are read. `variables` are the integer variables in
+    scope."""
 
     def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
         self.table = table
         self.variables = variables
         self.depth = 0
-        #: what stands in the bracket behind a symbol and says what it depends on
+        #: the contents of the bracket after a symbol that states its dependence
         self.places: dict[Named, tuple[str, ...]] = {}
         self.instants: dict[Named, tuple[str, ...]] = {}
-        #: where a bracket behind a symbol multiplies it, and where one does not
+        #: the brackets after a symbol, by whether they multiply it
         self.brackets: dict[Named, dict[bool, Bracket]] = {}
-        #: by a symbol and the letters of the square bracket behind it: what stands there
+        #: the contents of a square bracket, by the symbol and its letters
         self.members: dict[tuple[Named, str], str] = {}
-        self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor
+        self.tensor_operand: int | None = None  # offset of the last operator on a bare tensor
 
     def allows(self, relaxation: Relaxation) -> bool:
         """Whether the reading is taken."""
@@ -75,10 +76,10 @@ class Scope(ABC):
 
     @abstractmethod
     def term(self, node: Node) -> Term:
-        """The term of any node."""
+        """Returns the term of a node."""
 
     def rate(self, at: int, body: Term, order: Linear, frame: Node | None) -> Term:
-        """d/dt, or what {}^F d/dt is: with ω of the frame, ẋ − ω × x for a vector."""
+        """Returns d/dt, or {}^F d/dt: with ω of the frame, ẋ − ω × x for a vector."""
         if (
             frame is not None
             and body.type.kind not in ("vector", "scalar")
@@ -112,7 +113,7 @@ class Scope(ABC):
         return bool(kept) and any(p.declaration.name in kept for p in body.walk() if isinstance(p, Symbol))
 
     def partial(self, at: int, head: str, body: Term, by: Term) -> Term:
-        """∂f/∂x, a row or a column as the paper says."""
+        """Returns ∂f/∂x, a row or a column as the paper states."""
         if not is_rate(by):
             raise Fault(SyntaxCode.DERIVATIVE_ANYTHING_BUT_SYMBOL(), at)
         if isinstance(by, Derivative) and isinstance(by.body, Symbol) and by.body.declaration.constant:
@@ -128,7 +129,8 @@ class Scope(ABC):
         return construct.apply("transpose", slope) if is_column else slope
 
     def frame(self, label: Node) -> Term:
-        """The angular velocity of the frame of that label; \\mathcal{B} is B, where nothing else is."""
+        """Returns the angular velocity of the frame of that label; \\mathcal{B} is B, unless it is another
+        frame."""
         name, plain = spell_label(label) or "", core(label)
         while name not in self.table.frames.velocities and isinstance(plain, Styled):
             plain = core(plain.body)
@@ -139,11 +141,11 @@ class Scope(ABC):
         return self.table.frames.velocities[name]
 
     def written(self, node: Node) -> Term | None:
-        """The term of a bracket or matrix that the paper spells in a way of its own; None for any other."""
+        """Returns the term of a bracket or matrix in the paper's notation; None for other nodes."""
         return self.spelt(node) if is_shape(node) else self.in_bracket(node)
 
     def spelt(self, node: Node) -> Term | None:
-        """The same of any node, such as a letter before its argument."""
+        """Like `written`, but for every node, such as a letter before its argument."""
         found = self.table.notations.shapes(node)
         if isinstance(node, Bracket) and self.allows(Relaxation.MERE_BRACKETS):
             found = []
@@ -161,7 +163,7 @@ class Scope(ABC):
         return None
 
     def in_bracket(self, node: Node) -> Term | None:
-        """The matrix [BN], also as [\\dot{BN}]; None for any other bracket."""
+        """Returns the matrix [BN], also as [\\dot{BN}]; None for other brackets."""
         within, order = node, 0
         match node:
             case Bracket(kind="[", parts=(Accented(accent="1" | "2" as dots, body=body),)):
@@ -179,7 +181,7 @@ class Scope(ABC):
         return None
 
     def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:
-        """make(*arguments), with the place `at` put on what does not fit."""
+        """Returns make(*arguments); a mismatch is raised as a Misfit or Fault at the offset `at`."""
         try:
             return make(*arguments)
         except Unread as fault:
@@ -203,8 +205,10 @@ class Scope(ABC):
         return self.build(at, construct.apply, head, *arguments)
 
     def _refuse_pure(self, at: int, left: Term, right: Term) -> None:
-        """Refuses vectors beside each other, and their powers beside a quaternion, where they may be
-        quaternions without a scalar part: ω² is ω·ω then, or −ω·ω."""
+        """Raises Fault for products of vectors, and for their powers next to a quaternion.
+
+        They may be quaternions without a scalar part: ω² is then −ω·ω instead of ω·ω.
+        """
         kinds = {left.type.kind, right.type.kind}
         parts = (part for side in (left, right) for part in (side, *side.children))
         is_power = any(isinstance(part, Power) and part.base.type.kind == "vector" for part in parts)
@@ -212,7 +216,8 @@ class Scope(ABC):
             raise Fault(SyntaxCode.VECTORS_OR_QUATERNIONS_WRITE(), at)
 
     def quaternion_of_four(self, term: Term) -> Term:
-        """The quaternion that a column of four, written out, is in a paper with quaternions."""
+        """Returns an explicit column of four as a quaternion, in a paper with quaternions; other terms
+        unchanged."""
         is_written_out = isinstance(term, Block) and (term.type.rows, term.type.columns) == (4, 1)
         return construct.as_quaternion(term) if is_written_out and self.table.has_quaternions else term
 
@@ -228,7 +233,7 @@ class Scope(ABC):
 
     @contextmanager
     def bound(self, names: Sequence[str], at: int) -> Iterator[None]:
-        """The names as integer variables, within."""
+        """Adds the names as integer variables within the context."""
         for name in names:
             if name in self.variables or names.count(name) > 1:
                 raise Fault(SyntaxCode.SUMMATION_VARIABLE_ALREADY_HAS(name=name), at)
@@ -249,18 +254,18 @@ class Scope(ABC):
             self.depth -= 1
 
     def is_time(self, node: Node) -> bool:
-        """Whether it is the letter t, as it stands for the time."""
+        """True for the letter t as the time."""
         is_t = isinstance(node, Leaf) and node.text == "t"
         return is_t and not self.knows("t")
 
     def knows(self, name: str) -> bool:
-        """Whether the name is a symbol or an integer variable here."""
+        """True if the name is a symbol or an integer variable in scope."""
         return name in self.table or name in self.variables
 
-    # integers
+    # Integers.
 
     def integer_expression(self, node: Node) -> Term | None:
-        """n, n+1, 2k − 1 as one integer; numbers alone are left to `number` and `sum`."""
+        """Returns n, n+1 or 2k − 1 as one integer; None for numbers alone, which `number` and `sum` read."""
         if isinstance(node, Leaf | Scripted | Sum | Product):
             value = linear_or_none(node, self.variables)
             if value is not None and not value.is_number:
@@ -283,7 +288,7 @@ class Scope(ABC):
         return value
 
     def combinations(self, top: Node, bottom: Node) -> Term:
-        """n over k, or over k_1, k_2, …."""
+        """Returns n over k, or over k_1, k_2, …."""
         parts = bottom.parts if isinstance(bottom, Group) else (bottom,)
         lower = [self.integer(part) for part in parts]
         name: CountingName = "multinomial" if len(lower) > 1 else "binomial"
@@ -294,5 +299,5 @@ class Scope(ABC):
 
 
 def _is_other_column(term: Term) -> bool:
-    """Whether it is a symbol for a column that is no vector, and so no tensor or number in a bracket."""
+    """True for a symbol of a column other than a vector."""
     return term.type.is_column and term.type.kind == "matrix" and is_accented_symbol(term)

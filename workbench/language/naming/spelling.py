@@ -1,4 +1,4 @@
-"""How a symbol is spelled: its letter and scripts as they stand in the source; which names that may be."""
+"""Spellings of symbols: the letter and scripts as in the source, and the names that they may mean."""
 
 from __future__ import annotations
 
@@ -30,25 +30,25 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.grammar.vocabulary import CLOSING, FONTS, written
 
-#: Indices, orders and exponents beyond this are refused.
+#: Limit on indices, orders and exponents.
 LARGEST_INTEGER = 1000
 
-#: The letters that are index places in a declared name.
+#: Letters that are index slots in a declared name.
 INDEX_LETTERS = frozenset("ijklmnp")
 
 #: Superscripts that mean the transpose.
 TRANSPOSES = frozenset({"T", "\\mathrm{T}", "\\mathsf{T}"})
 
-#: A piece of a script: text, or an integer that may be an index.
+#: A part of a script: text, or an integer that may be an index.
 Piece = str | Linear
 
-#: A name and what stands in its index places.
+#: A name with the contents of its index slots.
 Named = tuple[Name, tuple[Linear, ...]]
 
 
 @dataclass(frozen=True, slots=True)
 class Scripts:
-    """What surrounds a letter."""
+    """The scripts and primes of a letter."""
 
     left_sub: Node | None = None
     left_sup: Node | None = None
@@ -61,7 +61,7 @@ class Scripts:
 
 
 def prefix_of(node: Node) -> str | None:
-    """\\Delta, or \\nabla_{x,y}, as it makes a symbol with the letter behind it; None for anything else."""
+    """Returns \\Delta, or \\nabla_{x,y}, which forms a symbol with the next letter; None for other nodes."""
     match node:
         case Leaf(text=text) if text in PREFIXES:
             return text
@@ -71,7 +71,7 @@ def prefix_of(node: Node) -> str | None:
 
 
 def prefixed(prefix: Node, node: Node) -> Node | None:
-    """\\Delta and t as the one symbol \\Delta t; None where no letter follows."""
+    """Returns \\Delta and t as the one symbol \\Delta t; None if no letter follows."""
     text = prefix_of(prefix)
     if isinstance(node, Scripted):
         nucleus = prefixed(prefix, node.nucleus)
@@ -82,7 +82,7 @@ def prefixed(prefix: Node, node: Node) -> Node | None:
 
 
 def in_a_word(items: Sequence[Node]) -> Node | None:
-    """D and V, or V_1, with nothing between them, as the one symbol DV; None for anything else."""
+    """Returns D and V, or V_1, without space between them, as the one symbol DV; None for other items."""
     *first, last = items
     letters = [*first, last.nucleus if isinstance(last, Scripted) else last]
     styles, leaves = zip(*map(_in_fonts, letters), strict=True)
@@ -105,7 +105,7 @@ def _is_plain_letter(node: Node) -> bool:
 
 
 def variable_name(node: Node) -> str | None:
-    """k or k_1 as the name of an integer variable."""
+    """Returns k or k_1 as the name of an integer variable; None for other nodes."""
     match node:
         case Leaf(kind="LETTER", text=text) if len(text) == 1:
             return text
@@ -117,7 +117,8 @@ def variable_name(node: Node) -> str | None:
 
 
 def linear(node: Node, variables: Collection[str]) -> Linear | None:
-    """The node as an integer expression in the variables; None if it is something else."""
+    """Returns the node as an integer expression in the variables; None for other nodes. Raises Fault if a
+    number is too large."""
     match node:
         case Leaf(kind="NUMBER", text=text) if text.isdigit() and (text == "0" or text[0] != "0"):
             if len(text) > 9 or int(text) > LARGEST_INTEGER:
@@ -146,7 +147,7 @@ def linear(node: Node, variables: Collection[str]) -> Linear | None:
 
 
 def linear_or_none(node: Node, variables: Collection[str]) -> Linear | None:
-    """The same; None for an integer that is too large, too."""
+    """Like `linear`, but returns None if an integer is too large."""
     try:
         return linear(node, variables)
     except Fault:
@@ -155,7 +156,7 @@ def linear_or_none(node: Node, variables: Collection[str]) -> Linear | None:
 
 @dataclass(frozen=True, slots=True)
 class Spelling:
-    """A letter as it is written, with its scripts in pieces: which of their integers are indices is open."""
+    """A letter as written, with its scripts in pieces; it is open which of their integers are indices."""
 
     letter: Name
     scripts: tuple[tuple[str, tuple[Piece, ...]], ...]
@@ -165,7 +166,7 @@ class Spelling:
         return [piece for _, pieces in self.scripts for piece in pieces if isinstance(piece, Linear)]
 
     def named(self, is_index: Sequence[bool]) -> Named:
-        """The name and its indices, where it is said for each place whether it is one."""
+        """Returns the name and its indices; `is_index` tells for each integer whether it is an index."""
         places, index = iter(is_index), list[Linear]()
         made: dict[str, Any] = {}
         for field, pieces in self.scripts:
@@ -180,7 +181,7 @@ class Spelling:
         return replace(self.letter, **made) if made else self.letter, tuple(index)
 
     def exchanged(self, texts: Mapping[str, str]) -> Spelling:
-        """The same with other letters and labels: of T_{FG}, T_{0e} and T_{01}."""
+        """Returns the spelling with other letters and labels: T_{0e} and T_{01} from T_{FG}."""
         scripts = (
             (field, _with_figures_together([texts.get(p, p) if isinstance(p, str) else p for p in pieces]))
             for field, pieces in self.scripts
@@ -194,13 +195,15 @@ class Spelling:
         return self.named([False] * len(self.places))[0]
 
     def declared(self) -> Named:
-        """The name that a declaration spells so: letters stand for indices, numbers belong to the name."""
+        """Returns the name of a declaration: letters are index slots, numbers belong to the name."""
         return self.named([not place.is_number for place in self.places])
 
     def candidates(self) -> list[Named]:
-        """The names that may be meant, each with the indices it then has: the exact name first, then with
-        more and more of its integers as indices. x_{12} is a member of x_{ij} before it is one of x_i, and
-        x_{1 2} may be an exact x_{12}."""
+        """Returns the possible names with their indices, in order of preference.
+
+        The exact name comes first, then names with more and more of the integers as indices. x_{12} is
+        preferably a member of x_{ij}, then one of x_i, and x_{1 2} may be an exact x_{12}.
+        """
         count = len(self.places)
         choices = sorted(range(2 ** min(count, 6)), key=lambda choice: (choice.bit_count(), choice))
         first, *others = [self.named([bool(choice >> bit & 1) for bit in range(count)]) for choice in choices]
@@ -208,7 +211,8 @@ class Spelling:
         return [first, *regrouped, *others] if count == 1 else [first, *others, *regrouped]
 
     def _regrouped(self) -> Iterator[Named]:
-        """With other signs, or none, between the indices of a script: 12 for 1 2, and both for 1,2."""
+        """Yields names with other separators between the indices of a script: 12 for 1 2, and both for
+        1,2."""
         for field, pieces in self.scripts:
             parts: Sequence[Linear] = [piece for piece in pieces[::2] if isinstance(piece, Linear)]
             between = {*pieces[1::2]}
@@ -231,7 +235,7 @@ class Spelling:
 
 
 def _apart(index: Linear) -> Sequence[Linear]:
-    """12 as 1 and 2, 2j as 2 and j."""
+    """Returns the single indices: 1 and 2 for 12, 2 and j for 2j."""
     match index.coefficients:
         case () if index.constant > 9:
             return [Linear(int(figure)) for figure in str(index)]
@@ -241,7 +245,7 @@ def _apart(index: Linear) -> Sequence[Linear]:
 
 
 def _with_figures_together(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
-    """0 and 1 beside each other as they are written, 01."""
+    """Returns the pieces with adjacent figures joined: 0 and 1 to 01."""
     figures = [isinstance(piece, str) and piece.isdigit() and len(piece) == 1 for piece in pieces]
     apart = (
         figures[max(place - 1, 0)] and figures[min(place + 1, len(pieces) - 1)]
@@ -251,7 +255,7 @@ def _with_figures_together(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
 
 
 def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spelling | None:
-    """The spelling of a letter with what surrounds it; None if it is no name."""
+    """Returns the spelling of a letter with its scripts; None if it is not a name."""
     found = []
     for field in SCRIPTS:
         node = getattr(scripts, field)
@@ -266,9 +270,9 @@ def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spellin
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """Labels that are one name: [BN], a matrix of two frames, \\vec{AB}, from A to B, and \\vec{abc}.
+    """Labels that form one name: [BN], a matrix of two frames, \\vec{AB}, from A to B, and \\vec{abc}.
 
-    styles: those over both; none for [BN].
+    styles: those over all labels; none for [BN].
     """
 
     labels: tuple[str, ...]
@@ -282,12 +286,12 @@ class Pair:
         return Name.styled(self.styles, both) if self.styles else Name(f"[{both}]")
 
     def exchanged(self, texts: Mapping[str, str]) -> Pair:
-        """The same with other labels."""
+        """Returns the pair with other labels."""
         return replace(self, labels=tuple(texts.get(label, label) for label in self.labels))
 
 
 def in_bracket(node: Node) -> Pair | None:
-    """[BN], and [BN(t)]."""
+    """Returns the pair of [BN] and [BN(t)]; None for other nodes."""
     match node:
         case Bracket(kind="[", parts=(part,)) if isinstance(inner := core(part), Product):
             *letters, last = inner.items
@@ -297,7 +301,7 @@ def in_bracket(node: Node) -> Pair | None:
 
 
 def under_accent(node: Node, styles: tuple[str, ...] = ()) -> Pair | None:
-    """\\vec{AB}; or AB, which stands under these styles."""
+    """Returns the pair of \\vec{AB}, or of AB under these styles; None for other nodes."""
     inner = core(node)
     if isinstance(inner, Styled):
         return under_accent(inner.body, (*styles, inner.style))
@@ -320,8 +324,8 @@ def _is_label(node: Node) -> bool:
 
 
 def refuse_operation(name: Name, key: str) -> None:
-    """A superscript that means something else cannot be part of a name: 0 and 1 do not, since nobody prints
-    these powers."""
+    """Raises SpecError for a superscript that is an operation; 0 and 1 are labels, since nobody prints these
+    powers."""
     sup, meaning = "n".join(name.sup), None
     if sup in TRANSPOSES:
         meaning = "the transpose"
@@ -334,7 +338,7 @@ def refuse_operation(name: Name, key: str) -> None:
 
 
 def spell_label(node: Node) -> str | None:
-    """A script that is a label, as names have it."""
+    """Returns a script as a label; None if it is not one."""
     pieces = _spell_script(node, ())
     return None if pieces is None else "".join(map(str, pieces))
 
@@ -343,7 +347,7 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
     node = core(node)
     value = None if isinstance(node, Bracket) else linear(node, variables)
     is_label = isinstance(node, Sum) and len(node.addends) > 1 and value is not None and value.is_number
-    if value is not None and not is_label:  # 3-2-1 is no 0
+    if value is not None and not is_label:  # 3-2-1 is not 0
         return [value]
     match node:
         case Leaf(kind="FUNCTION", name=name):
@@ -377,7 +381,7 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
         case Scripted(sup=None, sub=Node() as sub, primes=0, factorial=False):
             inner = _spell_list((node.nucleus, sub), "_{", variables)
             return None if inner is None else [*inner, "}"]
-        case Scripted(sub=None, sup=Node() as sup, primes=0, factorial=False):  # the star of B^* beside B
+        case Scripted(sub=None, sup=Node() as sup, primes=0, factorial=False):  # the star of B^* next to B
             inner = _spell_list((node.nucleus, sup), "^{", ())
             return None if inner is None or linear_or_none(node.nucleus, variables) else [*inner, "}"]
         case Infix(operator=operator):
@@ -388,7 +392,7 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
 
 
 def _is_word(node: Product) -> bool:
-    """Whether the letters are a word such as rel, not indices in a row such as i j."""
+    """True if the letters are a word such as rel, not indices in a row such as i j."""
     letters = [item.text for item in node.items if isinstance(item, Leaf) and item.text.isalpha()]
     return len(letters) == len(node.items) and not INDEX_LETTERS.issuperset(letters)
 

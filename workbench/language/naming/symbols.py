@@ -1,4 +1,4 @@
-"""The symbols of a paper: what each LaTeX name is, and which name a spelling means."""
+"""The symbol table of a paper: the declaration of each name, and the name that a spelling means."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ from workbench.language.naming.notations import Notations
 from workbench.language.naming.reading_conventions import Conventions
 from workbench.language.naming.spelling import INDEX_LETTERS, Spelling, refuse_operation
 
-#: Letters by which unit matrices go.
+#: Letters for unit matrices.
 UNIT_LETTERS = frozenset({"I", "E", "U"})
 
 
 @dataclass(frozen=True)
 class SymbolTable:
-    """Names to declarations; aliases included, functions without their arguments. Never changed: to add makes
-    a new table."""
+    """Names to declarations, including aliases; functions without their arguments. Immutable: adding makes a
+    new table."""
 
     symbols: Mapping[Name, Declaration] = field(default_factory=dict)
     functions: Mapping[Name, Declaration] = field(default_factory=dict)
@@ -70,9 +70,12 @@ class SymbolTable:
         labels: Collection[str] = (),
         bodies: Mapping[str, str] = MappingProxyType({}),
     ) -> SymbolTable:
-        """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate,
-        uniform, of, aliases, note}. The letters in `labels`, such as those of frames, are no indices, nor are
-        those of a key whose definition, in `bodies`, speaks of none of them. Raises SpecError."""
+        """Returns the table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate,
+        uniform, of, aliases, note}.
+
+        The letters in `labels`, such as those of frames, are not indices; neither are those of a key whose
+        definition, in `bodies`, contains none of them. Raises SpecError.
+        """
         symbols: dict[Name, Declaration] = {}
         functions: dict[Name, Sequence[str]] = {}
         kinds = (spec.get("kind") for spec in specs.values() if isinstance(spec, Mapping))
@@ -100,7 +103,7 @@ class SymbolTable:
                     raise SpecError(DeclarationCode.INDICES_DIFFER_FROM_THOSE(alias=alias, key=key), key)
                 if other in symbols:
                     if read_key(alias, letters)[0] != other:
-                        continue  # T_n beside T_m and symbols m and n
+                        continue  # T_n next to T_m and symbols m and n
                     why = "; letters that are no indices are `labels` in [frames]" if len(index) > 1 else ""
                     raise SpecError(DeclarationCode.DECLARED_TWICE(alias=alias, why=why), key)
                 is_matrix = declared.type.is_square and declared.type.rows > 1
@@ -114,7 +117,7 @@ class SymbolTable:
             variables = frozenset[str]().union(*(place.variables for place in index))
             if variables and key in bodies and not speaks_of(bodies[key], variables):
                 name, index = read_key(key, {*letters, *variables})
-            if name not in symbols:  # T_m beside a symbol m
+            if name not in symbols:  # T_m next to a symbol m
                 symbols[name] = read_declaration(key, name, index, _unindexed(spec))
         try:
             known = _tilded(_with_members(symbols, functions))
@@ -124,8 +127,10 @@ class SymbolTable:
             raise SpecError(error.message, keys.get(error.key, error.key)) from None
 
     def part(self, names: Set[Name]) -> SymbolTable:
-        """The table without the declarations of all other names. What holds of every symbol stays. It is not
-        for reading, since the letters of other names are free in it."""
+        """Returns the table restricted to the declarations of these names; other settings stay.
+
+        It must not be used for reading, since the letters of other names are free in it.
+        """
         bare = frozenset(name.without_arguments() for name in names)
         return replace(
             self,
@@ -139,7 +144,7 @@ class SymbolTable:
         )
 
     def with_notations(self, specs: Mapping[str, Any]) -> SymbolTable:
-        """This table, and the notation of the paper. Raises SpecError."""
+        """Returns this table with the notation of the paper. Raises SpecError."""
         notations = Notations.build(specs)
         for entry in (each for each in notations.entries if each.is_constant):
             name, index = read_key(entry.key)
@@ -150,7 +155,7 @@ class SymbolTable:
         return replace(self, notations=notations)
 
     def with_specs(self, specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
-        """This table and more symbols, none of which it has yet. Raises SpecError."""
+        """Returns this table with new symbols. Raises SpecError."""
         more = SymbolTable.build(specs).symbols
         for name in more:
             if name in self.symbols or name in self.functions:
@@ -161,7 +166,7 @@ class SymbolTable:
         return replace(self, symbols={**self.symbols, **more})
 
     def with_symbol(self, declaration: Declaration, formals: tuple[Declaration, ...] = ()) -> SymbolTable:
-        """This table and one more symbol; with formal arguments it is a function symbol."""
+        """Returns this table with one more symbol; with formal arguments it is a function symbol."""
         place = {declaration.name.without_arguments(): declaration}
         self.refuse_tilde(declaration.name)
         if not formals:
@@ -172,7 +177,8 @@ class SymbolTable:
     def find(
         self, spelling: Spelling, function: bool = False
     ) -> tuple[Declaration, tuple[Linear, ...]] | None:
-        """The symbol that a spelling means and its indices: an exact name before a member of a family."""
+        """Returns the symbol of a spelling and its indices, else None; an exact name precedes a member of a
+        family."""
         known = self.functions if function else self.symbols
         for name, index in spelling.candidates():
             declaration = known.get(name)
@@ -182,7 +188,7 @@ class SymbolTable:
         return None
 
     def refuse_tilde(self, name: Name) -> None:
-        """Raises SpecError for \\tilde{x} beside a vector x, whose skew tensor was written so before."""
+        """Raises SpecError for \\tilde{x} next to a vector x, whose skew tensor was written so before."""
         if "\\tilde" in name.styles and name not in self.symbols:
             plain = self.symbols.get(_without_tilde(name))
             if plain is not None and plain.type.kind == "vector":
@@ -190,25 +196,25 @@ class SymbolTable:
 
     @cached_property
     def has_tildes(self) -> bool:
-        """Whether a letter with a tilde may be a symbol of its own."""
+        """True if some symbol has a tilde in its name."""
         return any("\\tilde" in name.styles for name in self.symbols)
 
     @cached_property
     def has_quaternions(self) -> bool:
-        """Whether any symbol is a quaternion, so that s + x of a scalar and a vector may be one."""
+        """True if any symbol is a quaternion, so that s + x of a scalar and a vector may be one."""
         return self.beside_quaternions or any(d.type.kind == "quaternion" for d in self.symbols.values())
 
     def __contains__(self, letter: str) -> bool:
-        """Whether the letter, as it stands there, is a symbol."""
+        """True if the letter without scripts is a symbol."""
         return Name(letter) in self.symbols
 
     def has_letter(self, letter: str) -> bool:
-        """Whether a symbol has this letter, with whatever scripts."""
+        """True if a symbol has this letter, with any scripts."""
         return any(name.base == letter for name in (*self.symbols, *self.functions))
 
     @cached_property
     def longest_word(self) -> int:
-        """How many letters the longest name has that is written as letters alone."""
+        """The number of letters of the longest name that consists of letters."""
         return max((len(name.letter) for name in self.symbols if name.letter.isalpha()), default=1)
 
     @cached_property
@@ -216,11 +222,11 @@ class SymbolTable:
         return frozenset((n.letter, n.styles) for n in self.symbols if any(map(is_prefix, n.styles[:1])))
 
     def has_prefixed(self, styles: tuple[str, ...], letter: str) -> bool:
-        """Whether a symbol has this letter behind this \\Delta, with whatever scripts."""
+        """True if a symbol has this letter after this \\Delta, with any scripts."""
         return (letter, Name.styled(styles, letter).styles) in self._prefixed
 
     def check_arguments(self, function: Declaration, arguments: Sequence[Term]) -> None:
-        """Raises IllFormed where an argument is not what the formal one is."""
+        """Raises IllFormed if an argument does not match the formal one."""
         for formal, argument in zip(self.formals[function.name], arguments, strict=False):
             if argument.type.with_dual(False) != formal.type.with_dual(False):
                 raise IllFormed(
@@ -236,7 +242,7 @@ class SymbolTable:
                 )
 
     def unknown(self, spelling: Spelling) -> Reason:
-        """A message for a spelling that means nothing here, with the closest names."""
+        """Returns the message for an unknown spelling, with the closest names."""
         text = str(spelling)
         for name, _ in spelling.candidates():
             declaration = self.symbols.get(name) or self.functions.get(name)
@@ -259,9 +265,11 @@ class SymbolTable:
 
 
 def may_be_label(symbol: Symbol, exponent: int) -> bool:
-    """Whether R_1^0, without brackets, may be taken for R with the labels 1 and 0 of frames: a digit on a
-    rotation with a number for index; on another one, or on a numbered tensor or vector, a power that nobody
-    prints."""
+    """True if the 0 of R_1^0, without brackets, may be a label of a frame like the 1.
+
+    So may a digit on a rotation with a numeric index; on other rotations, and on numbered tensors and
+    vectors, only a power that nobody prints.
+    """
     name = symbol.declaration.name.at(symbol.index)
     numbered = not name.sup and re.fullmatch("[0-9,]+", "".join(name.sub)) is not None
     if symbol.declaration.rotation:
@@ -272,8 +280,10 @@ def may_be_label(symbol: Symbol, exponent: int) -> bool:
 def _with_members(
     symbols: Mapping[Name, Declaration], functions: Mapping[Name, Sequence[str]]
 ) -> dict[Name, Declaration]:
-    """The declarations, where b_1 beside b_n is the member 1 of that family, and not another symbol that is
-    printed alike. Where it is declared as something else, the family has no such member."""
+    """Returns the declarations in which b_1 next to b_n is the member 1 of that family.
+
+    If b_1 is declared as something else, the family has no such member.
+    """
     kept = dict(symbols)
     for name, declaration in symbols.items():
         for pattern, family in symbols.items() if not name.indices else ():
@@ -291,7 +301,7 @@ def _with_members(
 
 
 def _is_labelled(name: Name, keys: Iterable[str]) -> bool:
-    """Whether the 2 of T^2_3 is a label: there is no T_3 of which it could be the power."""
+    """True if the 2 of T^2_3 is a label: there is no T_3 that could have this power."""
     if not (any(name.sub) and "".join(name.sup).isdigit()):
         return False
     base = replace(name, sup=())
@@ -300,7 +310,7 @@ def _is_labelled(name: Name, keys: Iterable[str]) -> bool:
 
 
 def _unindexed(spec: Mapping[str, Any]) -> dict[str, Any]:
-    """What a declaration says of a symbol that is no member of its family."""
+    """Returns the properties of a declaration for a symbol that is not a member of its family."""
     return {key: value for key, value in spec.items() if key != "weight" or not isinstance(value, str)}
 
 
@@ -309,8 +319,8 @@ def _without_tilde(name: Name) -> Name:
 
 
 def _tilded(symbols: dict[Name, Declaration]) -> dict[Name, Declaration]:
-    """The declarations, where each holds whether the same with a tilde is one too. Raises SpecError for a
-    tensor that would be the skew tensor of a vector."""
+    """Returns the declarations with the flag `tilded` set. Raises SpecError for a tensor that would be the
+    skew tensor of a vector."""
     tildes = [name for name in symbols if "\\tilde" in name.styles]
     plain = {_without_tilde(name) for name in tildes}
     for name in tildes:
@@ -324,7 +334,7 @@ def _tilded(symbols: dict[Name, Declaration]) -> dict[Name, Declaration]:
 def _with_arguments(
     symbols: Mapping[Name, Declaration], functions: Mapping[Name, Sequence[str]]
 ) -> dict[Name, Declaration]:
-    """The declarations, where each function holds the symbols that it is `of`. Raises SpecError."""
+    """Returns the declarations in which each function has the symbols that it is `of`. Raises SpecError."""
     table, made = SymbolTable(symbols), dict(symbols)
     arguments = {
         name: [_argument(name, text, table) for text in names]

@@ -1,1 +1,1 @@
-"""Terms to LaTeX: canonically, or in the spelling of an author."""
+"""Printing: terms to LaTeX, in canonical spelling or in that of an author."""

@@ -1,4 +1,4 @@
-"""Whom terms are printed for: the author of a paper, who may have spellings of his own."""
+"""The author for whom terms are printed, with the spellings of the paper."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from workbench.language.printing.precedence_text import ATOM, FACTOR, INFIX, PRO
 
 
 class Author(Protocol):
-    """is_plain: all is written as it is read everywhere.   owns_unit: \\mathbf{I} is a symbol of the paper,
-    and the unit tensor is not.   has_columns: ∂f/∂x is written for the column, of a scalar by a vector."""
+    """is_plain: the author uses canonical spellings only.   owns_unit: \\mathbf{I} is a symbol of the paper
+    other than the unit tensor.   has_columns: ∂f/∂x of a scalar by a vector is printed as a column."""
 
     @property
     def is_plain(self) -> bool: ...
@@ -27,11 +27,11 @@ class Author(Protocol):
     def has_columns(self) -> bool: ...
 
     def spellings(self, term: Term) -> Iterator[tuple[Notation, Mapping[str, Term]]]:
-        """The entries of [notation] that may mean the term, those that say most first, and what stands in
-        their places."""
+        """Yields the entries of [notation] that may match the term, the most specific first, with their
+        arguments."""
 
     def reads(self, text: str, term: Term) -> bool:
-        """Whether the text is read as the term."""
+        """True if the text is read as the term."""
 
 
 _author: ContextVar[Author | None] = ContextVar("author", default=None)
@@ -40,7 +40,7 @@ author = _author.get
 
 @contextmanager
 def in_the_hand_of(one: Author) -> Iterator[None]:
-    """Within, terms are printed as the author of a paper writes them."""
+    """Prints terms within the context in the author's notation."""
     token = _author.set(None if one.is_plain else one)
     try:
         yield
@@ -48,13 +48,16 @@ def in_the_hand_of(one: Author) -> Iterator[None]:
         _author.reset(token)
 
 
-#: How tightly a notation holds, by its form.
+#: Precedence level of a notation, by its form.
 _FORMS = {"closed": ATOM, "marked": FACTOR, "infix": INFIX, "open": SUM}
 
 
 def is_spelt_as_one(term: Term) -> bool:
-    """Whether the author has a spelling for it in which something stands once that is in it more often, as x
-    is in the derivative of x in a frame: no part of it can be changed by itself then."""
+    """True if the author's spelling contains a repeated subterm only once, as x in the derivative of x in a
+    frame.
+
+    Then no occurrence of it can be changed separately.
+    """
     own = author()
     spellings = list(own.spellings(term)) if own is not None else ()
     if not spellings:
@@ -67,8 +70,10 @@ OverLetter = Callable[..., Text | None]
 
 
 def declared(term: Term, printed: Callable[[Term], Text], over_letter: OverLetter) -> Text | None:
-    """The term in the paper's own notation, if it has one that is read as this term. printed: any other
-    term.   over_letter: a term whose accents stand over its letter alone."""
+    """Returns the term in the paper's own notation, if that is read back as this term; else None.
+
+    printed: prints any other term.   over_letter: prints a term whose accents stand over its letter only.
+    """
     own = author()
     if own is None:
         return None
@@ -86,7 +91,7 @@ def _spelt(
     printed: Callable[[Term], Text],
     over_letter: OverLetter,
 ) -> Iterator[Text]:
-    """An accent over the letter alone; then with as few brackets as may do."""
+    """Yields the spellings: an accent over the letter only; then with as few brackets as possible first."""
     if entry.accent is not None and (text := over_letter(term)) is not None:
         yield text
     parts = {letter: printed(argument) for letter, argument in arguments.items()}
@@ -97,7 +102,7 @@ def _spelt(
 
 
 def accent_of(term: Term, over_letter: OverLetter) -> tuple[str, Term] | None:
-    """The accent that the paper has for the operation, and what is below it."""
+    """Returns the accent that the paper uses for the operation, and its argument; else None."""
     own = author()
     if own is None:
         return None

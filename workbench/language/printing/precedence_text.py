@@ -1,11 +1,11 @@
-"""Pieces of LaTeX that know how tightly they hold."""
+"""LaTeX texts with their precedence."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
 
-#: How tightly a text holds together.
+#: Precedence levels.
 SUM, INFIX, PRODUCT, FACTOR, ATOM = range(5)
 #: A sum of single letters and numbers.
 _INDEX = re.compile(r"-?\s*\w+(?:\s*[+-]\s*\w+)*")
@@ -13,9 +13,11 @@ _INDEX = re.compile(r"-?\s*\w+(?:\s*[+-]\s*\w+)*")
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """LaTeX, how tightly it holds, and what it would take in at its end: "function" (det A, which would take
-    the next tensor), "sum" (Σ …, which takes all that follows), "symbol" (which may take a bracket as its
-    arguments), or nothing."""
+    """LaTeX with its precedence level and the way in which it is open at its end.
+
+    end: "function" (det A, which would take the next tensor), "sum" (Σ …, which takes everything that
+    follows), "symbol" (which may take a bracket as its arguments), or "".
+    """
 
     text: str
     level: int
@@ -30,8 +32,11 @@ def bracket(text: str) -> str:
 
 
 def square(text: str) -> str:
-    """The text with the bracket that it begins with made square: after a symbol a round one may be its
-    arguments, and so may be a square one with an index in it, which therefore stands in braces."""
+    """Returns the text with its first bracket made square.
+
+    After a symbol a round bracket may be its arguments. So may a square one with an index, which is therefore
+    put in braces.
+    """
     if not text.startswith("\\left("):
         return text
     depth = 0

@@ -1,4 +1,4 @@
-"""Terms to canonical LaTeX; reading it gives the same term back."""
+"""The printer: terms to canonical LaTeX, which the reader reads back as the same term."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ from workbench.language.printing.precedence_text import (
 
 
 def to_latex(formula: Term | Statement) -> str:
-    """The formula as LaTeX: what a person checks the reading against."""
+    """Returns the formula as canonical LaTeX, with which a person checks the reading."""
     match formula:
         case Relation(operator=operator):
             sign = {"=": "=", "≠": "\\neq", "≈": "\\approx"}[operator]
@@ -73,7 +73,7 @@ def to_latex(formula: Term | Statement) -> str:
 
 
 def _chain(parts: tuple[Statement, ...]) -> str:
-    """a = b = c if each part goes on where the last one ended, else the parts side by side."""
+    """Returns a = b = c if each part begins with the end of the last one, else the parts side by side."""
     texts = [to_latex(part) for part in parts]
     relations = [part for part in parts if isinstance(part, Relation)]
     if len(relations) < len(parts):
@@ -100,7 +100,7 @@ def _domain(letter: Symbol) -> str:
 
 
 def _integer(value: Linear) -> str:
-    """n−k+1 rather than −k+n+1."""
+    """Returns n−k+1 rather than −k+n+1."""
     rising = tuple((name, size) for name, size in value.coefficients if size > 0)
     falling = tuple((name, size) for name, size in value.coefficients if size < 0)
     return str(Linear(value.constant, rising + falling))
@@ -146,7 +146,8 @@ def _plain(term: Term) -> Text:
 
 
 def _unit(term: Identity) -> Text:
-    """The unit tensor, with its size where that is printed, or the sign for it is a symbol of the paper."""
+    """Returns the unit tensor, with its size if that is printed, or if the paper uses the sign for a
+    symbol."""
     author = author_spelling.author()
     is_taken = author is not None and author.owns_unit
     size = f"{term.type.rows} \\times {term.type.columns}" if is_taken else (term.printed or None)
@@ -154,7 +155,7 @@ def _unit(term: Identity) -> Text:
 
 
 def _zero(term: Zero) -> str:
-    """A bare 𝟎 is a vector; beside operators and quaternions it is written so, too."""
+    """Returns the zero. A bare 𝟎 is a vector; next to operators and quaternions it is written so, too."""
     type_ = term.type
     if term.printed:
         return latex_forms.scripted("\\mathbf{0}", term.printed)
@@ -180,7 +181,8 @@ def _counting(term: Counting) -> Text:
 
 
 def _entries(term: Block) -> list[list[str]]:
-    """A zero has its shape from its row and its column; where these have none, it is printed with it."""
+    """Returns the printed entries. A zero whose row and column have no other entry is printed with its
+    shape."""
     firm = [[multiple(entry) != "zero" for entry in row] for row in term.entries]
     in_row, in_column = [any(row) for row in firm], [any(column) for column in zip(*firm, strict=True)]
     return [
@@ -196,7 +198,7 @@ def _entry(term: Term, has_shape: bool) -> str:
 
 
 def _beside(terms: tuple[Term, ...]) -> list[Text]:
-    """Terms that must be of one kind: a zero beside another term needs no shape."""
+    """Returns the texts of terms of one kind; a zero next to another term is printed without its shape."""
     firm = any(not isinstance(t, Zero | Identity) for t in terms)
     plain = Text("\\mathbf{0}", ATOM)
     return [plain if firm and _is_bare_zero(t) else _print(t) for t in terms]
@@ -206,7 +208,7 @@ def _is_bare_zero(term: Term) -> bool:
     return isinstance(term, Zero) and not term.printed and term.type.kind != "scalar"
 
 
-# symbols with their accents
+# Symbols with their accents.
 
 
 def _symbol(term: Symbol) -> Text:
@@ -218,12 +220,12 @@ def _symbol(term: Symbol) -> Text:
 
 
 def _accented(term: Symbol, accents: tuple[str, ...] = ()) -> str:
-    """The symbol with accents (outermost first) over its letter alone."""
+    """Returns the symbol with accents (outermost first) over its letter only."""
     return term.declaration.name.latex([_integer(place) for place in term.index], accents)
 
 
 def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> Text | None:
-    """Dots and tildes that stand directly over the letter of a symbol."""
+    """Returns a term of dots and tildes directly over the letter of a symbol; None for other terms."""
     match term:
         case Symbol(arguments=()):
             level = FACTOR if term.declaration.name.sup else ATOM
@@ -237,7 +239,7 @@ def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> Text | None:
 
 
 def _accent_of(term: Apply) -> tuple[str, Term] | None:
-    """What stands over a letter for the operation, the paper's own accent or the tilde; and what is below."""
+    """Returns the accent of the operation, the paper's own or the tilde, and its argument; else None."""
     is_tilde = term.head == "skew" and not _is_tilded(term.arguments[0])
     return author_spelling.accent_of(term, _under_accents) or (
         ("\\tilde", term.arguments[0]) if is_tilde else None
@@ -245,7 +247,7 @@ def _accent_of(term: Apply) -> tuple[str, Term] | None:
 
 
 def _is_tilded(term: Term) -> bool:
-    """Whether a tilde over the term would make another symbol of it."""
+    """True if a tilde over the term would make another symbol of it."""
     while isinstance(term, Derivative):
         term = term.body
     return isinstance(term, Symbol) and term.declaration.tilded
@@ -260,7 +262,7 @@ def _raised(base: Text, sup: str) -> Text:
     return Text(latex_forms.scripted(base.at_least(ATOM), sup=sup), FACTOR, base.end if bare else "")
 
 
-# operations
+# Operations.
 
 
 def _big_sum(term: BigSum) -> Text:
@@ -319,7 +321,7 @@ def _apply(term: Apply) -> Text:
 
 
 def _is_column(term: Term) -> bool:
-    """Whether the term is ∂f/∂x of a scalar by a vector, for which the author writes a column."""
+    """True if the term is ∂f/∂x of a scalar by a vector, for which the author writes a column."""
     author = author_spelling.author()
     return (
         author is not None
@@ -331,7 +333,7 @@ def _is_column(term: Term) -> bool:
 
 
 def _is_dotted(term: Term) -> bool:
-    """Whether the term prints with dots over its letter; what is inverted has to be said there."""
+    """True if the term prints with dots over its letter, so that a superscript -1 would be ambiguous."""
     while isinstance(term, Apply) and term.head == "skew":
         (term,) = term.arguments
     return isinstance(term, Derivative)
@@ -345,7 +347,8 @@ def _function(head: str, argument: Term) -> Text:
 
 
 def _negated(argument: Term) -> str:
-    """A bare number after a minus would be read as a negative number."""
+    """Returns the argument of a minus; a bare number gets a bracket, since it would be read as a negative
+    number."""
     text = _print(argument)
     return bracket(text.text) if isinstance(argument, Number | Integer) else text.at_least(INFIX)
 

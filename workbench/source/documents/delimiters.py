@@ -1,4 +1,4 @@
-"""Formulas between delimiters in a text that is not TeX, found in one pass."""
+"""Formulas between delimiters in a text other than TeX, found in one pass."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from workbench.source.documents.tex.displays import DISPLAYS
 
 ENVIRONMENTS = "|".join(re.escape(name) for name in sorted(DISPLAYS, key=len, reverse=True))
 _ENVIRONMENT = re.compile(rf"\s*\\begin\{{({ENVIRONMENTS})\}}")
-#: Opening → (closing, whether it is a display).
+#: Opening delimiter → (closing delimiter, whether it is a display).
 _PAIRS = {
     "$$": ("$$", True),
     "\\[": ("\\]", True),
@@ -26,9 +26,12 @@ _INLINE = re.compile(r"(?=[^\s$])[^$\n]*?(?<![\s\\])\$(?![\d$])")
 
 @dataclass(frozen=True)
 class Found:
-    """A formula in the view of its text: `view` is what stands inside, `start` and `end` are offsets in the
-    author's file. `environment`: as Display has it. `section`: the heading it stands below; `passed`: those
-    between it and the formula before it."""
+    """A formula in the view of its text.
+
+    view: the text inside the delimiters.   start, end: offsets in the author's file.
+    environment: as for Display.   section: its heading.   passed: the headings between it and the previous
+    formula.
+    """
 
     view: View
     start: int
@@ -43,8 +46,10 @@ class Found:
 
 
 def formulas(view: View, searched: str, escaped: bool) -> Iterator[tuple[Found, int, int]]:
-    """Each formula, and its offsets in the view. `searched` is the view's text with what is no text blanked.
-    escaped: brackets are written \\\\[ … \\\\]."""
+    """Yields each formula with its offsets in the view.
+
+    searched: the view's text with code and comments blanked.   escaped: brackets are written \\\\[ … \\\\].
+    """
     brackets = r"\\\\[\[(]" if escaped else r"(?<!\\)\\[\[(]"
     opening = re.compile(rf"[\\@]f[$\[]|(?<!\\)\$\$?|{brackets}|\\begin\{{({ENVIRONMENTS})\}}")
     absent: set[str] = set()
@@ -70,7 +75,7 @@ def formulas(view: View, searched: str, escaped: bool) -> Iterator[tuple[Found, 
 
 
 def _find(text: str, closing: str, position: int) -> int:
-    """Where the closing delimiter stands, none that a backslash escapes; -1 if nowhere."""
+    """Returns the offset of the closing delimiter, ignoring escaped ones; -1 if there is none."""
     while (found := text.find(closing, position)) > 0 and text[found - 1] == "\\" and closing[0] != "\\":
         position = found + 1
     return found
@@ -85,7 +90,7 @@ def _found(
 
 
 def within(found: Found) -> Found:
-    """$$ \\begin{align} … \\end{align} $$ as the align that it is; `view` then starts behind \\begin{…}."""
+    """Returns $$ \\begin{align} … \\end{align} $$ as an align; its `view` then starts after \\begin{…}."""
     opening = _ENVIRONMENT.match(found.view.text)
     if opening is None:
         return found

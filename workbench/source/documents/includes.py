@@ -1,4 +1,4 @@
-"""What a text that is not TeX includes from other files, which are not read with it."""
+"""Includes in a text other than TeX; the included files are not read."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 _OF_RST = re.compile(r"(?m)^[ \t]*\.\. include::[ \t]*(?P<name>\S+)")
-#: MyST, mdBook, Quarto, PyMdown and Jekyll.
+#: Includes of MyST, mdBook, Quarto, PyMdown and Jekyll.
 _OF_MARKDOWN = re.compile(
     r"""(?mx)
     ^[ \t>]*(?:`{3,}|:{3,}|~{3,})\{include\}[ \t]*(?P<name>\S+)
@@ -20,7 +20,7 @@ _OF_MARKDOWN = re.compile(
 
 
 def includes(text: str, suffix: str) -> Iterator[tuple[int, str]]:
-    """Where each include stands, and what file it names."""
+    """Yields the offset of each include, and the name of its file."""
     if suffix in (".html", ".htm", ".xhtml"):
         return
     for match in (_OF_RST if suffix == ".rst" else _OF_MARKDOWN).finditer(text):
@@ -28,7 +28,7 @@ def includes(text: str, suffix: str) -> Iterator[tuple[int, str]]:
 
 
 def unread(path: Path, name: str) -> str:
-    """What a warning says of an included file."""
+    """Returns the warning for an included file."""
     is_there = (path.parent / name).is_file() if len(name) < 300 and "\0" not in name else False
     what_to_do = "check that file by itself" if is_there else "there is no such file beside this one"
     return f"{name!r} is included here and not read; {what_to_do}"

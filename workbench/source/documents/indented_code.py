@@ -1,4 +1,4 @@
-"""Code blocks of Markdown that are indented by four columns, as CommonMark reads them."""
+"""Markdown code blocks indented by four columns, by the rules of CommonMark."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 _QUOTES = re.compile(r"(?: {0,3}> ?)*")
 _MARKER = re.compile(r" *(?:[-+*:]|\d{1,9}[.)])(?: +|$)")
-#: A footnote, and what MkDocs shows in a box or below a tab: what belongs to it is indented by four.
+#: A footnote, an admonition or a tab of MkDocs, whose contents are indented by four columns.
 _BOX = re.compile(r" *(?:\[\^[^\]]+\]:|(?:!!!|\?\?\?\+?|===) )")
 _RULE = re.compile(r" *(?:(?:\* *){3,}|(?:- *){3,}|(?:_ *){3,}|=+) *$")
 _HEADING = re.compile(r" *#{1,6}(?: |$)")
@@ -15,14 +15,14 @@ _WIDTH = 4
 
 
 class IndentedCode:
-    """Tells of one line after the other whether it is indented code.
+    """Decides line by line whether a line is indented code.
 
-    A line is, if it is indented by four columns more than the list item around it and continues no
-    paragraph. A formula that holds a blank line is no code.
+    A line is code if it is indented by four columns more than the list item around it and does not continue a
+    paragraph. A formula that contains a blank line is not code.
     """
 
     def __init__(self) -> None:
-        self._columns: list[int] = []  # where the contents of the open list items begin
+        self._columns: list[int] = []  # columns at which the contents of the open list items begin
         self._quotes = 0
         self._is_after_blank = True
         self._in_paragraph = False
@@ -30,7 +30,7 @@ class IndentedCode:
         self._environments = 0
 
     def holds(self, line: str) -> bool:
-        """Whether the line is code; lines within fences are not asked about."""
+        """True if the line is code; it must not be called for lines within fences."""
         written = line.rstrip("\n").expandtabs(_WIDTH)
         quoted = _QUOTES.match(written)
         self._in_quotes(quoted[0].count(">"))
@@ -52,7 +52,7 @@ class IndentedCode:
         return False
 
     def end_block(self) -> None:
-        """Called behind a fence: what follows continues no paragraph."""
+        """Ends the paragraph after a fence."""
         self._in_paragraph = False
 
     def _in_quotes(self, quotes: int) -> None:

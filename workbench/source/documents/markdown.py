@@ -1,4 +1,4 @@
-"""Markdown: kramdown, MyST, GitHub and mdBook. What is code, a comment or front matter is no formula."""
+"""Markdown: kramdown, MyST, GitHub and mdBook. Code, comments and front matter contain no formulas."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from workbench.source.documents.tex.displays import INLINE
 _FENCE = re.compile(r"([ >\t]*)(`{3,}|~{3,}|:{3,})(.*)")
 _FRONT_MATTER = re.compile(r"\A---[ \t]*\n(?:(?!---).*\n)*---[ \t]*\n")
 _MATH_FENCE = re.compile(r"\s*(?:\{math\}|math)\s*(.*)")
-#: MyST's directives, such as ```{dropdown}: what they hold is Markdown, but for those that hold code.
+#: Directives of MyST, such as ```{dropdown}, that contain Markdown and not code.
 _DIRECTIVE = re.compile(
     r"\s*\{(?!code|raw|eval-rst|literal|mermaid|parsed|source|table|csv|list|math)[\w:+-]+\}.*"
 )
@@ -25,20 +25,20 @@ _OPTION = re.compile(r"(?m)^[ \t]*:(\w+):[ \t]*(.*)\n?")
 _LABEL = re.compile(r"[ \t]*\(([\w:.-]+)\)[ \t]*(?=\n|\Z)")
 _HEADING = re.compile(r" {0,3}#{1,6}[ \t]+(\S.*)")
 _UNDERLINE = re.compile(r"(?:={3,}|-{3,})[ \t]*")
-#: What stands between --- and --- in a directive.
+#: A key in the options of a directive, between --- and ---.
 _KEY = re.compile(r"[\w-]+:(?:\s|$)")
 _QUOTE = re.compile(r"(?m)^[ \t]*>[ ]?")
 _TICKS = re.compile(r"`+")
-#: What begins a comment, HTML that is code, or code.
+#: The beginning of a comment, of HTML that is code, or of code.
 _UNREAD = re.compile(r"<!--|<(?P<name>pre|code|script|style|textarea)\b[^<>\n]*>|`+", re.IGNORECASE)
 _SINGLE = re.compile(r"(?<![\\$])\$(?!\$)[^$\n]+\$(?!\$)")
 _DOLLARS = re.compile(rf"\$\$.*?\$\$|{_SINGLE.pattern}", re.DOTALL)
-#: \\[4pt] behind a row.
+#: The \\[4pt] after a row.
 _ROW_GAP = re.compile(r"\\\\\[\s*-?[\d.]+\s*[a-z]{2}\s*\]")
 _NEAR = 200
 _ESCAPED = re.compile(r"\\([!-/:-@\[-`{-~])")
 
-#: What GitHub makes a subscript of, where \\ and _ do not stand in a word.
+#: Characters that GitHub treats as a subscript, where \\ and _ are not in a word.
 _UNDERSCORE = re.compile(
     r"(?P<kept>\\(?:text\w*|math(?:rm|it|sf|tt)|operatorname\*?|mbox|label|tag|ref)\s*\{[^{}]*\})|\\{1,2}_"
 )
@@ -46,7 +46,7 @@ _BRACE = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)\s*\\[{}]|\\\\|\\?[{}]")
 
 
 def markdown(view: View) -> Iterator[Found]:
-    """The formulas in reading order."""
+    """Yields the formulas in reading order."""
     headings, position = _headings(view.text), 0
     for found, start in sorted(_all(view), key=lambda pair: pair[1]):
         yield replace(found, section=headings.at(start), passed=headings.between(position, start))
@@ -73,14 +73,15 @@ def _all(view: View) -> Iterator[tuple[Found, int]]:
 
 
 def _has_escaped_brackets(text: str) -> bool:
-    """Whether formulas stand in \\\\[ … \\\\], and not only rows of a matrix begin with a bracket."""
+    """True if formulas are written \\\\[ … \\\\], and not only rows of a matrix begin with a bracket."""
     outside = _ROW_GAP.sub("", _DOLLARS.sub("", text))
     pairs = (("\\\\[", "\\\\]"), ("\\\\(", "\\\\)"))
     return any(opening in outside and closing in outside for opening, closing in pairs)
 
 
 def _unmarked(found: Found, escaped: bool) -> Found:
-    """Without the marks of a quotation, and without backslashes that Markdown takes away before MathJax."""
+    """Returns the formula without quotation marks, and without backslashes that Markdown removes before
+    MathJax."""
     view = found.view
     line = view.source.text.rfind("\n", 0, found.start) + 1
     if ">" in view.source.text[line : found.start] and _QUOTE.match(view.source.text, line):
@@ -95,7 +96,8 @@ def _unmarked(found: Found, escaped: bool) -> Found:
 
 
 def _escaped_braces(formula: str) -> set[int]:
-    """Where \\{ is the { that Markdown makes of it: before a }, if the others balance then."""
+    """Returns the offsets where \\{ is the { that Markdown produces: before a }, if the other braces then
+    balance."""
     opened: list[re.Match[str]] = []
     said: set[int] = set()
     for brace in _BRACE.finditer(formula):
@@ -119,7 +121,7 @@ def _fenced(view: View, inner: int, inner_end: int, start: int, label: str) -> F
 
 
 def _is_kramdown(text: str, searched: str) -> bool:
-    """Whether $$ inside of a sentence is a formula in the line: kramdown knows no single $."""
+    """True if $$ inside a sentence is an inline formula: kramdown has no single $."""
     return text.startswith("---") and "$$" in searched and not _SINGLE.search(searched)
 
 
@@ -132,15 +134,15 @@ def _stands_in_a_line(text: str, start: int, end: int) -> bool:
 
 
 def _is_a_paragraph(text: str, start: int, end: int) -> bool:
-    """Whether an equation has a paragraph of its own, as GitHub's authors write displays."""
+    """True if an equation is a separate paragraph, as GitHub's authors write displays."""
     before = text[max(0, start - _NEAR) : start].rpartition("\n\n")[2]
     after = text[end : end + _NEAR].partition("\n\n")[0]
     return "=" in text[start:end] and not (before.strip(" \t\n>") or after.strip(" \t\n>.,;"))
 
 
 def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list[tuple[int, int, int, int]]]:
-    """The text with code, comments and front matter blanked; math fences as (inner, end, start, label);
-    GitHub's $`…`$ as (start, inner, inner end, end)."""
+    """Returns the text with code, comments and front matter blanked, math fences as (inner, end, start,
+    label), and GitHub's $`…`$ as (start, inner, inner end, end)."""
     pieces: list[str] = []
     fenced: list[tuple[int, int, int, str]] = []
     front = _FRONT_MATTER.match(text)
@@ -188,8 +190,7 @@ def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list
 
 
 def _without_spans(text: str) -> tuple[str, list[tuple[int, int, int, int]]]:
-    """Without comments, HTML that is code, and code between as many backticks on either side; and the
-    formulas of GitHub's $`…`$."""
+    """Returns the text without comments, HTML code and code spans, and the formulas of GitHub's $`…`$."""
     ticked: list[tuple[int, int, int, int]] = []
     by_length: dict[int, list[int]] = defaultdict(list)
     for run in _TICKS.finditer(text):
@@ -214,8 +215,10 @@ def _without_spans(text: str) -> tuple[str, list[tuple[int, int, int, int]]]:
 
 
 def _end_of_ticks(text: str, run: re.Match[str], same: list[int]) -> int | None:
-    """Where the code span ends that begins with these backticks; None if they begin none. same: where as
-    many stand."""
+    """Returns the end of the code span that begins with these backticks; None if they begin none.
+
+    same: the offsets of backtick runs of the same length.
+    """
     place = bisect_right(same, run.start())
     if place == len(same):
         return None
@@ -225,7 +228,8 @@ def _end_of_ticks(text: str, run: re.Match[str], same: list[int]) -> int | None:
 
 
 def _end_of_markup(text: str, match: re.Match[str], absent: set[str]) -> int | None:
-    """Where the comment or the element ends. A comment that begins a line and never ends takes all."""
+    """Returns the end of the comment or element. A comment that begins a line and never ends extends to the
+    end."""
     closing = f"</{match['name'].lower()}" if match["name"] else "-->"
     found = None if closing in absent else re.compile(closing, re.IGNORECASE).search(text, match.end())
     if found is not None:

@@ -1,4 +1,4 @@
-"""A text by its file: .tex, .md, .rst, .html, .ipynb."""
+"""Reads a text by the suffix of its file: .tex, .md, .rst, .html, .ipynb."""
 
 from __future__ import annotations
 
@@ -44,12 +44,12 @@ def read_text(
     macros: Path | str | None = None,
     bodies: Mapping[str, str] | None = None,
 ) -> Text:
-    """The displays of a text, macros expanded, each token with the author's own characters.
+    """Returns the displays of a text, macros expanded, each token with its position in the author's file.
 
-    macros: a TeX file of macros that a site or a class keeps elsewhere; they win over those of the text.
+    macros: a TeX file of macros that a site or a class stores elsewhere; they override those of the text.
     bodies: more such macros, each by its body.
 
-    Raises PaperError for a file that cannot be used.
+    Raises PaperError for an unusable file.
     """
     path = Path(path)
     if not is_text(path):
@@ -62,7 +62,7 @@ def read_text(
         reader.read_file(path)
     else:
         source = Source.open(path)
-        reader.formulas_are_groups = False  # MathJax keeps what a formula declares
+        reader.formulas_are_groups = False  # MathJax keeps the declarations of a formula
         reader.sources.append(source)
         for start, name in includes(source.text, path.suffix.lower()):
             reader.warn(Token("", source, start, start), unread(path, name))

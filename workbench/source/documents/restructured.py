@@ -1,4 +1,4 @@
-"""reStructuredText: the math directive and role, as docutils and Sphinx read them."""
+"""reStructuredText: the math directive and role, by the rules of docutils and Sphinx."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from workbench.source.documents.surrounding_words import plain
 
 _DIRECTIVE = re.compile(r"(\s*)\.\. math::[ \t]*(.*)")
 _OPTION = re.compile(r"\s*:(label|name|nowrap|class|no-wrap|width):\s*(.*)")
-#: Sphinx takes it from below the formula, too.
+#: The label of a formula; Sphinx also accepts it below the formula.
 _LABEL = re.compile(r":label:\s*(.*)")
 _CODE = re.compile(
     r"\s*\.\. (code|code-block|sourcecode|raw|literalinclude|comment|jupyter-\w+|parsed-literal)\b"
 )
 _UNDERLINE = re.compile(r"([=\-~^\"'`#*+.:_])\1{2,}\s*")
-#: What begins with two dots and is no directive, target, footnote or substitution.
+#: The beginning of a comment: two dots without a directive, target, footnote or substitution.
 _COMMENT = re.compile(r"\s*\.\.(?:[ \t]+(?![\[_|]|[\w:+.-]+::)\S.*|[ \t]*)")
 _ROLE = re.compile(r":math:`([^`]+)`")
 
@@ -63,7 +63,7 @@ def restructured(view: View) -> Iterator[Found]:
 
 
 def _is_comment(line: _Line, following: list[_Line]) -> bool:
-    """Two dots alone before an empty line hold nothing."""
+    """True if the line begins a comment with contents; two dots alone before an empty line have none."""
     is_alone = line.text.strip() == ".."
     return _COMMENT.fullmatch(line.text) is not None and not (
         is_alone and (not following or not following[0].text.strip())
@@ -73,11 +73,11 @@ def _is_comment(line: _Line, following: list[_Line]) -> bool:
 def _directive(
     view: View, lines: list[_Line], place: int, match: re.Match[str], section: str
 ) -> tuple[int, Iterator[Found]]:
-    """The line behind the directive, and its formula if it has one."""
+    """Returns the index of the line after the directive, and its formula if it has one."""
     opening = lines[place]
     label = None
     spans: list[tuple[int, int]] = []
-    parted: set[int] = set()  # the lines with an empty one behind
+    parted: set[int] = set()  # the lines with an empty line after them
     if match[2].strip():
         spans.append((opening.start + match.start(2), opening.end))
     is_head = True
@@ -105,7 +105,8 @@ def _directive(
 
 
 def _body(view: View, spans: list[tuple[int, int]], parted: set[int]) -> View:
-    """The lines without their indent, with line feeds between; an empty line parts rows, as Sphinx has it."""
+    """Returns the lines without their indentation, joined by line feeds; an empty line separates rows, as in
+    Sphinx."""
     text, at = "", []
     for place, (start, end) in enumerate(spans):
         text += view.text[start:end]

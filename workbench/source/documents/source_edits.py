@@ -1,4 +1,4 @@
-"""Edits of an author's file: which characters are to go, and what is to stand there."""
+"""Edits of an author's file: the characters to remove, and their replacement."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from workbench.core.spans import Span
 from workbench.source.documents import Source, Token
 from workbench.source.rows.display_vocabulary import RELATIONS
 
-#: Edits with at most so many characters between them are one.
+#: Edits with at most this many characters between them are merged.
 _CLOSE = 2
 _LEFT, _RIGHT = re.compile(r"\\left(?![A-Za-z])"), re.compile(r"\\right(?![A-Za-z])")
 _NEXT_CELL = re.compile(r"(?<!\\)&|\\\\")
@@ -26,7 +26,7 @@ _LONGEST = 60
 
 @dataclass(frozen=True)
 class SourceEdit:
-    """For the characters `old` at `span`, `start` to `end` of the source, the author is to write `new`."""
+    """An edit that replaces the characters `old` at `span`, `start` to `end` of the source, by `new`."""
 
     span: Span
     source: Source = field(repr=False, compare=False)
@@ -36,7 +36,7 @@ class SourceEdit:
     new: str
 
     def to_dict(self) -> dict[str, object]:
-        """The place, counted from 1, the end behind the last character, and both texts."""
+        """Returns the position, counted from 1 with an exclusive end, and both texts."""
         place = {"file": str(self.span.file), "line": self.span.line, "column": self.span.column}
         end = {"end_line": self.span.end_line, "end_column": self.span.end_column}
         return place | end | {"old": self.old, "new": self.new}
@@ -44,7 +44,7 @@ class SourceEdit:
 
 @dataclass(frozen=True)
 class Replacement:
-    """A piece of the text by its place, and what to put there."""
+    """A range of the text with its replacement."""
 
     start: int
     end: int
@@ -53,8 +53,8 @@ class Replacement:
 
 @dataclass(frozen=True)
 class Piece:
-    """What is written instead of the characters `start` to `end` of the formula: as the reader takes it
-    (macros expanded) and as the author writes it."""
+    """The replacement of the characters `start` to `end` of the formula, for the reader (macros expanded) and
+    as the author writes it."""
 
     start: int
     end: int
@@ -63,7 +63,7 @@ class Piece:
 
 
 def applied(source: str, edits: Iterable[SourceEdit | Replacement]) -> str:
-    """The source with the edits made; of two that overlap only the later one."""
+    """Returns the source with the edits applied; of two that overlap only the later one."""
     end = len(source)
     for edit in sorted(edits, key=lambda each: (each.start, each.end), reverse=True):
         if edit.end <= end:
@@ -73,7 +73,8 @@ def applied(source: str, edits: Iterable[SourceEdit | Replacement]) -> str:
 
 
 def patch_of(before: str, after: str, name: str) -> str:
-    """A unified diff of a file for `patch`, which parts lines at newlines only; empty if nothing differs."""
+    """Returns a unified diff of a file for `patch`, with lines split at newlines only; "" if nothing
+    differs."""
     lines = [StringIO(text, newline="\n").readlines() for text in (before, after)]
     pieces = difflib.unified_diff(*lines, f"a/{name}", f"b/{name}", n=1)
     end = "\n\\ No newline at end of file\n"
@@ -81,7 +82,7 @@ def patch_of(before: str, after: str, name: str) -> str:
 
 
 def edits_in_source(pieces: Sequence[Piece], owners: Sequence[Token]) -> tuple[SourceEdit, ...] | None:
-    """The edits of the source; None where a place is in no single file."""
+    """Returns the edits of the source; None if one is not within a single file."""
     found = []
     for piece in pieces:
         edit = _edit_of(piece, owners)
@@ -109,7 +110,7 @@ def _is_parted(between: str) -> bool:
 
 
 def merged(edits: Sequence[SourceEdit]) -> tuple[SourceEdit, ...]:
-    """The edits, those that all but touch as one."""
+    """Returns the edits with nearly adjacent ones merged."""
     found: list[SourceEdit] = []
     for edit in edits:
         if found and found[-1].end + _CLOSE >= edit.start and found[-1].source is edit.source:
@@ -150,7 +151,7 @@ def _edit_of(piece: Piece, owners: Sequence[Token]) -> SourceEdit | None:
     source = tokens[0].source
     others = (each for each in (*owners[:start], *owners[end:]) if each.source is source)
     if any(each.start < stop and begin < each.end for each in others):
-        return None  # a macro prints more than what is to go
+        return None  # a macro prints more than the range
     return _edit(tokens[0], begin, stop, written)
 
 
@@ -176,7 +177,7 @@ def _edit(token: Token, begin: int, stop: int, written: str) -> SourceEdit:
         written = f" {written}"
     if re.search(r"\\[A-Za-z]+$", written or before) and behind[:1].isalpha():
         written = f"{written} "
-    if not written:  # a blank that parted what goes from what follows goes, too
+    if not written:  # a space between the removed text and the next text is removed, too
         stop += len(behind) - len(behind.lstrip(" ")) if before[-1:] in " &" else 0
     span = Span(source.path, *source.place(begin), *source.place(stop))
     return SourceEdit(span, source, begin, stop, source.text[begin:stop], written)

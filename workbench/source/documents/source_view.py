@@ -1,4 +1,4 @@
-"""The author's characters: a file, and pieces of it whose every character knows where it stands there."""
+"""Views of an author's file: texts whose characters have offsets in the file."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ MOST_BYTES = 20_000_000
 _BOMS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
 
 
-#: In a notebook, between two lines of a cell, and between two cells.
+#: Separators in a notebook: between two lines of a cell, and between two cells.
 _NOTEBOOK_LINE = re.compile(r'\\n"[,\s]*"')
 _NOTEBOOK_CELL = re.compile(r'"\s*\]?[,\s]*\}.*?"source":\s*\[?\s*"', re.DOTALL)
 
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """A file as its author sees it. Lines and columns count from 1, columns in characters."""
+    """A file of an author. Lines and columns count from 1, columns in characters."""
 
     path: Path
     text: str
@@ -31,7 +31,8 @@ class Source:
 
     @staticmethod
     def open(path: Path) -> Source:
-        """UTF-8, or what a byte-order mark says, or else Latin-1 with a warning. Raises PaperError."""
+        """Returns the file as UTF-8, or by its byte-order mark, or as Latin-1 with a warning. Raises
+        PaperError."""
         raw = file_bytes(path, "a text", MOST_BYTES)
         encoding = next((name for mark, name in _BOMS if raw.startswith(mark)), "utf-8")
         warnings = []
@@ -61,7 +62,7 @@ class Source:
 
     @cached_property
     def prose(self) -> str:
-        """The text, each character at its place; of a notebook without what holds its cells together."""
+        """The text with unchanged offsets; for a notebook without the JSON between its cells."""
         if self.path.suffix != ".ipynb":
             return self.text
         lines = _NOTEBOOK_LINE.sub(lambda found: "\n".ljust(len(found[0])), self.text)
@@ -74,7 +75,7 @@ class Source:
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """Text whose character i stands at offset `at[i]` of the file; at[len(text)] is the end."""
+    """Text whose character i is at offset `at[i]` of the file; at[len(text)] is the end."""
 
     text: str
     source: Source
@@ -84,7 +85,7 @@ class View:
         return View(self.text[start:end], self.source, self.at[start : end + 1])
 
     def replace(self, pattern: str | re.Pattern[str], new: Callable[[re.Match[str]], str]) -> View:
-        """The characters that take a match's place stand where the match begins."""
+        """Returns the view with each match replaced; new characters have the offset of the match."""
         pieces: list[str] = []
         at: list[int] = []
         done = 0

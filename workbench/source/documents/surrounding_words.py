@@ -1,4 +1,4 @@
-"""The words around a display."""
+"""Sentences and headings around a display."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _COMMAND = re.compile(r"\\[A-Za-z]+\*?\s*|[{}]")
 
 
 def sentence_before(text: str, start: int) -> str:
-    """The last sentence of the paragraph before the display at `start`; what begins there counts as one."""
+    """Returns the last sentence of the paragraph before the display at `start`, even if it is incomplete."""
     chunk = _COMMENT.sub("", text[max(0, start - _FAR) : start]).rstrip()
     chunk = _BLANK_LINES.split(chunk)[-1]
     for match in reversed(list(_DISPLAY_END.finditer(chunk))):
@@ -39,8 +39,8 @@ def sentence_before(text: str, start: int) -> str:
 
 
 def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
-    """From where to where the sentence goes in which the display from `start` to `end` stands. A heading ends
-    it."""
+    """Returns the start and end of the sentence that contains the display from `start` to `end`. A heading
+    ends it."""
     first = max(0, start - _FAR)
     before = text[first:start].rstrip()
     ends = [m.end() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) for m in sign.finditer(before)]
@@ -52,7 +52,7 @@ def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
 
 
 def sentence_ends(text: str) -> list[int]:
-    """Returns where the sentences of a text end: at a full stop, a blank line or a heading."""
+    """Returns the ends of the sentences of a text: at a full stop, a blank line or a heading."""
     return sorted(
         {match.end() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) for match in sign.finditer(text)}
     )
@@ -60,7 +60,7 @@ def sentence_ends(text: str) -> list[int]:
 
 @lru_cache(maxsize=8)
 def headings(text: str) -> tuple[tuple[int, int], ...]:
-    """Returns where each heading of the text begins, and its level, 1 for the highest."""
+    """Returns the offset and level of each heading of the text, 1 for the highest."""
     found, lines = [], []
     for match in _HEADING.finditer(text):
         if match["tex"]:
@@ -76,14 +76,14 @@ def headings(text: str) -> tuple[tuple[int, int], ...]:
 
 @dataclass(frozen=True)
 class Sections:
-    """The sections of a text. starts: where each heading begins.   ends: where each section does."""
+    """The sections of a text. starts: the offsets of the headings.   ends: the ends of the sections."""
 
     starts: tuple[int, ...]
     ends: tuple[float, ...]
 
     @staticmethod
     def of(headings: Sequence[tuple[int, int]]) -> Sections:
-        """Those of headings with their levels, in order."""
+        """Returns the sections for headings with their levels, in order."""
         ends: list[float] = [inf] * len(headings)
         opened: list[int] = []
         for at, (start, level) in enumerate(headings):
@@ -93,9 +93,10 @@ class Sections:
         return Sections(tuple(start for start, _ in headings), tuple(ends))
 
     def holds(self, said: int, place: int) -> bool:
-        """Whether the place lies in the section in which something is said, or in one inside of that.
+        """True if the offset `place` is in the section of the offset `said`, or in one of its subsections.
 
-        Of what is said before the first heading, every place does."""
+        A statement before the first heading covers every offset.
+        """
         at = bisect_right(self.starts, said) - 1
         return at < 0 or self.starts[at] <= place < self.ends[at]
 
@@ -106,7 +107,7 @@ def sections_of(text: str) -> Sections:
 
 
 def supposed_before(text: str, first: int) -> str:
-    """The sentence before the one at `first`, where that begins with "then": Suppose it is so. Then …"""
+    """Returns the sentence before the one at `first` if that begins with "then": Suppose it is so. Then …"""
     if not _THEN.match(text, first):
         return ""
     before = text[:first].rstrip()
@@ -114,5 +115,5 @@ def supposed_before(text: str, first: int) -> str:
 
 
 def plain(latex: str) -> str:
-    """A heading without its markup."""
+    """Returns a heading without its markup."""
     return " ".join(_COMMAND.sub("", latex).split())

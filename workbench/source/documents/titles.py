@@ -1,4 +1,4 @@
-"""The title that a text gives itself."""
+"""The title of a text."""
 
 from __future__ import annotations
 
@@ -14,15 +14,17 @@ _TEX = re.compile(r"\\title\s*(?:\[[^\]]*\]\s*)?\{")
 _WEB = re.compile(r"<title[^>]*>(.*?)</title>|<h1\b[^>]*>(.*?)</h1>", re.DOTALL | re.IGNORECASE)
 _MARKED = re.compile(r"^title:\s*[\"']?([^\n\"']+)[\"']?\s*$|^#\s+([^\n]+)$", re.MULTILINE)
 _UNDERLINED = re.compile(r"^([^\s|=\-~^#*+][^\n]*)\n([=*#~^\"-])\2{2,}[ \t]*$", re.MULTILINE)
-#: What belongs to a title page and not to the title: notes, marks, sizes, and line breaks.
+#: Commands of a title page that are not part of the title: notes, marks, sizes, and line breaks.
 _ASIDE = re.compile(r"\\(?:thanks|footnote|footnotemark|label|vspace|hspace)\*?\s*(?:\[[^\]]*\])?\s*\{")
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?\s*|[{}]|\\\\(?:\[[^\]]*\])?")
 _TAG = re.compile(r"<[^>]+>")
 
 
 def title_of(text: str, path: Path) -> str | None:
-    """What `\\title`, the first heading or `<title>` says, without markup but for formulas between dollar
-    signs; None where a text has no title."""
+    """Returns the title by `\\title`, the first heading or `<title>`; None for a text without a title.
+
+    Markup is removed, except formulas between dollar signs.
+    """
     suffix = path.suffix.lower()
     if suffix in (".html", ".htm", ".xhtml"):
         found = _WEB.search(text)
@@ -39,12 +41,12 @@ def title_of(text: str, path: Path) -> str | None:
 
 
 def own_title(text: Text) -> str | None:
-    """The title of the first of its files that has one."""
+    """Returns the title of the first of its files that has one."""
     return next(filter(None, (title_of(source.text, source.path) for source in text.sources)), None)
 
 
 def _group(text: str, start: int) -> str:
-    """What stands up to the brace that closes."""
+    """Returns the text up to the closing brace."""
     depth, at = 1, start
     while at < len(text) and depth:
         depth += (text[at] == "{") - (text[at] == "}")

@@ -1,4 +1,4 @@
-"""HTML with MathJax delimiters, and notebooks: their characters, unescaped, in place."""
+"""HTML with MathJax delimiters, and notebooks: unescaped characters with their offsets."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _ESCAPE = re.compile(r"\\u[0-9a-fA-F]{4}|\\.|[^\\]+", re.DOTALL)
 
 
 class _Text:
-    """Characters with their offsets, put together."""
+    """A text under construction, with the offsets of its characters."""
 
     def __init__(self, view: View) -> None:
         self.view = view
@@ -61,7 +61,7 @@ def web(view: View) -> Iterator[Found]:
 
 
 def _page(view: View) -> tuple[_Text, list[tuple[int, str]], list[Found]]:
-    """The page's text, where its headings stand, and MathJax 2's <script type="math/tex">."""
+    """Returns the page's text, the offsets of its headings, and MathJax 2's <script type="math/tex">."""
     text, source = _Text(view), view.text
     headings: list[tuple[int, str]] = []
     scripts: list[Found] = []
@@ -100,14 +100,14 @@ def _last(headings: list[tuple[int, str]], position: int) -> str:
 
 
 def notebook(view: View) -> Iterator[Found]:
-    """The Markdown cells of an .ipynb, whose lines are JSON strings."""
+    """Yields the formulas in the Markdown cells of an .ipynb, whose lines are JSON strings."""
     for cell in _CELL.finditer(view.text):
         if cell[1] == "markdown" and (source := _SOURCE.search(view.text, cell.end())):
             yield from markdown(_unescaped(view, source.end()))
 
 
 def _unescaped(view: View, position: int) -> View:
-    """The JSON string, or list of strings, that begins at `position`."""
+    """Returns the JSON string, or list of strings, that begins at `position`."""
     text = _Text(view)
     is_list = view.text.startswith("[", position)
     position += is_list

@@ -1,5 +1,4 @@
-"""What authors and their tools write in other ways than the claim language: the tables of MathType, labels
-within typefaces, R(t)^T."""
+"""Habits of authors and their tools: tables of MathType, labels within typefaces, R(t)^T."""
 
 from __future__ import annotations
 
@@ -50,7 +49,7 @@ _WHY = re.compile(r"\\\w+\{\s*\(\s*(?:using|by|from|since|because|see|cf|as|eqs?
 
 
 def as_read(tokens: Sequence[Token]) -> list[Token]:
-    """Every token stays in its place."""
+    """Returns the tokens rewritten to the claim language; every token keeps its position."""
     made = list(tokens)
     for pattern in (*_PATTERNS, derivative_by_name, seen_from, at_a_label, *_BETWEEN):
         made = everywhere(made, pattern)
@@ -70,7 +69,7 @@ def everywhere(
 
 
 def _variant(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\varOmega as \\mathit{\\Omega}."""
+    """Rewrites \\varOmega to \\mathit{\\Omega}."""
     token = tokens[place]
     if not token.text.startswith("\\var") or token.text[4:] not in _VARIANTS:
         return None
@@ -78,7 +77,7 @@ def _variant(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _buildrel(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\buildrel\\Delta\\over= as := ."""
+    """Rewrites \\buildrel\\Delta\\over= to :=."""
     if tokens[place].text != "\\buildrel":
         return None
     over = next(
@@ -91,7 +90,7 @@ def _buildrel(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
 
 
 def _starred(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\begin{matrix*}[l] as \\begin{matrix}."""
+    """Rewrites \\begin{matrix*}[l] to \\begin{matrix}."""
     text = tokens[place].text
     if not text.endswith("matrix*}"):
         return None
@@ -101,7 +100,7 @@ def _starred(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """The columns {*{20}{c}} of an array, which the reader counts itself."""
+    """Removes the columns {*{20}{c}} of an array; the reader counts them itself."""
     if tokens[place].text != "\\begin{array}":
         return None
     start = past(tokens, place + 1)
@@ -114,7 +113,7 @@ def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _grouped_table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """{\\begin{array}…\\end{array}}, in braces that print nothing."""
+    """Removes the braces of {\\begin{array}…\\end{array}}, which print nothing."""
     first = past(tokens, place + 1)
     if tokens[place].text != "{" or first >= len(tokens) or not tokens[first].text.startswith("\\begin{"):
         return None
@@ -130,7 +129,7 @@ def _grouped_table(tokens: list[Token], place: int) -> tuple[list[Token], int] |
 
 
 def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """_\\mathcal{B/N} as _{\\mathcal{B}/\\mathcal{N}}."""
+    """Rewrites _\\mathcal{B/N} to _{\\mathcal{B}/\\mathcal{N}}."""
     if tokens[place].text not in FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
         return None
     end = behind(tokens, place + 1)
@@ -152,8 +151,7 @@ def _holds_one(tokens: list[Token], place: int) -> bool:
 
 
 def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\text{\\text{sc}} as \\text{sc}; \\textit{sc} too, which is a label as well;
-    \\textit{i} as i."""
+    """Rewrites \\text{\\text{sc}} and \\textit{sc} to \\text{sc}, and \\textit{i} to i."""
     if tokens[place].text in ("\\textit", "\\textsf", "\\textup", "\\textnormal", "\\textsl", "\\texttt"):
         letter = tokens[place + 2 : place + 3] if _holds_one(tokens, place + 1) else []
         is_italic = letter and tokens[place].text == "\\textit" and letter[0].text.isalpha()
@@ -165,7 +163,8 @@ def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | N
 
 
 def _formulas_in_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\text{for $x$ alone} as \\text{for }x\\text{ alone}; a heading \\text{axis $x$:} as \\text{axis :}."""
+    """Rewrites \\text{for $x$ alone} to \\text{for }x\\text{ alone}, and a heading \\text{axis $x$:} to
+    \\text{axis :}."""
     if tokens[place].text not in TEXTS or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
         return None
     end = behind(tokens, place + 1)
@@ -184,7 +183,7 @@ def _formulas_in_text(tokens: list[Token], place: int) -> tuple[list[Token], int
 
 
 def _note(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\text{(using } a = b\\text{)}, which says why a step holds."""
+    """Removes \\text{(using } a = b\\text{)}, the reason for a step."""
     if tokens[place].text not in TEXTS or not _WHY.match("".join(t.text for t in tokens[place : place + 20])):
         return None
     depth, end = 0, place
@@ -197,7 +196,7 @@ def _note(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """^{\\prime\\prime} as '', ^{'T} as '^{T}."""
+    """Rewrites ^{\\prime\\prime} to '', and ^{'T} to '^{T}."""
     if tokens[place].text != "^":
         return None
     start = past(tokens, place + 1)
@@ -212,7 +211,7 @@ def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _of_time(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """R(t)^T as R^T: that R depends on the time says nothing of it."""
+    """Rewrites R(t)^T to R^T: the argument t only states a dependence."""
     if tokens[place].text not in ("(", "\\left", "{"):
         return None
     texts = [token.text for token in tokens[place : place + 14] if token.text not in GAPS]
@@ -244,7 +243,7 @@ def _is_letter(token: Token) -> bool:
 
 
 def _inverse_function(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\tan^{-1} as \\arctan."""
+    """Rewrites \\tan^{-1} to \\arctan."""
     head = tokens[place]
     mark = past(tokens, place + 1)
     if head.text not in ("\\sin", "\\cos", "\\tan") or [t.text for t in tokens[mark : mark + 1]] != ["^"]:
@@ -254,7 +253,8 @@ def _inverse_function(tokens: list[Token], place: int) -> tuple[list[Token], int
 
 
 def _for_all(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\forall before i = 1, 2, 3 at the end of a row as a wide space; \\forall i alone as nothing."""
+    """Rewrites \\forall before i = 1, 2, 3 at the end of a row to a wide space, and removes \\forall i
+    alone."""
     if tokens[place].text != "\\forall":
         return None
     rest = printed(tokens[place + 1 :])
@@ -267,7 +267,7 @@ def _for_all(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _over(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """{a \\over b} as \\frac{a}{b}."""
+    """Rewrites {a \\over b} to \\frac{a}{b}."""
     if tokens[place].text != "{":
         return None
     end = behind(tokens, place)
@@ -282,7 +282,7 @@ def _over(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """A line between the rows of a matrix, which is no row."""
+    """Removes \\hline and \\rule between the rows of a matrix."""
     if tokens[place].text == "\\hline":
         return [], place + 1
     if tokens[place].text != "\\rule":
@@ -298,7 +298,7 @@ def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\leftidx{^A}{x}{_b} as {}^A x_b, \\leftexp{A}{x} as {}^A x."""
+    """Rewrites \\leftidx{^A}{x}{_b} to {}^A x_b, and \\leftexp{A}{x} to {}^A x."""
     if tokens[place].text == "\\leftexp":
         label, end = group(tokens, past(tokens, place + 1))
         head = tokens[place]
@@ -309,7 +309,7 @@ def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], i
     left, end = group(tokens, past(tokens, place + 1))
     body, end = group(tokens, past(tokens, end))
     right: list[Token] = []
-    if printed(tokens[past(tokens, end) :][:1]) == ["{"]:  # anything else prints the same where it stands
+    if printed(tokens[past(tokens, end) :][:1]) == ["{"]:  # other text prints the same in place
         right, end = group(tokens, past(tokens, end))
     return [*braced(tokens[place], []), *left, tokens[place].standing_for(" "), *body, *right], end
 

@@ -1,4 +1,4 @@
-"""What stands between the formulas and columns of a line, and a sum without bounds."""
+"""Separators between formulas and columns of a line, rows in brackets, and sums without bounds."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from workbench.source.rewriting.token_groups import (
 
 _SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
 _WIDE = frozenset({"\\quad", "\\qquad"})
-#: What parts the entries of a row that is transposed, and the factors of a product elsewhere.
+#: Spaces that separate the entries of a transposed row; elsewhere they separate factors.
 _THICK = frozenset({"\\;", "~", "\\ ", "\\:", "\\,"})
 _OPEN, _CLOSE = frozenset(["(", "[", "{", "\\{"]), frozenset([")", "]", "}", "\\}"])
 _SIGNS = frozenset(
     ["=", ":=", "\\equiv", "+", "-", "&", ",", "\\\\", "\\times", "\\cdot", "\\otimes", "\\circ"]
 )
-#: What relates or separates the parts of a bracket in another way, or ends it as a large one.
+#: Tokens that relate or separate the parts of a bracket in another way, or end it as a large one.
 _NO_ROW = _SIGNS | frozenset([";", "|", "\\text", "\\mathrm", "\\in", "\\right", "\\left"])
 _ARROWS = frozenset(["\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto", "\\longmapsto"])
 _MATRICES = frozenset(f"\\begin{{{kind}matrix}}" for kind in ("", "b", "p"))
@@ -34,7 +34,7 @@ _ENDS_A_SUM = frozenset(["=", "&", "+", "-", ",", ".", "\\\\"])
 
 
 def net_sum(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\sum \\mathbf{F}, all that there is of F, as a symbol of its own: \\mathbf{F}_{\\Sigma}."""
+    """Rewrites \\sum \\mathbf{F}, the sum of all F, to a symbol \\mathbf{F}_{\\Sigma}."""
     head = tokens[place]
     start = past(tokens, place + 1)
     if head.text != "\\sum" or start >= len(tokens):
@@ -55,7 +55,7 @@ def net_sum(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def power_at_the_end(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """x_1{}^2 with nothing behind it that the script could belong to, as x_1^2."""
+    """Rewrites x_1{}^2 without a following base to x_1^2."""
     before = ahead(tokens, place)
     script = past(tokens, place + 2)
     if before is None or printed(tokens[place : script + 1]) != ["{", "}", "^"]:
@@ -68,7 +68,7 @@ def power_at_the_end(tokens: list[Token], place: int) -> tuple[list[Token], int]
 
 
 def bar_of_a_set(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """The one bar in \\{x | a = b\\} as the sign that it is there."""
+    """Rewrites the single bar in \\{x | a = b\\} to a separator."""
     if tokens[place].text != "\\{":
         return None
     end = next((at for at in range(place, len(tokens)) if tokens[at].text == "\\}"), None)
@@ -79,7 +79,7 @@ def bar_of_a_set(tokens: list[Token], place: int) -> tuple[list[Token], int] | N
 
 
 def wide_space(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """Two spaces or more as the wide one that they print."""
+    """Rewrites two or more spaces to the wide space that they print."""
     if tokens[place].text not in _SPACES_OF_A_WORD:
         return None
     end = past(tokens, place)
@@ -88,7 +88,7 @@ def wide_space(tokens: list[Token], place: int) -> tuple[list[Token], int] | Non
 
 
 def name_of_a_formula(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """L:\\ a = b, with a space, as a = b: a map has an arrow."""
+    """Removes the name in L:\\ a = b, with a space; a map would have an arrow."""
     colon = past(tokens, place + 1)
     before = ahead(tokens, place)
     is_first = before is None or tokens[before].text == "\\\\"
@@ -101,8 +101,8 @@ def name_of_a_formula(tokens: list[Token], place: int) -> tuple[list[Token], int
 
 
 def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[a \\quad -b], in which nothing else stands between the two, as a row of a matrix. A sign belongs to an
-    entry where it touches what follows."""
+    """Rewrites [a \\quad -b] without other separators to a row of a matrix. A sign directly before a symbol
+    belongs to the entry."""
     is_large = tokens[place].text == "\\left"
     start, closing = (place + 1, "\\right") if is_large else (place, "]")
     if printed(tokens[start : start + 1]) != ["["] or (start == place and _is_large(tokens, place)):
@@ -129,20 +129,21 @@ def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] 
     above = past(tokens, end + 1)
     is_transposed = [token.text for token in tokens[above : above + 1]] == ["^"]
     inside = [token for part in parts for token in part]
-    if is_transposed:  # [a, b]^T, which a reader may take for a column
+    if is_transposed:  # [a, b]^T, which a reader may understand as a column
         apart = (token.standing_for(",") if token.text == "&" else token for token in inside)
         return [*tokens[place : start + 1], *apart, *tokens[end - is_large : end + 1]], end + 1
     return [first.standing_for("\\begin{bmatrix}"), *inside, last.standing_for("\\end{bmatrix}")], end + 1
 
 
 def _touches(tokens: Sequence[Token], place: int) -> bool:
-    """Whether a sign stands there without a space behind it."""
+    """True if there is a sign without a space after it."""
     is_sign = tokens[place].text in ("+", "-")
     return is_sign and [token.text in GAPS for token in tokens[place + 1 : place + 2]] == [False]
 
 
 def row_of_two(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[a \\; -b] as a row of a matrix, and so the one cell of \\begin{pmatrix} a \\; -b \\end{pmatrix}."""
+    """Rewrites [a \\; -b], and the one cell of \\begin{pmatrix} a \\; -b \\end{pmatrix}, to a row of a
+    matrix."""
     first, is_cell = tokens[place], tokens[place].text in _MATRICES
     is_large = [token.text for token in tokens[place : place + 2]] == ["\\left", "["]
     if not (is_cell or is_large or (first.text == "[" and not _is_large(tokens, place))):
@@ -169,7 +170,7 @@ def row_of_two(tokens: list[Token], place: int) -> tuple[list[Token], int] | Non
 
 
 def _entries(tokens: Sequence[Token]) -> list[list[Token]] | None:
-    """Symbols, numbers and sines that spaces part, each with or without a sign; None for others."""
+    """Returns the symbols, numbers and sines between spaces, with their signs; None for other entries."""
     parts: list[list[Token]] = [[]]
     for at, token in enumerate(tokens):
         is_gap = token.text in _WIDE | (_THICK - {"\\,", "\\:"})
@@ -184,7 +185,7 @@ def _entries(tokens: Sequence[Token]) -> list[list[Token]] | None:
 
 
 def _bare(entry: list[Token]) -> list[Token]:
-    """The entry without spaces around it and without its sign."""
+    """Returns the entry without spaces around it and without its sign."""
     kept = entry[past(entry, 0) :]
     kept = kept[1:] if kept and kept[0].text in ("+", "-") else kept
     while kept and kept[-1].text in GAPS:
@@ -202,8 +203,11 @@ def _is_large(tokens: list[Token], place: int) -> bool:
 
 
 def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T; of three or more, or
-    beside a number or the sine of a symbol, those with a sign, too. [x \\; y \\; z] is no product."""
+    """Rewrites [x \\; y \\; z]^T or (x \\quad y \\quad z)^T to [x, y, z]^T.
+
+    The entries are symbols; if there are three or more, or one is a number or the sine of a symbol, they may
+    have signs. [x \\; y \\; z] is not a product.
+    """
     closing = {"[": "]", "(": ")"}.get(tokens[place].text)
     if closing is None:
         return None
@@ -239,8 +243,8 @@ def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] |
 
 
 def _are_scalars(parts: list[list[Token]]) -> bool:
-    """Whether each is a symbol, a number or the sine or the like of a symbol, with a sign, and not all are
-    symbols."""
+    """True if each part is a symbol, a number or the sine or the like of a symbol, with a sign, but not all
+    are symbols."""
     bare = _unsigned(parts)
     numbers = ["".join(printed(part)).isdigit() for part in bare]
     turns = [{part.text for part in each[:1]} <= _TURNS and is_one_symbol(each[1:]) for each in bare]

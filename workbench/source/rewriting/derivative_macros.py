@@ -1,5 +1,4 @@
-"""Derivatives as authors write them: by the names of the packages physics, derivative and commath, and seen
-from a frame."""
+"""Derivatives by the macros of the packages physics, derivative and commath, and derivatives in a frame."""
 
 from __future__ import annotations
 
@@ -7,7 +6,7 @@ from workbench.source.documents import Token
 from workbench.source.rewriting.token_groups import braced, group, is_one_symbol, past, printed
 
 _BY_NAME = dict.fromkeys((r"\dv", r"\od", r"\odv"), "d") | dict.fromkeys((r"\pdv", r"\pd"), r"\partial")
-#: What opens before the quotient → what closes behind it, before the subscript that names the frame.
+#: Opening before the quotient → closing after it, before the subscript that names the frame.
 _AROUND = {
     ("\\left", "."): ["\\right", "|"],
     ("\\left", "("): ["\\right", ")"],
@@ -20,7 +19,7 @@ _OF_TIME = (["d", "t", "^"], ["(", "d", "t", "^"])
 
 
 def derivative_by_name(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\dv[2]{x}{t} as \\frac{d^2 x}{d t^2}."""
+    """Rewrites \\dv[2]{x}{t} to \\frac{d^2 x}{d t^2}."""
     head = tokens[place]
     if head.text not in _BY_NAME:
         return None
@@ -43,7 +42,8 @@ def derivative_by_name(tokens: list[Token], place: int) -> tuple[list[Token], in
 
 
 def seen_from(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\left. \\frac{dx}{dt} \\right|_B, \\left( … \\right)_B and \\frac{dx}{dt^B} as \\frac{{}^B dx}{dt}."""
+    """Rewrites \\left. \\frac{dx}{dt} \\right|_B, \\left( … \\right)_B and \\frac{dx}{dt^B} to \\frac{{}^B
+    dx}{dt}."""
     texts = tuple(token.text for token in tokens[place : place + 2])
     opening = next((each for each in _AROUND if texts[: len(each)] == each), ())
     closing = _AROUND.get(opening, [])
@@ -73,7 +73,7 @@ def seen_from(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
 
 
 def at_a_label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\left. x \\right|_B, of one symbol, as (x)_B."""
+    """Rewrites \\left. x \\right|_B, for one symbol x, to (x)_B."""
     if [token.text for token in tokens[place : place + 2]] != ["\\left", "."]:
         return None
     end = next((i for i in range(place, len(tokens)) if tokens[i].text == "\\right"), len(tokens))
@@ -87,7 +87,7 @@ def at_a_label(tokens: list[Token], place: int) -> tuple[list[Token], int] | Non
 
 
 def _dotted(tokens: list[Token], dot: int, closing: list[str]) -> tuple[list[Token], int] | None:
-    """(\\dot{x})_B, where x alone stands in the brackets."""
+    """Rewrites (\\dot{x})_B, if the brackets contain only x."""
     body, end = group(tokens, past(tokens, dot + 1))
     while past(tokens, end) < len(tokens) and tokens[past(tokens, end)].text in ("_", "^"):
         script = past(tokens, end)
@@ -106,7 +106,8 @@ def _dotted(tokens: list[Token], dot: int, closing: list[str]) -> tuple[list[Tok
 
 
 def _label_behind(tokens: list[Token], end: int, closing: list[str]) -> tuple[list[Token], int] | None:
-    """The subscript of the bracket that closes at `end`, and the place behind it."""
+    """Returns the subscript of the bracket that closes at `end`, and the index after it; None if there is
+    none."""
     end = past(tokens, end)
     script = past(tokens, end + len(closing))
     is_closed = [token.text for token in tokens[end : end + len(closing)]] == closing
@@ -116,7 +117,7 @@ def _label_behind(tokens: list[Token], end: int, closing: list[str]) -> tuple[li
 
 
 def _is_label(label: list[Token]) -> bool:
-    """Whether it names a frame, and is no power or condition."""
+    """True if the subscript names a frame, and is not a power or condition."""
     texts = [text for text in printed(label) if text not in ("{", "}")]
     if texts[:1] in (["\\times"], ["\\wedge"], ["\\vee"]):
         return False  # [\dot{x}]_\times

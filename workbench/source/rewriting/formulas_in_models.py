@@ -1,4 +1,4 @@
-"""A formula that an author has copied out of his text into its model."""
+"""Formulas that an author has copied from the text into its model."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Result = TypeVar("Result")
 
 
 def with_rows(latex: str) -> str:
-    """The formula with [a \\quad -b] and the like as the rows of matrices that they print."""
+    """Returns the formula with [a \\quad -b] and the like as rows of matrices."""
     if "[" not in latex and "matrix" not in latex:
         return latex
     made = tokens = list(with_environments(lex(Source(Path(), latex).view())))
@@ -30,7 +30,7 @@ def with_rows(latex: str) -> str:
 
 
 def with_environments(tokens: Sequence[Token]) -> Iterator[Token]:
-    """The tokens, with \\begin{name} as one, as displays have it."""
+    """Yields the tokens with \\begin{name} as one, as in displays."""
     place = 0
     while place < len(tokens):
         token = tokens[place]
@@ -43,8 +43,10 @@ def with_environments(tokens: Sequence[Token]) -> Iterator[Token]:
 
 
 def or_respelled(latex: str, words: Collection[str], read: Callable[[str], Result]) -> Result:
-    """What is read of it as it stands or, where that is nothing, as it would be in a text. Raises as the
-    first does, whose places are those of the model."""
+    """Returns the result of `read` on the formula, or else on its rewritten form.
+
+    Raises the error of the first attempt, whose positions are those of the model.
+    """
     try:
         return read(latex)
     except ReadError:

@@ -1,4 +1,4 @@
-"""Formulas as people paste them: between dollar signs, in an environment, with signs of Unicode, or out of a
+"""Formulas as people paste them: between dollar signs, in an environment, with Unicode signs, or from a
 Python string that was not raw."""
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ _SIGNS = {
     "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "−": "-", "⊗": r"\otimes ", "≠": r"\neq ",
     "≤": r"\leq ", "≥": r"\geq ", "²": "^2", "³": "^3", "ᵀ": "^T", "⊤": "^T", "‖": r"\|",
 }  # fmt: skip
-#: What Python makes of a backslash before these letters in a string that is not raw.
+#: Control characters in a string that is not raw → the letter after the lost backslash.
 _LOST = {"\t": "t", "\r": "r", "\b": "b", "\f": "f", "\a": "a", "\v": "v"}
 _ESCAPED = re.compile(r"[\t\r\b\f\a\v](?=[a-z]{2})|\n(?=(?:abla|eq|u|ot|eg|leq|geq)(?![a-z]))")
 
 
 def as_typed(text: str) -> tuple[str, tuple[str, ...]]:
-    """The formula in a text that a person typed or pasted, and what was taken for something else."""
+    """Returns the formula in a text that a person typed or pasted, and remarks on what was changed."""
     remarks: list[str] = []
     latex = text
     if _ESCAPED.search(latex):

@@ -1,4 +1,4 @@
-"""What TeX does by itself: scripts that stand on nothing, switches of typeface for the rest of a group."""
+"""Plain TeX: scripts without a base, typeface switches for the rest of a group, kerns."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _KERNS = frozenset({"\\mkern", "\\kern", "\\mskip", "\\hskip"})
 _POINTS = {"mu": 0.56, "pt": 1, "em": 10, "ex": 4.3, "mm": 2.8, "cm": 28, "in": 72}
 _LENGTH = re.compile(rf"\s*(-?\s*\d*\.?\d+)\s*({'|'.join(_POINTS)})")
 _BRACED_LENGTH = re.compile(rf"\*?\s*\{{{_LENGTH.pattern}\s*\}}")
-#: From which width on a space separates, as \quad does.
+#: Least width (em) of a space that separates, as \quad does.
 _WIDE = 5
 _SWITCHES = {
     "\\rm": "\\mathrm",
@@ -34,7 +34,7 @@ _SWITCHES = {
 
 
 def with_typefaces(tokens: Sequence[Token]) -> Iterator[Token]:
-    """{\\rm v} as \\mathrm{v}, and so \\bf{v}, of which authors mean no more."""
+    """Yields the tokens with {\\rm v} as \\mathrm{v}, and \\bf{v} likewise, as authors mean it."""
     skip_to = -1
     for place, token in enumerate(tokens):
         if place < skip_to:
@@ -55,8 +55,7 @@ def with_typefaces(tokens: Sequence[Token]) -> Iterator[Token]:
 
 
 def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
-    """Without \\mkern-1pt, and a \\\\ directly behind another, which makes a row of nothing; \\hspace{1cm} as
-    \\quad."""
+    """Yields the tokens without \\mkern-1pt and repeated \\\\, and with \\hspace{1cm} as \\quad."""
     skip_to, before = -1, ""
     for place, token in enumerate(tokens):
         if place < skip_to:
@@ -73,7 +72,7 @@ def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
 
 
 def _length_behind(tokens: Sequence[Token], place: int) -> re.Match[str] | None:
-    """How wide the space is that stands there."""
+    """Returns the match of the width of the space at this index, else None."""
     space = tokens[place].text
     if space not in _KERNS | _SPACES_WITH_ARGUMENT:
         return None
@@ -89,8 +88,10 @@ def _behind(tokens: Sequence[Token], place: int, characters: int) -> int:
 
 
 def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
-    """A script behind a sign or a space stands on nothing: = ^A R_B as = {}^A R_B. Only a number, a transpose
-    or a star behind a space is a power, moved for the eye."""
+    """Yields the tokens with {} before a script after a sign or a space: = ^A R_B becomes = {}^A R_B.
+
+    Only a number, a transpose or a star after a space is a power.
+    """
     is_bare, is_spaced, is_script = True, False, False
     length_until = empty_until = -1
     for place, token in enumerate(tokens):
@@ -111,13 +112,13 @@ def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
             continue
         is_spaced = text in _SPACES or text in _SPACES_WITH_ARGUMENT
         is_bare = is_spaced or (text in _SIGNS and not is_script) or text.startswith("\\begin{")
-        is_script = text in ("^", "_")  # of which a sign without braces is the script, as in [x]_\times^2
+        is_script = text in ("^", "_")  # a sign without braces is the script, as in [x]_\times^2
         if text in _SPACES_WITH_ARGUMENT or text == "\\begin{array}":
             length_until = _behind_group(tokens, place + 1)
 
 
 def _bare_inverse(tokens: Sequence[Token], place: int) -> int:
-    """The place of ^{-1} behind the braces that open here, if they are empty: of I{}^{-1}; else 0."""
+    """Returns the index of the ^{-1} after empty braces that open here, as in I{}^{-1}; else 0."""
     behind = _past_spaces(tokens, _behind_group(tokens, place))
     is_empty = all(token.text in "{} " for token in tokens[place:behind])
     power = "".join(token.text for token in tokens[behind : _behind_group(tokens, behind + 1)])

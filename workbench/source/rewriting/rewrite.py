@@ -1,4 +1,4 @@
-"""What a text writes for the eye, as the claim language spells it. Every token stays in its place."""
+"""Rewriting of a text's presentational TeX to the claim language. Every token keeps its position."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _DROPPED = frozenset((
 _DROPPED_WITH_ARGUMENT = frozenset(
     ["hspace", "vspace", "vphantom", "color", "label", "hskip", "mspace", "require"]
 )
-#: What parts formulas as a wide space does.
+#: Commands that separate formulas like a wide space.
 _WIDE = frozenset({"hfill", "hfil", "therefore", "because"})
 _WIDE_WITH_ARGUMENT = frozenset({"phantom", "hphantom"})
 _UNWRAPPED = frozenset((
@@ -38,7 +38,7 @@ _GROUPS = frozenset({"SO", "SE", "so", "se"})
 _OVER = frozenset({"overset", "stackrel", "underset"})
 _NO_NOTES = frozenset({"\\sim", "\\approx", "\\cdot", "\\circ", "\\wedge", "\\triangle", "\\Delta"})
 _BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
-#: Sets by the commands that KaTeX has for them.
+#: Letters of sets with commands in KaTeX.
 _BLACKBOARD = frozenset("RNZC")
 _TYPED = {(":", "="): ":=", ("=", ":"): "=", ("=", ">"): "\\Rightarrow", ("\\not", "="): "\\neq"}
 _RENAMED = {
@@ -74,9 +74,11 @@ _RENAMED = {
 
 
 def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Token]:
-    """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows; and
-    letters that stand together and are one of the words by the command of this name. What is too long to be
-    read stays as it is."""
+    """Returns the tokens without spacing, colours and numbers, with bold italics and brackets by known names.
+
+    words: adjacent letters that spell one of these become the command of that name. Formulas over the length
+    limit stay unchanged.
+    """
     if len(tokens) > MOST_CHARACTERS:
         return list(tokens)
     made = list(_respelled(list(with_nuclei(as_read(list(with_typefaces(list(without_kerns(tokens)))))))))
@@ -87,7 +89,8 @@ def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Toke
 
 
 def _tidied(tokens: list[Token]) -> list[Token]:
-    """\\frac{d^{} {f}}{{d{t}}^{}}, as macros make it, without the braces and scripts that print nothing."""
+    """Returns the tokens without braces and scripts that print nothing: \\frac{d^{} {f}}{{d{t}}^{}}, as
+    macros write."""
     made: list[Token] = []
     place = 0
     while place < len(tokens):
@@ -118,7 +121,7 @@ def _tidied(tokens: list[Token]) -> list[Token]:
 
 
 def _opens_argument(before: list[Token]) -> bool:
-    """Whether the braces that follow hold what \\frac takes."""
+    """True if the braces that follow contain an argument of \\frac."""
     texts = [token.text for token in before if token.text != " "]
     depth = 0
     for back, text in enumerate(reversed(texts)):
@@ -148,13 +151,13 @@ def _with_words(tokens: list[Token], words: Collection[str]) -> Iterator[Token]:
 
 
 def _is_upright(tokens: Sequence[Token], place: int) -> bool:
-    """Whether what stands there is what \\text{cos} holds, which is read as that function."""
+    """True if the word is the contents of \\text{cos} or the like, which is read as that function."""
     before = [token for token in tokens[:place][-2:] if token.text != " "]
     return len(before) == 2 and before[1].text == "{" and before[0].word in (*_TEXTS, "operatorname")
 
 
 def _spells(tokens: Sequence[Token], word: str) -> bool:
-    """Whether the author wrote the word, with nothing between its letters."""
+    """True if the author wrote the word without anything between its letters."""
     if "".join(token.text for token in tokens) != word or len(tokens) != len(word):
         return False
     return all(one.end == other.start for one, other in pairwise(tokens))
@@ -222,25 +225,25 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
 
 
 def _opens(tokens: Sequence[Token], place: int) -> bool:
-    """Whether a bracket that prints stands there."""
+    """True if there is a bracket that prints."""
     return any(token.text in ("(", "[", "|") for token in tokens[place : place + 1])
 
 
 def _blank(tokens: Sequence[Token], place: int) -> int | None:
-    """The place behind the words, if they are a box with nothing in it."""
+    """Returns the index after the words if they are an empty box, else None."""
     inside, end = argument(tokens, place)
     printing = "".join(token.text for token in inside)
     return end if re.fullmatch(r"\\makebox(?:\[[^]]*\])*\{\}", printing) else None
 
 
 def _is_name(tokens: Sequence[Token], place: int) -> bool:
-    """Whether \\text holds one letter, or the name of a group: v in \\text{v}, SO in \\textrm{SO}(3)."""
+    """True if \\text contains one letter, or the name of a group: v in \\text{v}, SO in \\textrm{SO}(3)."""
     inside = "".join(token.text for token in argument(tokens, place)[0])
     return (len(inside) == 1 and inside.isalpha()) or inside in _GROUPS
 
 
 def _is_function(tokens: Sequence[Token], place: int) -> bool:
-    """Whether \\text holds a word in front of a bracket: Adj in \\textrm{Adj}(A)."""
+    """True if \\text contains a word before a bracket: Adj in \\textrm{Adj}(A)."""
     inside, end = argument(tokens, place)
     word = "".join(token.text for token in inside)
     behind = [token.text for token in tokens[end:] if token.text not in (" ", "\\left")][:1]
@@ -250,7 +253,8 @@ def _is_function(tokens: Sequence[Token], place: int) -> bool:
 
 
 def _noted_sign(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:
-    """Where the = of \\overset{(a)}{=} stands, and the place behind; None for a sign of another meaning."""
+    """Returns the index of the = of \\overset{(a)}{=}, and the index after it; None for a sign with another
+    meaning."""
     note, end = argument(tokens, place)
     sign, behind = argument(tokens, end)
     words = "".join(token.text for token in note)
@@ -261,12 +265,13 @@ def _noted_sign(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:
 
 
 def _is_empty(tokens: Sequence[Token], place: int) -> bool:
-    """Whether {} stands there: as a script, as macros write a power of which nothing is said."""
+    """True if there is {}, as macros write an absent script."""
     return place >= 0 and [token.text for token in tokens[place : place + 2]] == ["{", "}"]
 
 
 def _formula_in(tokens: Sequence[Token], place: int) -> tuple[bool, list[Token], int] | None:
-    """The formula of \\mbox{\\boldmath $x$}, and whether it is bold; None for words."""
+    """Returns whether the formula of \\mbox{\\boldmath $x$} is bold, the formula, and the index after it;
+    None for words."""
     inner, end = argument(tokens, place)
     plain = [token for token in inner if token.text != " " and token.text not in _BOLD]
     if len(plain) > 4 and plain[0].text == "{" and _group_end(plain) == len(plain):
@@ -277,18 +282,18 @@ def _formula_in(tokens: Sequence[Token], place: int) -> tuple[bool, list[Token],
 
 
 def _differential(tokens: Sequence[Token], place: int) -> int | None:
-    """The place behind the d of \\operatorname{d}; None for another operator."""
+    """Returns the index after the d of \\operatorname{d}; None for another operator."""
     inner, end = argument(tokens, place)
     return end if [token.text for token in inner if token.text != " "] == ["d"] else None
 
 
 def _dollars(tokens: Sequence[Token]) -> int:
-    """How many of the tokens stand in the first formula between dollars, these counted."""
+    """Returns the number of tokens of the first formula between dollars, including these."""
     return next((place + 1 for place, token in enumerate(tokens) if place and token.text == "$"), 0)
 
 
 def argument(tokens: Sequence[Token], place: int) -> tuple[list[Token], int]:
-    """The argument at `place`, braces gone, and the place behind it."""
+    """Returns the argument at `place` without braces, and the index after it."""
     place = _past(tokens, place, " ")
     if place >= len(tokens):
         return [], place

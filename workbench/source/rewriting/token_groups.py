@@ -1,4 +1,4 @@
-"""Where groups of tokens end, and what prints nothing between them."""
+"""Groups of tokens, and the invisible tokens between them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ GAPS = frozenset([" ", "\\ ", "\\\n", *_GAP_NAMES.split()])
 
 
 def behind(tokens: Sequence[Token], place: int) -> int:
-    """The place behind the group, or the one token, that stands at `place`."""
+    """Returns the index after the group, or the one token, at `place`."""
     if place >= len(tokens) or tokens[place].text != "{":
         is_faced = place < len(tokens) and tokens[place].text in FACES | TEXTS
         return behind(tokens, past(tokens, place + 1)) if is_faced else min(place + 1, len(tokens))
@@ -53,14 +53,14 @@ def braced(head: Token, inside: Sequence[Token]) -> list[Token]:
 
 
 def group(tokens: Sequence[Token], place: int) -> tuple[list[Token], int]:
-    """What stands in the braces at `place`, or the one token, and the place behind."""
+    """Returns the contents of the braces at `place`, or the one token, and the index after it."""
     end = behind(tokens, place)
     has_braces = place < len(tokens) and tokens[place].text == "{"
     return list(tokens[place + 1 : end - 1] if has_braces else tokens[place:end]), end
 
 
 def is_one_symbol(tokens: Sequence[Token]) -> bool:
-    """Whether the tokens are one letter with its marks and scripts."""
+    """True if the tokens are one letter with its marks and scripts."""
     inside = [token for token in tokens if token.text not in GAPS]
     place = 0
     while place < len(inside) and inside[place].text in FACES | MARKS:

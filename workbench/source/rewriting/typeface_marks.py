@@ -1,4 +1,4 @@
-"""Signs in a typeface, dots behind a bracket, bars that a tool writes, degrees."""
+"""Signs in a typeface, dots after a bracket, bars of conversion tools, degrees."""
 
 from __future__ import annotations
 
@@ -6,21 +6,22 @@ from workbench.language.grammar.vocabulary import SIZES
 from workbench.source.documents import Token
 from workbench.source.rewriting.token_groups import FACES, ahead, braced, group, is_one_symbol, past, printed
 
-#: Those that make an opening or a closing bracket of a sign.
+#: Sizes that make a sign an opening or a closing bracket.
 _SIDED = frozenset(f"\\{size}" for size in SIZES if size.endswith(("left", "right", "l", "r")))
 
 _BESIDE_A_SUM = frozenset({*"()[]{}=+-&,.", "\\\\", "\\right"})
 
 
 def _in_a_face(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """What stands in the braces of a typeface there, and the place behind."""
+    """Returns the contents of the braces of a typeface at this index, and the index after them; else None."""
     start = past(tokens, place + 1)
     is_faced = tokens[place].text in FACES and printed(tokens[start : start + 1]) == ["{"]
     return group(tokens, start) if is_faced else None
 
 
 def summed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\mathbf{a - b}, each a symbol, as \\mathbf{a} - \\mathbf{b}, where nothing stands beside the sum."""
+    """Rewrites \\mathbf{a - b} to \\mathbf{a} - \\mathbf{b}, if the terms are symbols and the sum stands
+    alone."""
     if (faced := _in_a_face(tokens, place)) is None:
         return None
     inside, end = faced
@@ -47,7 +48,7 @@ def summed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def angle(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\left< a, b \\right> with the brackets that it prints."""
+    """Rewrites \\left< a, b \\right> to the angle brackets that it prints."""
     size, sign = tokens[place], tokens[place + 1 : place + 2]
     bracket = {"<": "\\langle", ">": "\\rangle"}.get(sign[0].text) if sign else None
     if bracket is None or size.text not in _SIDED:
@@ -56,7 +57,7 @@ def angle(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def signed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\mathbf{-v}, one symbol and a sign in its face, as (-\\mathbf{v})."""
+    """Rewrites \\mathbf{-v}, one symbol with a sign, to (-\\mathbf{v})."""
     if (faced := _in_a_face(tokens, place)) is None:
         return None
     inside, end = faced
@@ -69,7 +70,7 @@ def signed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def dotted_bracket(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """(a b)\\dot{}, with the dot behind the bracket, as \\dot{(a b)}, and (a b)^\\cdot."""
+    """Rewrites (a b)\\dot{}, with the dot after the bracket, and (a b)^\\cdot to \\dot{(a b)}."""
     start = place + (tokens[place].text == "\\left")
     closing = {"(": ")", "[": "]"}.get(tokens[start].text) if start < len(tokens) else None
     end = None if closing is None else _closed(tokens, start, closing)
@@ -84,7 +85,7 @@ def dotted_bracket(tokens: list[Token], place: int) -> tuple[list[Token], int] |
 
 
 def _closed(tokens: list[Token], start: int, closing: str) -> int | None:
-    """The place behind the bracket that opens at `start`."""
+    """Returns the index after the bracket that opens at `start`; None if it does not close."""
     depth = 0
     for end in range(start, len(tokens)):
         depth += (tokens[end].text == tokens[start].text) - (tokens[end].text == closing)
@@ -94,13 +95,13 @@ def _closed(tokens: list[Token], start: int, closing: str) -> int | None:
 
 
 def empty_bars(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\left|\\right|, of which a tool makes two to print a norm, as \\|."""
+    """Rewrites \\left|\\right|, with which a tool prints half of a norm sign, to \\|."""
     is_pair = [token.text for token in tokens[place : place + 4]] == ["\\left", "|", "\\right", "|"]
     return ([tokens[place].standing_for("\\|")], place + 4) if is_pair else None
 
 
 def degrees(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """90^\\circ as \\frac{90}{180}\\pi."""
+    """Rewrites 90^\\circ to \\frac{90}{180}\\pi."""
     head, end = tokens[place], place
     while end < len(tokens) and tokens[end].text.isdecimal():
         end += 1

@@ -1,4 +1,4 @@
-"""The steps of a statement: a chain a = b = c as a = b and b = c, each with what stands beside it."""
+"""Steps of a statement: a chain a = b = c is a = b and b = c, each with its side conditions."""
 
 from __future__ import annotations
 
@@ -19,14 +19,17 @@ from workbench.source.rows.side_words import words_of
 
 @dataclass(frozen=True)
 class Step:
-    """One relation, with what stands beside it.
+    """One relation, with the formulas next to it.
 
-    own: what it adds to the step before, all for the first.   assumed: its conditions.   reasons: those that
-    its author gives for it.   ranges: those that say where its symbols are, as i ≥ 1 and x ∈ [0, 1] do, with
-    which the tokens end.   perhaps: equations beside it, which may be its conditions.   serves: formulas
-    whose condition it may be.   otherwise: what stands there if the display is read in another way, which
-    `question` names.   limits: words beside it that limit it.   denied: the words that deny it.
-    number, labels: those of the row that it ends in."""
+    own: the part that it adds to the previous step; for the first step, everything.
+    assumed: its conditions.   reasons: the reasons that its author gives.
+    ranges: those of its symbols, as i ≥ 1 and x ∈ [0, 1], at the end of the tokens.
+    perhaps: equations next to it, which may be its conditions.
+    serves: formulas whose condition it may be.
+    otherwise: the formulas in the other reading of the display, which `question` names.
+    limits: words next to it that limit it.   denied: the words that deny it.
+    number, labels: those of the row that it ends in.
+    """
 
     tokens: tuple[Token, ...]
     own: tuple[Token, ...]
@@ -46,12 +49,12 @@ class Step:
         return spelled(self.tokens)
 
     def without_ranges(self) -> Step:
-        count = sum(1 + len(piece) for piece in self.ranges)  # and a comma before each
+        count = sum(1 + len(piece) for piece in self.ranges)  # with a comma before each
         return replace(self, tokens=self.tokens[: len(self.tokens) - count], ranges=())
 
 
 def steps_of(display: Display, words: Collection[str] = ()) -> list[list[Step]]:
-    """The statements of the display, each as its steps. words: functions that it writes without their
+    """Returns the statements of the display, each as its steps. words: functions that it writes without
     backslash."""
     statements = cut_display(display).statements
     return [steps for each in statements if (steps := list(_Chain(each, words).steps()))]
@@ -59,7 +62,7 @@ def steps_of(display: Display, words: Collection[str] = ()) -> list[list[Step]]:
 
 @dataclass(frozen=True)
 class _Span:
-    """The nodes of one step: from `start` to `end`; `own` is the place of what it adds."""
+    """The nodes of one step, from `start` to `end`; `own` is the index of the part that it adds."""
 
     start: int
     own: int
@@ -101,8 +104,10 @@ class _Chain:
         return [_Span(*span) for span in zip(starts, self._places, ends, strict=False)]
 
     def _formula(self, start: int, end: int, own: int = 0) -> list[Token]:
-        """The tokens of the nodes from `start` to `end`, as the reader knows them. own: the place of the
-        relation of one step among several."""
+        """Returns the tokens of the nodes from `start` to `end`, rewritten for the reader.
+
+        own: the index of the relation of one step among several.
+        """
         sides = [self._nodes[start:end]]
         if start < own < end:
             sides = [self._nodes[start:own], [self._nodes[own]], self._nodes[own + 1 : end]]
@@ -115,7 +120,7 @@ class _Chain:
         return respelled(tokens_of(nodes), self._words)
 
     def _row(self, end: int) -> tuple[str | None, tuple[str, ...]]:
-        """The number and the labels of the row in which a step ends."""
+        """Returns the number and the labels of the row in which a step ends."""
         statement = self._statement
         rows = [row for row in statement.rows if row.count >= end]
         row = next((row for row in rows if row.number is not None), rows[0] if rows else None)
@@ -125,7 +130,7 @@ class _Chain:
         return [each for each in self._statement.beside if each.role is role and each.first <= at]
 
     def _sides(self, at: int, tokens: list[Token]) -> dict[str, tuple[tuple[Token, ...], ...]]:
-        """The conditions and reasons of a step; what only repeats it is none."""
+        """Returns the conditions and reasons of a step, without those that repeat it."""
         found: dict[str, tuple[tuple[Token, ...], ...]] = {}
         for key, role in (("assumed", Role.CONDITION), ("reasons", Role.REASON), ("perhaps", Role.PERHAPS)):
             sides = [tuple(self._respelled(bare(each.nodes))) for each in self._beside(role, at)]
@@ -133,7 +138,7 @@ class _Chain:
         return found
 
     def _doubts(self, span: _Span) -> dict[str, object]:
-        """The formula of the step in the other reading, in which the statement is parted at its doubts."""
+        """Returns the formula of the step in the other reading, which splits the statement at its doubts."""
         doubts = [each for each in self._statement.doubts if span.start < each.at < span.end]
         if not doubts or self._statement.whole:
             return {}
@@ -144,7 +149,7 @@ class _Chain:
         return {"otherwise": (other,), "question": f"{doubts[0].question}: {joined(other)}"}
 
     def _served(self) -> tuple[tuple[Token, ...], ...]:
-        """The steps of the statements of which this one may be a condition."""
+        """Returns the steps of the statements that this one may be a condition of."""
         chains = [_Chain(each, self._words) for each in self._statement.serves]
         spans = [(chain, span) for chain in chains for span in chain._spans()]
         return tuple(tuple(chain._formula(span.start, span.end, span.own)) for chain, span in spans)
@@ -175,13 +180,13 @@ class _Chain:
 
 
 def bare(nodes: Sequence[Node]) -> list[Node]:
-    """The nodes without blanks and without a bracket around them."""
+    """Returns the nodes without blanks and without a bracket around them."""
     kept = trimmed(nodes)
     return bare(inner) if (inner := inside_of(kept)) else kept
 
 
 def tokens_of(nodes: Sequence[Node]) -> list[Token]:
-    """What the nodes print of the formula: without alignment marks, spaces behind a sign, and notes."""
+    """Returns the printed tokens of the nodes, without alignment marks, spaces after a sign, and notes."""
     made: list[Token] = []
     before: Kind | None = None
     for at, node in enumerate(nodes):
@@ -200,7 +205,7 @@ def tokens_of(nodes: Sequence[Node]) -> list[Token]:
 
 
 def _is_empty_group(node: Node) -> bool:
-    """Whether the node is {}, which prints nothing."""
+    """True if the node is {}, which prints nothing."""
     return "".join(token.text for token in node.tokens).replace(" ", "") == "{}"
 
 
@@ -209,7 +214,7 @@ def _flat(tokens: Sequence[Token]) -> str:
 
 
 def _with_implications(tokens: list[Token]) -> list[Token]:
-    """The arrow of a = b → c = d as the implication that it is."""
+    """Returns the tokens with the arrow of a = b → c = d as an implication."""
     depth, made = 0, []
     for token in tokens:
         depth += (token.text in "([{") - (token.text in ")]}")
@@ -219,7 +224,7 @@ def _with_implications(tokens: list[Token]) -> list[Token]:
 
 
 def _as_a_definition(tokens: list[Token]) -> list[Token]:
-    """x \\equiv … that says what x is as x := …, and x = const as the rate that is 0."""
+    """Returns x \\equiv … as a definition x := …, and x = const as the statement that its rate is 0."""
     at = _first_equality(tokens)
     if at is None:
         return tokens
@@ -232,7 +237,7 @@ def _as_a_definition(tokens: list[Token]) -> list[Token]:
 
 
 def _first_equality(tokens: Sequence[Token]) -> int | None:
-    """The place of the first = or \\equiv outside of brackets."""
+    """Returns the index of the first = or \\equiv outside brackets, else None."""
     depth = 0
     for at, token in enumerate(tokens):
         depth += (token.text in "([{") - (token.text in ")]}")
@@ -242,7 +247,7 @@ def _first_equality(tokens: Sequence[Token]) -> int | None:
 
 
 def _is_constant(right: Sequence[Token]) -> bool:
-    """Whether a side is the word: a = const."""
+    """True if a side is the word in a = const."""
     right = [token for token in right if token.text != " "]
     if not right or right[0].text not in WORD_COMMANDS | UPRIGHT_FACES:
         return False
@@ -251,13 +256,13 @@ def _is_constant(right: Sequence[Token]) -> bool:
 
 
 def _at_rest(left: Sequence[Token], sign: Token) -> list[Token]:
-    """That the left side is constant: its rate is 0."""
+    """Returns the equation that the rate of the left side is 0."""
     rate = [left[0].standing_for(text) for text in ("\\frac", "{", "d", "}", "{", "d", "t", "}", "(")]
     return [*rate, *left, *(sign.standing_for(text) for text in (")", "=", "0"))]
 
 
 def _names(left: Sequence[Token], right: Sequence[Token]) -> bool:
-    """Whether x \\equiv … says what x is, and not that two things count as one, as in q \\equiv -q."""
+    """True if x \\equiv … defines x, and does not identify two terms as q \\equiv -q does."""
     left = [token for token in left if token.text != " "]
     if not is_one_symbol(left):
         return False

@@ -1,4 +1,4 @@
-"""The cutter: from the tree of a display to its statements, with what stands beside each of them.
+"""The cutter: from the tree of a display to its statements, with the formulas next to each of them.
 
 Every printed token of the display is in one statement, condition, reason, range, remark or named leftover.
 """
@@ -43,7 +43,7 @@ class _Line:
 
 
 def cut_display(display: Display) -> Cut:
-    """What the display says."""
+    """Returns the statements of the display."""
     cutter = _Cutter()
     base = display.environment.rstrip("*")
     lines = [
@@ -69,7 +69,7 @@ class _Cutter:
         return self.state.cut
 
     def content(self, nodes: list[Node], number: str | None, labels: tuple[str, ...]) -> None:
-        """One formula, or an environment of lines with what stands beside it."""
+        """Reads one formula, or an environment of lines with the text next to it."""
         nodes = self._without_brackets(nodes)
         if any(node.kind is Kind.BREAK for node in nodes):
             rows = rows_of(nodes)
@@ -80,7 +80,7 @@ class _Cutter:
         self._row(line, Layout(Marks.NONE, "", opens=False), may_hold_lines=True)
 
     def lines(self, lines: Sequence[_Line], base: str) -> None:
-        """The rows of an environment."""
+        """Reads the rows of an environment."""
         base = base.rstrip("*")
         has_marks = any(len(line.cells) > 1 for line in lines)
         marks = LINES.get(base, Marks.CELLS if has_marks else Marks.NONE)
@@ -94,7 +94,7 @@ class _Cutter:
         self.state.columns = outer
 
     def _without_brackets(self, nodes: list[Node]) -> list[Node]:
-        """{a = b} as a = b, and the rows of a system without the bracket around them."""
+        """Returns the nodes of {a = b}, and the rows of a system, without the bracket around them."""
         kept, around = trim(nodes)
         if len(kept) != 1 or kept[0].kind is not Kind.GROUP or kept[0].name not in _SYSTEM_BRACKETS:
             return nodes
@@ -125,7 +125,7 @@ class _Cutter:
         reader.end()
 
     def _system(self, piece: Piece, system: Node, line: _Line, reader: RowReader) -> None:
-        """The rows of an environment that stands in a row; what is behind it is said of each of them."""
+        """Reads the rows of an environment within a row; the text after it applies to each of them."""
         around = without([*piece.separator, *piece.kept], *system.inside)
         self.state.leave(Leftover.LAYOUT, [Node(Kind.NOTHING, around)])
         first = len(self.cut.statements)
@@ -133,14 +133,14 @@ class _Cutter:
         reader.stands_behind(self.cut.statements[first:])
 
     def _number_behind_lines(self, piece: Piece) -> None:
-        """Leaves the number that an author sets by hand behind an environment of lines."""
+        """Moves a number set by hand after an environment of lines to the leftovers."""
         places = [at for at, node in enumerate(piece.kept) if is_lines(node) and node.name != "array"]
         if places and (behind := trimmed(piece.kept[places[-1] + 1 :])) and is_number(behind):
             self.state.leave(Leftover.NUMBER, piece.kept[places[-1] + 1 :])
             piece.kept = piece.kept[: places[-1] + 1]
 
     def done(self) -> Cut:
-        """The cut, once all rows are read."""
+        """Returns the cut after all rows are read."""
         for statement in self.cut.statements:
             self._without_open_signs(statement)
             statement.whole = statement.whole or _maps(statement.nodes)
@@ -156,7 +156,8 @@ class _Cutter:
         return self.cut
 
     def _without_open_signs(self, statement: Statement) -> None:
-        """Leaves the signs at both ends that relate nothing: what goes on from before is judged by itself."""
+        """Moves relation signs at both ends of a statement to the leftovers; a continuation is judged
+        separately."""
         nodes = statement.nodes
         while nodes and nodes[0].kind in (Kind.IMPLICATION, Kind.RELATION):
             self.state.leave(Leftover.OPEN_SIGN, nodes[:1])
@@ -172,17 +173,17 @@ class _Cutter:
 
 
 def is_lines(node: Node) -> bool:
-    """Whether it is an environment of lines."""
+    """True for an environment of lines."""
     return node.kind is Kind.ENVIRONMENT and node.name.rstrip("*") in LINES
 
 
 def is_number(nodes: Iterable[Node]) -> bool:
-    """Whether the nodes print the number of a formula, such as (2.1)."""
+    """True if the nodes print the number of a formula, such as (2.1)."""
     return NUMBER.fullmatch(joined([token for node in nodes for token in node.tokens])) is not None
 
 
 def system_in(kept: list[Node]) -> Node | None:
-    """The environment of lines that the nodes are, perhaps in a bracket."""
+    """Returns the environment of lines that the nodes consist of, perhaps in a bracket; else None."""
     if len(kept) == 1 and kept[0].kind is Kind.GROUP and kept[0].name in _SYSTEM_BRACKETS[:4]:
         kept = trimmed(kept[0].inside)
     elif len(kept) == 2 and kept[0].kind is Kind.OPEN:
@@ -199,13 +200,13 @@ def system_in(kept: list[Node]) -> Node | None:
 
 
 def _is_ellipsis(piece: Piece, pieces: Sequence[Piece]) -> bool:
-    """Whether the row holds nothing but dots."""
+    """True if the row contains only dots."""
     is_only = sum(bool(each.kept) for each in pieces) == 1
     return is_only and all(node.name in ELLIPSES or node.kind in (Kind.STOP, Kind.GAP) for node in piece.kept)
 
 
 def _maps(nodes: Sequence[Node]) -> bool:
-    """Whether a = b \\to c = d is an implication, and no map."""
+    """True if a = b \\to c = d is an implication, and not a map."""
     arrows = [at for at in relation_places(nodes) if nodes[at].name in ARROWS]
     return bool(arrows) and all(
         any(node.name == "=" for node in part) for at in arrows for part in (nodes[:at], nodes[at + 1 :])

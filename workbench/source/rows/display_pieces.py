@@ -1,4 +1,4 @@
-"""The pieces of a row: what stands between alignment marks, commas, wide spaces, words and quantifiers."""
+"""Pieces of a row: the parts between alignment marks, commas, wide spaces, words and quantifiers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from workbench.source.rows.side_words import is_name
 
 
 class Apart(Enum):
-    """What stands before a piece. PAIR: the mark of a further pair of columns."""
+    """The separators before a piece. PAIR: the mark of a further pair of columns."""
 
     START = auto()
     MARK = auto()
@@ -36,9 +36,10 @@ _SEPARATORS = {
 class Piece:
     """A piece of a row.
 
-    kept: its nodes without the blanks around them, which are `around`.   separator: the comma, space or
-    quantifier before it.   indent: the wide spaces before it.   ends_at_mark: whether an alignment mark
-    stands behind it."""
+    kept: its nodes without the blanks around them, which are `around`.
+    separator: the comma, space or quantifier before it.   indent: the wide spaces before it.
+    ends_at_mark: True if an alignment mark follows it.
+    """
 
     nodes: list[Node]
     apart: set[Apart]
@@ -49,7 +50,7 @@ class Piece:
     ends_at_mark: bool = False
 
     def closed(self) -> Piece:
-        """The piece, with what it keeps of its nodes."""
+        """Returns the piece with `kept` and `around` set."""
         self.kept, self.around = trim(self.nodes)
         if self.kept:
             behind = self.nodes[self.nodes.index(self.kept[-1]) :]
@@ -70,19 +71,19 @@ class Piece:
 
 
 def pieces_of(cells: Sequence[Cell], marks: Marks) -> list[Piece]:
-    """The pieces of a row of cells, in order."""
+    """Returns the pieces of a row of cells, in order."""
     return [piece.closed() for cell, apart in _units(cells, marks) for piece in _split(cell, apart)]
 
 
 def dangling(nodes: Sequence[Node]) -> Kind | None:
-    """The kind of the sign that the nodes end with."""
+    """Returns the kind of the sign that the nodes end with, else None."""
     signs = (Kind.RELATION, Kind.INFIX, Kind.SIGN, Kind.IMPLICATION)
     return nodes[-1].kind if nodes and nodes[-1].kind in signs else None
 
 
 def _units(cells: Sequence[Cell], marks: Marks) -> Iterator[tuple[list[Node], Apart]]:
-    """The cells; a left and a right one are one unit where the right one begins with a relation or the left
-    one is empty."""
+    """Yields the cells; a left and a right one are one unit if the right one begins with a relation or the
+    left one is empty."""
     units: list[tuple[list[Node], Apart]] = []
     for at, cell in enumerate(cells):
         if at and (marks is Marks.CELLS or at % 2 == 1) and _is_one_unit(units[-1][0], cell):
@@ -128,13 +129,13 @@ def _split(cell: list[Node], apart: Apart) -> Iterator[Piece]:
 
 
 def _is_within(piece: Piece) -> bool:
-    """Whether a wide space belongs to the piece: it indents, or stands behind a sign."""
+    """True if a wide space belongs to the piece: it indents it, or follows a sign."""
     kept = trimmed(piece.nodes)
     return not kept or dangling(kept) is not None
 
 
 def _ends_a_column(cell: Sequence[Node], at: int, piece: Sequence[Node]) -> bool:
-    """Whether the node there is a visible space behind a column that ends a formula."""
+    """True if the node is a visible space after a column that ends a formula."""
     node = cell[at]
     if node.kind is not Kind.GAP or node.text.strip(" ") not in {gap.strip(" ") for gap in VISIBLE_GAPS}:
         return False

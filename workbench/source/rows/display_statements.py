@@ -1,4 +1,4 @@
-"""What a display says: its statements, what stands beside each of them, and what is left over."""
+"""Contents of a display: its statements, the formulas next to each of them, and the leftovers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from workbench.source.rows.display_vocabulary import GAPS
 
 
 class Role(Enum):
-    """What an equation beside a statement is. PERHAPS: a statement of its own, or a condition."""
+    """The role of an equation next to a statement. PERHAPS: a separate statement or a condition."""
 
     CONDITION = auto()
     REASON = auto()
@@ -21,7 +21,7 @@ class Role(Enum):
 
 
 class Leftover(Enum):
-    """Why tokens are in no statement."""
+    """Reasons why tokens are in no statement."""
 
     LAYOUT = "layout"
     NUMBER = "a number set by hand"
@@ -34,7 +34,7 @@ class Leftover(Enum):
 
 @dataclass(eq=False)
 class Beside:
-    """What stands beside a statement. first: the first of its steps that it is said of."""
+    """A formula next to a statement. first: the first step that it applies to."""
 
     role: Role
     nodes: list[Node]
@@ -43,7 +43,7 @@ class Beside:
 
 @dataclass(frozen=True)
 class Doubt:
-    """Two readings of a statement: as one, or as two that are parted before its node `at`."""
+    """Two readings of a statement: as one, or split before its node `at`."""
 
     at: int
     question: str
@@ -51,7 +51,7 @@ class Doubt:
 
 @dataclass(frozen=True)
 class RowEnd:
-    """Where a row of the display ends in a statement: the count of its nodes so far."""
+    """The end of a row of the display in a statement: the count of its nodes so far."""
 
     count: int
     number: str | None
@@ -62,11 +62,13 @@ class RowEnd:
 class Statement:
     """One statement of a display.
 
-    limits: words beside it that limit it.   denied: the words that deny it.   whole: whether it states more
-    than one formula, as an implication does.   begins_left: whether its first row has something before the
-    alignment mark.   is_condition_of: the statement that it may only be a condition of.   serves: the
-    statements that it may be a condition of.   indent: the wide spaces before its first row.
-    ends_at_mark: whether an alignment mark stands behind it."""
+    limits: words next to it that limit it.   denied: the words that deny it.
+    whole: True if it contains several formulas, as an implication does.
+    begins_left: True if its first row has text before the alignment mark.
+    is_condition_of: the statement that it may only be a condition of.
+    serves: the statements that it may be a condition of.   indent: the wide spaces before its first row.
+    ends_at_mark: True if an alignment mark follows it.
+    """
 
     nodes: list[Node]
     number: str | None = None
@@ -84,21 +86,21 @@ class Statement:
     rows: list[RowEnd] = field(default_factory=list)
 
     def shift(self, count: int) -> None:
-        """Counts its nodes without the first `count`, which are left out."""
+        """Shifts the indices after the first `count` nodes are removed."""
         self.rows = [RowEnd(end.count - count, end.number, end.labels) for end in self.rows]
         self.doubts = [Doubt(doubt.at - count, doubt.question) for doubt in self.doubts]
 
 
 @dataclass
 class Cut:
-    """The statements of a display, the words beside them, and what is left over by its name."""
+    """The statements of a display, the words next to them, and the leftovers by name."""
 
     statements: list[Statement] = field(default_factory=list)
     remarks: list[Node] = field(default_factory=list)
     leftovers: list[tuple[Leftover, list[Node]]] = field(default_factory=list)
 
     def places(self) -> Iterator[list[Node]]:
-        """The nodes of each place that a token can be in."""
+        """Yields the nodes of each part that a token can be in."""
         for statement in self.statements:
             yield statement.nodes
             yield from (beside.nodes for beside in statement.beside)
@@ -106,7 +108,7 @@ class Cut:
         yield from (nodes for _, nodes in self.leftovers)
 
     def lost(self, display: Display) -> list[Token]:
-        """The printed tokens of the display that are nowhere in the cut: none, by the law of conservation."""
+        """Returns the printed tokens of the display that the cut lacks; there must be none."""
         held = {id(token) for nodes in self.places() for node in nodes for token in node.tokens}
         printed = (token for row in display.rows for token in row.tokens)
         return [token for token in printed if id(token) not in held and token.text not in GAPS]

@@ -1,4 +1,4 @@
-"""The tree of a display, as TeX has it: environments of rows and cells, groups, words, spaces, notes."""
+"""The syntax tree of a display in TeX: environments of rows and cells, groups, words, spaces, notes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from workbench.source.rows.display_vocabulary import (
     Kind,
 )
 
-#: Groups within groups; what is deeper stays a row of single tokens.
+#: Limit on nested groups; deeper groups stay rows of single tokens.
 _MOST_DEPTH = 60
 _LENGTHS = ("pt", "ex", "em", "mm", "cm", "in")
 _BLANK = frozenset({Kind.GAP, Kind.NOTHING, Kind.MARK, Kind.BREAK})
@@ -36,8 +36,9 @@ class Node:
     """A part of a display.
 
     tokens: all of it, in order.   inside: the nodes of a group, or those that a note belongs to.
-    note: what stands above or below it.   name: the command, environment or bracket.   rows: those of an
-    environment, as cells.   paired: whether its bracket ends in another row."""
+    note: the nodes above or below it.   name: the command, environment or bracket.
+    rows: those of an environment, as cells.   paired: True if its bracket closes in another row.
+    """
 
     kind: Kind
     tokens: list[Token]
@@ -53,16 +54,17 @@ class Node:
 
     @property
     def is_blank(self) -> bool:
-        """Whether it prints nothing."""
+        """True if the node prints nothing."""
         return self.kind in _BLANK
 
 
-#: What stands between two alignment marks.
+#: The nodes between two alignment marks.
 Cell = list[Node]
 
 
 def parse(tokens: Sequence[Token]) -> list[Node]:
-    """The nodes of the tokens. Marks and breaks stay among them; several visible gaps are one wide space."""
+    """Returns the nodes of the tokens, including marks and breaks; several visible gaps become one wide
+    space."""
     made: list[Node] = []
     for node in _Parser(list(tokens)).nodes(()):
         before = made[-1] if made else None
@@ -79,7 +81,8 @@ def parse(tokens: Sequence[Token]) -> list[Node]:
 
 
 def rows_of(nodes: Sequence[Node]) -> list[list[Cell]]:
-    """Rows of cells; each cell but the first begins with its mark, each row but the first with its break."""
+    """Returns rows of cells; each cell but the first begins with its mark, each row but the first with its
+    break."""
     rows: list[list[Cell]] = [[[]]]
     for node in nodes:
         if node.kind is Kind.BREAK:
@@ -132,7 +135,7 @@ class _Parser:
             yield self._single()
 
     def _of_arguments(self, text: str) -> Node | None:
-        """A node that is one bracket, environment or command with its arguments."""
+        """Returns a node for a bracket, an environment or a command with its arguments; else None."""
         start, inside = self._at, None
         if text.startswith("\\begin{"):
             return self._environment(text[7:-1])
@@ -172,7 +175,7 @@ class _Parser:
         return Node(KINDS.get(text, Kind.PLAIN), self._tokens[start : self._at], name=text)
 
     def _wrapped(self, text: str) -> Iterator[Node]:
-        """The nodes inside of \\boxed and the like, behind a node of the command itself."""
+        """Yields a node for \\boxed or the like, then the nodes inside it."""
         start = self._at
         self._take()
         self._optional() if text == "\\bbox" else None
@@ -194,7 +197,7 @@ class _Parser:
         return Node(kind, self._tokens[start : self._at], whole, name=text)
 
     def _braced(self, text: str) -> Node:
-        """\\underbrace{x}_{note}."""
+        """Returns the node of \\underbrace{x}_{note}."""
         start = self._at
         self._take()
         inside, note, end = self._argument(), [], self._at
@@ -206,7 +209,7 @@ class _Parser:
         return Node(Kind.BRACE_NOTE, self._tokens[start:end], inside, note, text)
 
     def _annotated(self, text: str) -> Node:
-        """A relation with a note above it; anything else under a note is a letter."""
+        """Returns a relation with a note above it; other symbols with a note are letters."""
         start = self._at
         self._take()
         self._optional()
@@ -257,7 +260,7 @@ class _Parser:
             self._at += 1
 
     def _argument(self) -> list[Node]:
-        """The nodes inside of the next argument, which is passed with its braces."""
+        """Returns the nodes of the next argument, and moves past its braces."""
         self._pass_gaps()
         if self._next == "{":
             self._take()
@@ -273,7 +276,7 @@ class _Parser:
                 pass
 
     def _length(self) -> None:
-        """Passes the * and the [2pt] of \\\\*[2pt]."""
+        """Skips the * and the [2pt] of \\\\*[2pt]."""
         if self._next == "*" and self._peek(1) != "*":
             self._take()
         text = joined(self._tokens[self._at : self._at + 14])
@@ -283,14 +286,14 @@ class _Parser:
 
 
 def _is_words(nodes: Sequence[Node]) -> bool:
-    """Whether nothing but words stands in a group, and more than a name."""
+    """True if a group contains only words, and more than a name."""
     words = [node for node in nodes if not node.is_blank]
     is_phrase = any(mark in node.text.strip() for node in words for mark in " (")
     return is_phrase and all(node.kind is Kind.WORDS for node in words)
 
 
 def pairs_of(nodes: Sequence[Node]) -> tuple[list[int], int, int]:
-    """The places of brackets that belong together, and how many others open and close."""
+    """Returns the indices of matching brackets, and the numbers of unmatched opening and closing ones."""
     waiting: list[int] = []
     found: list[int] = []
     closes = 0
@@ -305,7 +308,7 @@ def pairs_of(nodes: Sequence[Node]) -> tuple[list[int], int, int]:
 
 
 def with_depth(nodes: Sequence[Node]) -> Iterator[tuple[Node, int]]:
-    """Each node with the number of brackets around it that are closed, in this row or in another one."""
+    """Yields each node with the number of matched brackets around it, which may close in another row."""
     places = set(pairs_of(nodes)[0])
     counts = [
         node.kind in (Kind.OPEN, Kind.CLOSE) and (at in places or node.paired)
@@ -323,14 +326,14 @@ def with_depth(nodes: Sequence[Node]) -> Iterator[tuple[Node, int]]:
 
 
 def relation_places(nodes: Sequence[Node]) -> list[int]:
-    """The places of the relations outside of brackets."""
+    """Returns the indices of the relations outside brackets."""
     return [
         at for at, (node, depth) in enumerate(with_depth(nodes)) if node.kind is Kind.RELATION and not depth
     ]
 
 
 def trim(nodes: Sequence[Node]) -> tuple[list[Node], list[Node]]:
-    """The nodes without blanks around them and punctuation at their end; and these."""
+    """Returns the nodes without surrounding blanks and final punctuation; and the removed nodes."""
     first, last = 0, len(nodes)
     while first < last and (nodes[first].is_blank or nodes[first].kind in (Kind.WIDE, Kind.COMMA)):
         first += 1
@@ -340,7 +343,7 @@ def trim(nodes: Sequence[Node]) -> tuple[list[Node], list[Node]]:
 
 
 def _ends(nodes: Sequence[Node], last: int) -> bool:
-    """Whether the node before `last` is a blank or punctuation, and not the last stop of an ellipsis."""
+    """True if the node before `last` is a blank or punctuation, but not the last stop of an ellipsis."""
     node = nodes[last - 1]
     is_ellipsis = node.kind is Kind.STOP and last > 1 and nodes[last - 2].kind is Kind.STOP
     return node.is_blank or (node.kind in (Kind.WIDE, Kind.COMMA, Kind.STOP) and not is_ellipsis)
@@ -351,6 +354,6 @@ def trimmed(nodes: Sequence[Node]) -> list[Node]:
 
 
 def without(nodes: Sequence[Node], *held: Node) -> list[Token]:
-    """The tokens of the nodes that are in none of those held."""
+    """Returns the tokens of the nodes that are in none of the nodes `held`."""
     inside = {id(token) for node in held for token in node.tokens}
     return [token for node in nodes for token in node.tokens if id(token) not in inside]

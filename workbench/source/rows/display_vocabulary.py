@@ -1,4 +1,4 @@
-"""The tokens that give a display its structure, by the kind of node that each becomes."""
+"""Vocabulary of displays: the tokens that give a display its structure, by the kind of their node."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ class Kind(Enum):
 
 
 class Marks(Enum):
-    """What the alignment marks of an environment of lines part: right and left columns in pairs, columns
-    one by one, or nothing."""
+    """What the alignment marks of an environment of lines separate: right and left columns in pairs, single
+    columns, or nothing."""
 
     PAIRS = auto()
     CELLS = auto()
@@ -58,7 +58,7 @@ RELATIONS = (
     )
 )
 IMPLICATIONS = spellings("IMPLICATION") | _commands("Leftarrow impliedby Longleftarrow")
-#: Relations that say where symbols are, beside an equation.
+#: Relations next to an equation that state ranges of symbols.
 SIDE_RELATIONS = frozenset({"<", ">"}) | _commands(
     "neq ne lt gt le leq ge geq in leqslant geqslant ll gg perp parallel subset subseteq"
 )
@@ -67,7 +67,7 @@ RANGE_RELATIONS = SIDE_RELATIONS - _commands("neq ne perp parallel")
 GAPS = frozenset([" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>"]) | _commands(
     "par enspace enskip thinspace space"
 )
-#: Narrow spaces that an author writes on purpose.
+#: Narrow spaces that authors write intentionally.
 VISIBLE_GAPS = frozenset({"\\ ", "\\\n", "~", "\\;"})
 WIDE = _commands("quad qquad hfill hfil therefore because")
 WIDE_WITH_ARGUMENT = _commands("hspace hskip mspace phantom hphantom")
@@ -84,7 +84,7 @@ WRAPPERS = dict.fromkeys(_commands("boxed fbox Aboxed mathrel mathbin mathord sm
 WRAPPERS |= dict.fromkeys(_commands("textcolor colorbox"), 1)
 NOTHING_WITH_ARGUMENT = _commands("color vspace label vphantom require")
 NOTHING = _commands("displaystyle textstyle nonumber notag nobreak allowbreak limits nolimits")
-#: Commands with arguments that are parts of one symbol or term: the number of arguments.
+#: Commands with arguments that form one symbol or term: the number of arguments.
 TERMS = dict.fromkeys(_commands("frac dfrac tfrac cfrac binom"), 2)
 TERMS |= dict.fromkeys(
     _commands(
@@ -96,7 +96,7 @@ TERMS |= dict.fromkeys(
 ANNOTATED = _commands("stackrel overset underset xrightarrow xlongequal")
 BRACES = _commands("underbrace overbrace")
 CANCELS = _commands("cancel bcancel xcancel cancelto")
-#: Two characters that are one sign.
+#: Two characters that form one sign.
 TYPED = {(":", "="): ":=", ("=", ":"): "=", ("=", ">"): "\\Rightarrow"}
 
 _OPENING = frozenset("([") | _commands("{ lbrace langle lfloor lbrack lparen")
@@ -138,10 +138,10 @@ LINES = {
     ),
     **dict.fromkeys(_names("gather gathered multline multlined equation"), Marks.NONE),
 }
-#: Those of one formula, whose rows can be its factors.
+#: Environments of one formula, whose rows can be its factors.
 ONE_FORMULA = _names("split multline multline* multlined aligned alignedat")
 CASES = ("cases", "dcases", "rcases")
-#: Environments of lines that a file writes with an argument.
+#: Environments of lines with an argument.
 WITH_ARGUMENT = _names("array alignedat alignat alignat* IEEEeqnarray xalignat")
-#: A matrix whose rows are equations.
+#: Matrices whose rows are equations.
 MATRICES_OF_LINES = frozenset({"matrix", "smallmatrix"})

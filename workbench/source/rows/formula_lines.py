@@ -1,4 +1,4 @@
-"""The lines of one formula that is typeset in rows: slices of it, each of which can be read by itself."""
+"""Lines of a formula that is typeset in rows: parts of it that can each be read separately."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ _COLUMNS_WITH_CONDITIONS = "columns of equations with conditions: write one equa
 
 @dataclass(frozen=True)
 class Line:
-    """One line of a formula, without alignment marks. slices: where it stands in the whole formula."""
+    """One line of a formula, without alignment marks. slices: its parts in the whole formula."""
 
     latex: str
     whole: str
     slices: tuple[slice, ...]
 
     def place(self, line: int, column: int) -> tuple[int, int]:
-        """Where in the whole formula this line's character at (line, column) stands."""
+        """Returns the line and column in the whole formula of this line's character at (line, column)."""
         left = sum(len(text) + 1 for text in self.latex.split("\n")[: line - 1]) + column - 1
         for piece in self.slices:
             if left < piece.stop - piece.start:
@@ -56,10 +56,10 @@ def whole_line(latex: str) -> Line:
 
 
 def split_lines(latex: str) -> list[Line]:
-    """The lines of a formula: one for each group of rows that the cutter of displays joins.
+    """Returns the lines of a formula: one for each group of rows that the cutter of displays joins.
 
-    What stands behind an environment of lines (such as ", n \\geq 1") belongs to each of its lines. A map
-    f : A \\to B and what f(x) is are one line. Raises ReadError for a layout that has two readings.
+    The text after an environment of lines (such as ", n \\geq 1") belongs to each of its lines. A map f : A
+    \\to B and its value f(x) are one line. Raises ReadError for a layout with two readings.
     """
     if len(latex) > MOST_CHARACTERS:
         return [whole_line(latex)]
@@ -74,7 +74,8 @@ def split_lines(latex: str) -> list[Line]:
 
 
 def _rows(nodes: list[Node]) -> tuple[list[list[Cell]], list[Node] | None]:
-    """The rows of the formula, and what stands behind their environment. No rows: nothing parts it."""
+    """Returns the rows of the formula, and the nodes after their environment; no rows if nothing separates
+    them."""
     if any(node.name in _MAPS for node in _flat(nodes)):
         return [], None
     kept = [] if any(node.kind is Kind.BREAK for node in nodes) else trimmed(nodes)
@@ -95,7 +96,7 @@ def _flat(nodes: Iterable[Node]) -> Iterator[Node]:
 
 
 class _Lines:
-    """The lines of a formula, from its rows and from what the cutter says of them."""
+    """The lines of a formula, from its rows and its cut."""
 
     def __init__(
         self, latex: str, cut: Cut, rows: Sequence[Sequence[Cell]], behind: Sequence[Node] | None
@@ -118,7 +119,7 @@ class _Lines:
         self._shown = list(latex)
 
     def _own(self, nodes: Iterable[Node]) -> list[Token]:
-        """The tokens of the nodes that stand in the rows."""
+        """Returns the tokens of the nodes that are in the rows."""
         return [token for node in nodes for token in node.tokens if id(token) in self._row_of]
 
     def _parts(self) -> Iterator[list[Token]]:
@@ -146,7 +147,7 @@ class _Lines:
                 self._refuse(_CONDITION_OR_EQUATION, each.nodes[0].tokens[0])
 
     def _groups(self) -> Iterator[range]:
-        """The rows of each line, in order; rows that say nothing are in none."""
+        """Yields the rows of each line, in order; rows without content are in none."""
         ends = list(range(len(self._rows)))
         for each in self._cut.statements:
             held = [
@@ -166,9 +167,10 @@ class _Lines:
                 yield range(start, end + 1)
 
     def _show(self, groups: Sequence[range]) -> None:
-        """Shows blanks for breaks, marks, repeated signs and the punctuation before a break.
+        """Replaces breaks, marks, repeated signs and the punctuation before a break by blanks.
 
-        Commas stand between what marks and wide spaces part."""
+        Commas replace marks and wide spaces between parts.
+        """
         for why, nodes in self._cut.leftovers:
             if why is Leftover.REPEATED_SIGN:
                 self._hide(nodes)
@@ -200,7 +202,7 @@ class _Lines:
             self._shown[start:end] = f",{' ' * (end - start - 1)}"
 
     def _parts_two(self, row: Sequence[Node], at: int) -> bool:
-        """Whether the node at `at`, and no comma, word or sign, stands between two parts of a row."""
+        """True if the node at `at` separates two parts of a row, and is not a comma, word or sign."""
         before = next((node for node in reversed(row[:at]) if node.kind not in _NARROW), None)
         behind = next((node for node in row[at + 1 :] if not _is_space(node)), None)
         if before is None or behind is None or _is_space(before):
@@ -233,7 +235,8 @@ class _Lines:
         return [self._line([slice(tokens[0].start, tokens[-1].end)])]
 
     def _refuse_rows_that_are_conditions(self, held: Sequence[Statement]) -> None:
-        """Raises ReadError where a row of several is μ ≠ 0 or the like, and a condition stands behind all."""
+        """Raises ReadError if one of several rows is μ ≠ 0 or the like, and a condition follows all of
+        them."""
         for each in held:
             names = {each.nodes[at].name for at in relation_places(each.nodes)}
             if names and names <= SIDE_RELATIONS and len(self._rows) > 1:
@@ -255,12 +258,12 @@ def _is_space(node: Node) -> bool:
 
 
 def _says_nothing(row: Sequence[Node]) -> bool:
-    """Whether a row holds only blanks, punctuation and words that join formulas, as \\text{and} does."""
+    """True if a row contains only blanks, punctuation and words that join formulas, as \\text{and}."""
     return all(node.kind is Kind.WORDS and role_of(words_of(node)) is WordRole.JOIN for node in trimmed(row))
 
 
 def _runs(tokens: Sequence[Token]) -> list[slice]:
-    """Where the tokens stand: one slice for those that touch, with a blank behind it where there is one."""
+    """Returns the slices of the tokens: one for adjacent tokens, including a blank after it."""
     runs: list[slice] = []
     for token in tokens:
         if runs and runs[-1].stop >= token.start:
@@ -271,7 +274,7 @@ def _runs(tokens: Sequence[Token]) -> list[slice]:
 
 
 def _trimmed(text: str, piece: slice) -> slice:
-    """Without the punctuation and the blanks at its end."""
+    """Returns the slice without punctuation and blanks at its end."""
     start, end = piece.start, piece.stop
     while end > start and text[end - 1] in _CLOSING and text[end - 2] != "\\":
         end -= 1

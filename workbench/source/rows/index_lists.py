@@ -1,4 +1,4 @@
-"""Ranges of indices that a text lists, i = 1, 2, 3 or j = 1, …, n, as the ranges that the reader knows."""
+"""Listed index ranges, i = 1, 2, 3 or j = 1, …, n, as ranges that the reader accepts."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ _DOTS = frozenset({"...", "…", *(f"\\{name}" for name in DOTS)})
 
 
 def with_listed(pieces: Sequence[list[Token]], line: Sequence[Token]) -> Iterator[list[Token]]:
-    """The pieces of a line, those that list the values of some of its indices as one for each of these:
-    i = \\overline{1,3}. Of j = 1, …, n with an n of which nothing is known, j \\geq 1."""
+    """Yields the pieces of a line, with lists of index values as one range per index: i = \\overline{1,3}.
+
+    j = 1, …, n with an unknown n gives j \\geq 1.
+    """
     place = 0
     while place < len(pieces):
         if (inside := _in_brackets(pieces[place])) is not None:
@@ -30,7 +32,7 @@ def with_listed(pieces: Sequence[list[Token]], line: Sequence[Token]) -> Iterato
 def _listed(
     pieces: Sequence[list[Token]], start: int, line: Sequence[Token]
 ) -> tuple[list[list[Token]], int] | None:
-    """The ranges that begin at `start`, and the place behind them."""
+    """Returns the ranges that begin at `start`, and the index after them; None if there are none."""
     place, letters = start, []
     while place < len(pieces) - 1 and len(pieces[place]) == 1:
         letters += pieces[place]
@@ -59,13 +61,13 @@ def _listed(
 
 
 def is_index_range(piece: Sequence[Token]) -> bool:
-    """Whether it is i = \\overline{…}, or i \\geq 1."""
+    """True for i = \\overline{…}, or i \\geq 1."""
     texts = [token.text for token in piece if token.text != " "]
     return texts[0] in INDEX_LETTERS and (texts[1:3] == ["=", "\\overline"] or texts[1:2] == ["\\geq"])
 
 
 def _is_index(letter: str, line: Sequence[Token]) -> bool:
-    """Whether the letter stands below something in the line."""
+    """True if the letter occurs in a subscript in the line."""
     depth, below = 0, False
     for before, token in pairwise(line):
         if depth == 0 and before.text == "_":
@@ -78,7 +80,7 @@ def _is_index(letter: str, line: Sequence[Token]) -> bool:
 
 
 def _in_brackets(piece: list[Token]) -> list[list[Token]] | None:
-    """What is listed in round brackets around the piece."""
+    """Returns the list in round brackets around the piece, else None."""
     texts = [token.text for token in piece if token.text != " "]
     if texts[:1] != ["("] or texts[-1:] != [")"] or texts[2:3] not in (["="], [","]):
         return None

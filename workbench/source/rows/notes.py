@@ -1,4 +1,4 @@
-"""The premises that a formula carries in its notes: \\stackrel{C}{=}, \\underbrace{x}_{= 0}, \\cancel{x}."""
+"""Premises in the notes of a formula: \\stackrel{C}{=}, \\underbrace{x}_{= 0}, \\cancel{x}."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _BEHIND_AN_ADDEND = (*_BEFORE_AN_ADDEND, Kind.CLOSE, Kind.STOP)
 
 
 def with_notes(statement: Statement) -> None:
-    """Puts the premises in the notes of a statement beside it, from the step on in which each stands."""
+    """Adds the premises in the notes of a statement, from the step on in which each occurs."""
     steps = 0
     places = set(relation_places(statement.nodes))
     for at, node in enumerate(statement.nodes):
@@ -26,7 +26,8 @@ def with_notes(statement: Statement) -> None:
 
 
 def _premises(nodes: Sequence[Node], around: Sequence[Node], at: int) -> list[list[Node]]:
-    """The equations in the notes of the nodes, those in brackets too; `at` is the place of the first."""
+    """Returns the equations in the notes of the nodes, also in brackets; `at` is the index of the first
+    node."""
     found: list[list[Node]] = []
     for place, node in enumerate(nodes, at):
         if node.kind is Kind.BRACE_NOTE and (note := trimmed(node.note)) and note[0].kind is Kind.RELATION:
@@ -42,7 +43,7 @@ def _premises(nodes: Sequence[Node], around: Sequence[Node], at: int) -> list[li
 
 
 def _is_addend(nodes: Sequence[Node], at: int) -> bool:
-    """Whether what stands there is a term of a sum: of a factor struck out nothing is said to vanish."""
+    """True if the node is a term of a sum: a cancelled factor does not vanish."""
     before = next((node.kind for node in reversed(nodes[:at]) if not node.is_blank), Kind.RELATION)
     behind = next((node.kind for node in nodes[at + 1 :] if not node.is_blank), Kind.RELATION)
     return before in _BEFORE_AN_ADDEND and behind in _BEHIND_AN_ADDEND

@@ -1,4 +1,5 @@
-"""A row of a display, piece by piece: each goes on with a statement, begins one or stands beside one."""
+"""Reads a row of a display piece by piece: each piece continues a statement, begins one, or stands next to
+one."""
 
 from __future__ import annotations
 
@@ -41,27 +42,27 @@ class RowReader(RowStatements):
     def __init__(self, state: State, row: Row) -> None:
         super().__init__(state, row)
         self._above = dict(state.columns)
-        self._begun: set[int] = set()  # columns in which this row has said something
-        self._pending: Role | None = None  # what the words before say that the next formula is
+        self._begun: set[int] = set()  # columns that have a statement in this row
+        self._pending: Role | None = None  # role of the next formula according to the words before it
         self._pending_words = ""
         self._names_what = False
-        self._are_unknown = False  # the words before, of which no table says what they mean
-        self._is_quantified = False  # by symbols that the words before name, as "for all x" does
+        self._are_unknown = False  # true if the words before have no known meaning
+        self._is_quantified = False  # true if the words before bind symbols, as "for all x"
         self._said = False
 
     def begins(self, piece: Piece) -> bool:
-        """Whether an environment of lines in this piece is a system, and no side of a formula."""
+        """True if an environment of lines in this piece is a system, and not a side of a formula."""
         return self._here is None or bool(piece.apart & {Apart.WIDE, Apart.COMMA, Apart.WORDS})
 
     def stands_behind(self, statements: Sequence[Statement]) -> None:
-        """What follows is behind these lines of a system."""
+        """Sets the lines of a system that the following pieces apply to."""
         self._take_waiting(statements)
         self._shared, self._here = statements, statements[-1] if statements else None
         self._made += statements
         self._said = True
 
     def read(self, place: int) -> None:
-        """Reads the piece at `place`."""
+        """Reads the piece at this index."""
         piece, rest = self._row.pieces[place], self._row.pieces[place + 1 :]
         if Apart.PAIR in piece.apart or (self._row.layout.marks is Marks.CELLS and Apart.MARK in piece.apart):
             self._column += 1
@@ -74,9 +75,10 @@ class RowReader(RowStatements):
             self._formula(piece, rest)
 
     def end(self) -> None:
-        """Notes where the row ends in the statements that it adds to.
+        """Records the end of the row in the statements that it adds to.
 
-        Conditions in a row of their own are said of the statement above, unless the row ends with a colon."""
+        Conditions in a separate row apply to the statement above, unless the row ends with a colon.
+        """
         statements = self._state.cut.statements
         last = [node for piece in self._row.pieces for node in (*piece.nodes, *piece.separator)][-1:]
         is_heading = any(node.text.rstrip("} ").endswith(":") for node in last)
@@ -87,7 +89,7 @@ class RowReader(RowStatements):
                 end = RowEnd(len(statement.nodes), self._row.number, self._row.labels)
                 statement.rows.append(end)
 
-    # What stands in a piece
+    # The contents of a piece.
 
     def _is_number(self, piece: Piece, place: int) -> bool:
         is_number = NUMBER.fullmatch(joined([token for node in piece.kept for token in node.tokens]))
@@ -99,7 +101,7 @@ class RowReader(RowStatements):
         return is_last or (is_first and Apart.WIDE in pieces[place + 1].apart)
 
     def _passes_colon(self, piece: Piece, place: int) -> bool:
-        """Leaves the colon of “Identity: a = b”, and the name in “L:\\ a = b”; whether anything stays."""
+        """Removes the colon of “Identity: a = b”, and the name in “L:\\ a = b”; True if nodes remain."""
         before = self._row.pieces[place - 1].apart if place else set()
         if piece.kept[0].name == ":" and Apart.WORDS in before | piece.apart:
             self._state.leave(Leftover.LAYOUT, piece.kept[:1])
@@ -124,7 +126,7 @@ class RowReader(RowStatements):
             self._begun.add(self._column)
 
     def _place(self, piece: Piece, rest: Sequence[Piece]) -> bool:
-        """Puts the piece where it belongs; whether its separator went with it."""
+        """Adds the piece to its statement; True if its separator was added, too."""
         if self._goes_on_beside(piece, rest):
             self._last.nodes += [*piece.separator, *piece.kept]
             return True
@@ -137,7 +139,7 @@ class RowReader(RowStatements):
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(piece, rest)
             return False
-        if self._pending is not None:  # “where R = …” says what R is, or is a condition
+        if self._pending is not None:  # “where R = …” defines R, or is a condition
             self._pending = None
             self._begun.add(self._column)
             self._begin_beside(piece)
@@ -158,7 +160,7 @@ class RowReader(RowStatements):
         return self._act(action, question, target, piece, above is not None)
 
     def _goes_on_beside(self, piece: Piece, rest: Sequence[Piece]) -> bool:
-        """Whether the piece goes on with what the one before was put beside: i = 1, 2, 3, or a, b \\in V."""
+        """True if the piece continues the formula added next to a statement: i = 1, 2, 3, or a, b \\in V."""
         if self._last is None:
             return False
         if not piece.relations:
@@ -170,13 +172,14 @@ class RowReader(RowStatements):
         return Apart.COMMA in piece.apart and is_side
 
     def _begins_definition(self, piece: Piece) -> bool:
-        """Whether “where R := …” says what R is: a statement, and no condition."""
+        """True if “where R := …” defines R: it is a statement, and not a condition."""
         return self._pending is Role.CONDITION and self._names_what and names_what(piece.kept)
 
     def _begin_beside(self, piece: Piece) -> Statement:
-        """Begins a statement that may be a condition of those before it in its row.
+        """Returns a new statement that may be a condition of those before it in its row.
 
-        Without a mark of its own it does not end what stands at the mark, with which the next row goes on."""
+        Without its own mark it does not end the statement at the mark, which the next row continues.
+        """
         served = tuple(dict.fromkeys([*self._made, *([self._here] if self._here else [])]))
         at_mark = self._state.columns.get(self._column)
         statement = self._begin(piece)
@@ -220,7 +223,7 @@ class RowReader(RowStatements):
                 self._begin(piece)
         return False
 
-    # Words
+    # Words.
 
     def _words(self, node: Node, rest: Sequence[Piece]) -> None:
         words, maths = words_of(node), maths_of(node)
@@ -257,7 +260,7 @@ class RowReader(RowStatements):
             self._pending = None
 
     def _is_in_a_formula(self, role: WordRole, rest: Sequence[Piece]) -> bool:
-        """Whether words part a formula that nobody can read without them: x is parallel to y."""
+        """True if the formula cannot be read without these words: x is parallel to y."""
         behind_it = next((piece for piece in rest if piece.kept), None)
         if self._here is None:
             return False

@@ -1,4 +1,4 @@
-"""The rules that say what a piece of a row is to the statement before it or above it."""
+"""Rules for a piece of a row: its relation to the statement before it or above it."""
 
 from __future__ import annotations
 
@@ -27,8 +27,11 @@ COLUMN = "a column with a sign and a relation: terms of the equation before it, 
 
 
 class Action(Enum):
-    """What becomes of a piece. PERHAPS: an equation of its own, which may be a condition; OWN_OR_CONDITION:
-    the same where its place makes either likely."""
+    """The action for a piece.
+
+    PERHAPS: a separate equation, which may be a condition; OWN_OR_CONDITION: the same, if its position makes
+    both likely.
+    """
 
     JOIN = auto()
     NEW = auto()
@@ -40,7 +43,8 @@ class Action(Enum):
 
 @dataclass(frozen=True)
 class Layout:
-    """What surrounds a row. base: its environment without a star. opens: whether its first cell is empty."""
+    """The surroundings of a row. base: its environment without a star. opens: True if its first cell is
+    empty."""
 
     marks: Marks
     base: str
@@ -52,7 +56,8 @@ class Layout:
 
 
 def below(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]) -> tuple[Action, str]:
-    """What the first piece of a row is to the statement above it, and the question where that is in doubt."""
+    """Returns the action for the first piece of a row, relative to the statement above, and a question if in
+    doubt."""
     if _closes(target.nodes, piece.kept):
         return Action.JOIN, ""
     if piece.lead is Kind.IMPLICATION:
@@ -92,13 +97,14 @@ def _below_with_a_sign(
 
 
 def _relates_at_a_mark(piece: Piece) -> bool:
-    """Whether a relation of the piece begins a cell."""
+    """True if a relation of the piece begins a cell."""
     solid = [node for node in piece.kept if node.kind is not Kind.GAP]
     return any(a.kind is Kind.MARK and b.kind is Kind.RELATION for a, b in pairwise(solid))
 
 
 def behind(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]) -> tuple[Action, str]:
-    """What a piece is to the statement before it in its row, and the question where that is in doubt."""
+    """Returns the action for a piece, relative to the statement before it in its row, and a question if in
+    doubt."""
     own = [at for at in piece.relations if at]
     joins = (Kind.IMPLICATION, Kind.RELATION, Kind.INFIX)
     if _closes(target.nodes, piece.kept) or piece.lead in joins or dangling(target.nodes) is not None:
@@ -131,7 +137,7 @@ def _without_relation(target: Statement, piece: Piece, layout: Layout, rest: Seq
         return Action.RANGE
     if Apart.MARK in piece.apart and has_relation and layout.is_cases:
         return Action.CONDITION
-    return Action.JOIN  # a list, which the reader knows
+    return Action.JOIN  # a list, which the reader accepts
 
 
 def _with_relation(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]) -> Action:
@@ -152,7 +158,7 @@ def _with_relation(target: Statement, piece: Piece, layout: Layout, rest: Sequen
 
 
 def leading_side(piece: Piece, rest: Sequence[Piece]) -> Role | None:
-    """What n \\geq 1 or x \\in V is to the equation behind it in its row; None for any other piece."""
+    """Returns the role of n \\geq 1 or x \\in V before an equation in its row; None for other pieces."""
     names = {piece.kept[at].name for at in piece.relations}
     ahead = next((each for each in rest if each.relations), None)
     if not names or not names <= SIDE_RELATIONS or ahead is None or Apart.MARK in ahead.apart:
@@ -165,7 +171,7 @@ def leading_side(piece: Piece, rest: Sequence[Piece]) -> Role | None:
 
 
 def inside_of(kept: Sequence[Node]) -> list[Node]:
-    """The nodes within the one bracket that the nodes are; none where they are not one."""
+    """Returns the nodes within the one bracket that the nodes consist of; [] for other nodes."""
     if len(kept) == 1 and kept[0].kind is Kind.GROUP:
         return trimmed(kept[0].inside)
     depths = [depth for _, depth in with_depth(kept)]
@@ -174,7 +180,8 @@ def inside_of(kept: Sequence[Node]) -> list[Node]:
 
 
 def is_range(kept: Sequence[Node], rest: Sequence[Piece] = ()) -> bool:
-    """Whether the nodes say where a symbol is: i = 1, 2, 3 with its list behind it, i \\geq 1, x \\in V."""
+    """True if the nodes state the range of a symbol: i = 1, 2, 3 with its list after it, i \\geq 1, x \\in
+    V."""
     names = {kept[at].name for at in relation_places(kept)}
     if names and names <= RANGE_RELATIONS:
         return True
@@ -188,7 +195,7 @@ def is_range(kept: Sequence[Node], rest: Sequence[Piece] = ()) -> bool:
 
 
 def names_what(kept: Sequence[Node]) -> bool:
-    """Whether the nodes say what a symbol is: R := …, n = a \\times b; but not d = 0."""
+    """True if the nodes define a symbol: R := …, n = a \\times b; but not d = 0."""
     places = relation_places(kept)
     if not places or kept[places[0]].name not in EQUALITIES | {"\\triangleq"}:
         return False
@@ -201,17 +208,17 @@ def names_what(kept: Sequence[Node]) -> bool:
 
 
 def is_symbol(nodes: Sequence[Node]) -> bool:
-    """Whether the nodes are one letter or group, with its scripts."""
+    """True if the nodes are one letter or group, with its scripts."""
     return sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in nodes) == 1
 
 
 def _is_joined(target: Statement) -> bool:
-    """Whether words that a formula cannot be read without stand at its end."""
+    """True if the statement ends with words or an implication that need a continuation."""
     return target.nodes[-1].kind in (Kind.WORDS, Kind.IMPLICATION)
 
 
 def _closes(nodes: Sequence[Node], kept: Sequence[Node]) -> bool:
-    """Whether a bracket is open in the nodes that what follows closes."""
+    """True if a bracket that is open in the nodes closes in the following ones."""
     for node in nodes:
         if node.name.startswith("left") and "\\right" not in [token.text for token in node.tokens[-2:]]:
             return True
@@ -223,7 +230,7 @@ def _is_list(target: Statement) -> bool:
 
 
 def end_of_a_name(piece: Piece, rest: Sequence[Piece]) -> int:
-    """The place behind the colon of “L:\\ a = b”; 0 where the piece does not begin so."""
+    """Returns the index after the colon of “L:\\ a = b”; 0 if the piece does not begin so."""
     colon = next((at for at, node in enumerate(piece.kept) if node.name == ":"), 0)
     is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in piece.kept[:colon]) == 1
     behind_it = [node for node in piece.kept[colon + 1 :] if node.text != " "]

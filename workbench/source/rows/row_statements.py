@@ -1,4 +1,4 @@
-"""The statements that a row of a display begins or goes on with, and what it puts beside them."""
+"""The statements that a row of a display begins or continues, and the formulas that it adds to them."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ from workbench.source.rows.row_rules import Layout
 
 @dataclass
 class State:
-    """What is kept from row to row.
+    """The state between rows.
 
-    columns: the statement that stands in each pair of columns.   waiting: conditions said before their
-    statement.   denial: the words that deny the next statement."""
+    columns: the statement in each pair of columns.   waiting: conditions before their statement.
+    denial: the words that deny the next statement.
+    """
 
     cut: Cut = field(default_factory=Cut)
     columns: dict[int, Statement] = field(default_factory=dict)
@@ -45,9 +46,9 @@ class RowStatements:
         self._state, self._row = state, row
         self._counts = {id(each): len(each.nodes) for each in state.cut.statements}
         self._made: list[Statement] = []
-        self._here: Statement | None = None  # what the next piece is behind
-        self._shared: Sequence[Statement] = ()  # the lines of a system that it is behind
-        self._last: Beside | None = None  # what the piece before was put beside
+        self._here: Statement | None = None  # the statement before the next piece
+        self._shared: Sequence[Statement] = ()  # the lines of a system before it
+        self._last: Beside | None = None  # the formula that the previous piece was added to
         self._column = 0
 
     def _begin(self, piece: Piece) -> Statement:
@@ -80,7 +81,7 @@ class RowStatements:
             state.waiting, state.waiting_limits = [], []
 
     def _append(self, target: Statement, piece: Piece, question: str, is_below: bool) -> bool:
-        """Adds the piece to the statement; whether the comma or space before it went with it."""
+        """Adds the piece to the statement; True if the comma or space before it was added, too."""
         ends = dangling(target.nodes)
         repeats = ends is not None and ends is piece.lead and target.nodes[-1].name == piece.kept[0].name
         if repeats or (ends is Kind.SIGN and piece.lead is Kind.SIGN and target.nodes[-1].name == "+"):
@@ -97,7 +98,7 @@ class RowStatements:
         return is_listed
 
     def _with_premises(self, target: Statement) -> Statement:
-        """The statement of a = b, c = d ⇒ e = f: what stands before ⇒ in its row is part of it."""
+        """Returns the statement of a = b, c = d ⇒ e = f, which includes the equations before ⇒ in its row."""
         while len(self._made) > 1 and target is self._made[-1]:
             self._made.pop()
             self._state.cut.statements.remove(target)
@@ -125,7 +126,8 @@ class RowStatements:
         (self._state.waiting_limits if self._here is None else self._here.limits).append(words)
 
     def _first_step(self) -> int:
-        """The first of the steps that this row adds to the statement, or the one that it goes on with."""
+        """Returns the index of the first step that this row adds to the statement, or of the one that it
+        continues."""
         if self._here is None:
             return 0
         before = self._here.nodes[: self._counts.get(id(self._here), 0)]

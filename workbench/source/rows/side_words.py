@@ -1,4 +1,4 @@
-"""What words in a display say of what stands beside them: the table of words, and words that are names."""
+"""Words in a display: the role of the formulas next to them, and words that are names."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from workbench.source.rows.display_vocabulary import INTERTEXTS, Kind
 
 
 class WordRole(Enum):
-    """What the formula behind words is: a denied formula, the other part of one statement, a condition, a
-    reason, another statement. A remark says nothing of it."""
+    """The role of the formula after words: a denied formula, the other part of one statement, a condition, a
+    reason, or another statement. A remark gives it no role."""
 
     DENIAL = auto()
     CONNECTION = auto()
@@ -38,7 +38,7 @@ _DENIALS = (
     r"|(?:.*\b)?(?:not|never|no longer)\b(?: be| generally| in general)? ?(?:true|valid|correct|right|hold)"
     r"|.*n['’]t (?:true|hold)|(?:not|never|contrary|in general not|but not)\b"
 )
-#: In this order: the first pattern that the words match decides.
+#: The first pattern that matches the words decides.
 _ROLES = (
     (WordRole.DENIAL, re.compile(_DENIALS)),
     (WordRole.CONNECTION, re.compile(r"(?:or|implies|unless|either|(?:.*\b)?(?:iff|if and only if))$")),
@@ -46,14 +46,14 @@ _ROLES = (
     (WordRole.REASON, re.compile(rf"(?:.*\b)?(?:{_REASONS})\b[^a-z]*$")),
     (WordRole.JOIN, re.compile(rf"(?:{_JOINS})$")),
 )
-#: Behind these a symbol is said to be something.
+#: Words after which a symbol is defined.
 _NAMES_WHAT = re.compile(r"\b(?:where|with|here)$")
-#: The same roles where the formula stands within the words: "since $a = 0$".
+#: The same roles for a formula within the words: "since $a = 0$".
 _LEADS = (
     (WordRole.REASON, re.compile(rf"\b(?:{_REASONS})\b")),
     (WordRole.CONDITION, re.compile(rf"\b(?:{_CONDITIONS})\b")),
 )
-#: Words that say without a formula that what they stand beside holds only somewhere.
+#: Words without a formula that limit the statement next to them.
 _LIMITS = re.compile(
     r"\b(?:(?:orthogonal|perpendicular|parallel|boundar|small|const|stead|equilibri|symmetr|assum|hypothes"
     r"|vanish|neglect|approx|lineari|static)\w*|axis|axes|zero|at rest|fixed|if|when|unless|only|otherwise"
@@ -61,19 +61,19 @@ _LIMITS = re.compile(
     r"|on|along|near|under|at|since|because)\b"
 )
 
-#: Words that quantify or refer, where what stands behind them relates nothing.
+#: Words that quantify or refer, if the text after them contains no relation.
 _NO_LIMITS = re.compile(r"\b(?:all|every|any|for|with|where|by|using|from|see|recall|as|since|because)$")
 
 
 def words_of(node: Node) -> str:
-    """The words in lower case, without punctuation; # for each formula among them."""
+    """Returns the words in lower case, without punctuation; # stands for each formula among them."""
     text = re.sub(r"\\(?:text\w*|mbox|hbox)(?![A-Za-z])", "", joined(node.tokens[1:])).strip()
     text = re.sub(r"\$[^$]*\$|\\\([^)]*\\\)", " # ", text)
     return " ".join(re.sub(r"[{}()\[\].,:;~]|\\[,;! ]", " ", text).lower().split())
 
 
 def maths_of(node: Node) -> list[list[Node]]:
-    """The formulas between dollars in the words."""
+    """Returns the formulas between dollars in the words."""
     parts: list[list[Token]] = []
     inside = False
     for token in node.tokens:
@@ -86,7 +86,7 @@ def maths_of(node: Node) -> list[list[Node]]:
 
 
 def role_of(words: str) -> WordRole:
-    """What stands behind the words is. Of words that end with a formula it is in them: a remark."""
+    """Returns the role of the formula after the words. Words that end with a formula are a remark."""
     if words.endswith("#"):
         return WordRole.REMARK
     spoken = words.replace("#", " ").strip()
@@ -94,29 +94,29 @@ def role_of(words: str) -> WordRole:
 
 
 def lead_of(words: str) -> WordRole | None:
-    """What a formula within the words is; None where they do not say it."""
+    """Returns the role of a formula within the words; None if they do not state it."""
     if (role := next((role for role, pattern in _LEADS if pattern.search(words)), None)) is not None:
         return role
     return WordRole.CONDITION if limits(words) else None
 
 
 def says_what_is(words: str) -> bool:
-    """Whether what stands behind the words can say what a symbol is."""
+    """True if the formula after the words can define a symbol."""
     return _NAMES_WHAT.search(words) is not None
 
 
 def limits(words: str) -> bool:
-    """Whether the words limit what they stand beside."""
+    """True if the words limit the statement next to them."""
     return _LIMITS.search(words) is not None
 
 
 def limits_without_a_relation(words: str) -> bool:
-    """Whether the words limit a statement where only symbols stand behind them: "if (x)", not "for all x"."""
+    """True if the words limit a statement although only symbols follow them: "if (x)", not "for all x"."""
     return limits(words) and _NO_LIMITS.search(words) is None
 
 
 def is_name(cell: Sequence[Node], at: int) -> bool:
-    """Whether the words at `at` are a symbol or a unit: \\text{vec}(A), \\text{proj}_w, = \\text{const}."""
+    """True if the words at `at` are a symbol or a unit: \\text{vec}(A), \\text{proj}_w, = \\text{const}."""
     node = cell[at]
     words, maths = words_of(node), maths_of(node)
     if node.name in INTERTEXTS or node.name == "\\tag":
@@ -140,7 +140,7 @@ def is_name(cell: Sequence[Node], at: int) -> bool:
 
 
 def _is_in_a_term(cell: Sequence[Node], at: int, raw: str) -> bool:
-    """Whether single words stand as a side, an operand, a function or a unit."""
+    """True if single words are a side, an operand, a function or a unit."""
     blank = (Kind.GAP, Kind.MARK)
     before = next((node for node in reversed(cell[:at]) if node.kind not in blank), None)
     behind = next((node for node in cell[at + 1 :] if node.kind not in blank), None)

@@ -1,4 +1,4 @@
-"""What stands in a file that somebody named, or one clear error."""
+"""Contents of a file that a user named, or one clear error."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def within(folder: Path | None) -> Iterator[None]:
 
 @contextmanager
 def unsaved(texts: Mapping[Path, str]) -> Iterator[None]:
-    """Within it these files read as the texts, whatever stands on disk: an editor has not saved them yet."""
+    """Makes these files read as the texts within the context: an editor has not saved them yet."""
     token = _unsaved.set({path.resolve(): text.encode("utf-8") for path, text in texts.items()})
     try:
         yield

@@ -1,4 +1,4 @@
-"""A TOML file read for people: every fault is one PaperError that says where it stands."""
+"""TOML files with errors for people: every fault is one PaperError with its position."""
 
 from __future__ import annotations
 
@@ -30,18 +30,15 @@ _TYPE_NAMES = {
 
 
 class TomlFile:
-    """The data of a TOML file and the places of its keys and values.
+    """The data of a TOML file and the positions of its keys and values.
 
-    text: what stands there, where it is known. Raises PaperError if the file is none, is too big, or is not
-    TOML in UTF-8.
+    text: the contents, if known. Raises PaperError if the file is missing, too big, or not TOML in UTF-8.
     """
 
     def __init__(self, path: Path, text: str | None = None) -> None:
         self.path = path
         text = self._text() if text is None else text
-        if (
-            _LONG_KEY.search(text) and (offset := deep_place(text)) is not None
-        ):  # it would take tomllib minutes
+        if _LONG_KEY.search(text) and (offset := deep_place(text)) is not None:  # tomllib would take minutes
             raise self._too_deep(text, offset)
         try:
             self.data: dict[str, Any] = tomllib.loads(text)
@@ -56,7 +53,7 @@ class TomlFile:
             raise PaperError(path, 1, 1, f"not TOML: {error}") from None
 
     def value(self, path: KeyPath, expected: type, default: Any = None) -> Any:
-        """The value at `path`, which must be of the expected type; `default` if the key is not there."""
+        """Returns the value at `path`, which must have the expected type; `default` if the key is missing."""
         node: Any = self.data
         for depth, part in enumerate(path):
             if not isinstance(node, dict | list):
@@ -73,7 +70,7 @@ class TomlFile:
         return self.error_at_value(path, f"{path[-1]}: expected {_TYPE_NAMES[expected]}, got {got}")
 
     def text(self, path: KeyPath) -> str | None:
-        """A string that is not blank, or None if the key is not there."""
+        """Returns a string that is not blank, or None if the key is missing."""
         text = self.value(path, str)
         if text is not None and not text.strip():
             raise self.error_at_value(path, f"{path[-1]}: expected some text, got an empty string")
@@ -88,7 +85,7 @@ class TomlFile:
         return tuple(items)
 
     def tables(self, path: KeyPath) -> list[dict[str, Any]]:
-        """The tables written [[path]]."""
+        """Returns the tables written [[path]]."""
         items = self.value(path, list, [])
         for index, item in enumerate(items):
             if not isinstance(item, dict):
@@ -107,8 +104,10 @@ class TomlFile:
                 raise self.error_at_key((*path, key), f"unknown key {key!r}; {hint}")
 
     def set_aside(self, path: KeyPath) -> Callable[[], None] | None:
-        """Takes out the entry, so that the rest can be read; what puts it back. None where nothing stands
-        there, or a table of a list."""
+        """Removes the entry, so that the rest can be read; returns a function that restores it.
+
+        Returns None if there is no entry, or if it is a table of a list.
+        """
         *above, key = path or ("",)
         holder: Any = self.data
         for part in above:

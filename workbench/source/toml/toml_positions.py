@@ -1,4 +1,4 @@
-"""Where the keys and values of a TOML file stand, which `tomllib` does not tell: for messages with a place.
+"""Positions of the keys and values of a TOML file, which `tomllib` does not report.
 
 The scanner takes text that `tomllib` has accepted, so it checks nothing again.
 """
@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from workbench.core.formula_errors import place
 from workbench.core.paper_errors import KeyPath
 
-#: Tables and lists that a file may nest in each other.
+#: Limit on nested tables and lists.
 MOST_DEEP = 100
 
 _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
@@ -26,7 +26,7 @@ _ESCAPE_LENGTH = {"u": 6, "U": 10, "x": 4}
 
 
 class TooDeep(Exception):
-    """More than MOST_DEEP tables or lists are nested in each other at this offset."""
+    """More than MOST_DEEP tables or lists are nested at this offset."""
 
     def __init__(self, offset: int) -> None:
         super().__init__(offset)
@@ -35,7 +35,8 @@ class TooDeep(Exception):
 
 @dataclass
 class Places:
-    """Offsets of keys and of values in `text`; places are lines and columns, as an editor shows them."""
+    """Offsets of keys and of values in `text`; the methods return lines and columns, as an editor shows
+    them."""
 
     text: str
     keys: dict[KeyPath, int] = field(default_factory=dict)
@@ -48,7 +49,7 @@ class Places:
         return places
 
     def of_key(self, path: KeyPath) -> tuple[int, int]:
-        """Line and column of a key, or of the nearest enclosing table that stands in the file."""
+        """Returns the line and column of a key, or of the nearest enclosing table in the file."""
         while path and path not in self.keys:
             path = path[:-1]
         return place(self.text, self.keys.get(path, 0))
@@ -57,11 +58,11 @@ class Places:
         return place(self.text, self.values[path]) if path in self.values else self.of_key(path)
 
     def in_string(self, path: KeyPath, line: int, column: int) -> tuple[int, int]:
-        """Where in the file the character at (line, column) of a string value stands."""
+        """Returns the position in the file of the character at (line, column) of a string value."""
         return self._inside(self.values.get(path), line, column) or self.of_value(path)
 
     def in_key(self, path: KeyPath, line: int, column: int) -> tuple[int, int]:
-        """The same for a quoted key."""
+        """Returns the position in the file of the character at (line, column) of a quoted key."""
         return self._inside(self.keys.get(path), line, column) or self.of_key(path)
 
     def _inside(self, start: int | None, line: int, column: int) -> tuple[int, int] | None:
@@ -76,7 +77,7 @@ class Places:
 
 
 def deep_place(text: str) -> int | None:
-    """Where tables or lists are nested too deep in a text that may be no TOML; None if nowhere."""
+    """Returns the offset at which a text, perhaps not TOML, nests too deep; None if it does not."""
     with suppress(IndexError, AttributeError, ValueError, RecursionError):
         try:
             Places.scan(text)
@@ -86,8 +87,7 @@ def deep_place(text: str) -> int | None:
 
 
 def characters(text: str, start: int) -> Iterator[tuple[int, str]]:
-    """(offset, character) of each character that the TOML string at `start` stands for; an escape is `?`,
-    or a line feed."""
+    """Yields (offset, character) for the TOML string at `start`; an escape is `?` or a line feed."""
     end = string_end(text, start)
     quote = text[start]
     width = 3 if text.startswith(quote * 3, start) and end - start >= 6 else 1
@@ -107,7 +107,7 @@ def characters(text: str, start: int) -> Iterator[tuple[int, str]]:
 
 
 def string_end(text: str, start: int) -> int:
-    """The offset just behind the closing quotes of the TOML string that opens at `start`."""
+    """Returns the offset after the closing quotes of the TOML string that opens at `start`."""
     quote = text[start]
     long = text.startswith(quote * 3, start)
     closing = quote * 3 if long else quote
@@ -118,7 +118,7 @@ def string_end(text: str, start: int) -> int:
         while not text.startswith(closing, position := _PLAIN.match(text, position).end()):
             position += 2 if text[position] == "\\" else 1
     position += len(closing)
-    if long:  # up to two quotes more belong to the text: they stand before the closing ones
+    if long:  # up to two quotes before the closing ones belong to the text
         for _ in range(2):
             position += text.startswith(quote, position)
     return position

@@ -1,1 +1,1 @@
-"""Formulas as readers see them: atoms, glyphs, excerpts, and the difference of two formulas."""
+"""Printed formulas: atoms, glyphs, excerpts, and the difference of two formulas."""

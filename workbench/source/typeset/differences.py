@@ -1,8 +1,8 @@
-"""What exactly differs between a printed formula and the right one: sign, number, mark, symbol, part.
+"""Differences between a printed formula and the correct one: sign, number, mark, symbol, part.
 
-What only formats is no difference: spacing, alignment, the size of brackets, which command makes bold, braces
-that group nothing, the order of two accents or of an index and an exponent, and, outside of scripts, round
-brackets for square ones.
+Formatting is no difference: spacing, alignment, the size of brackets, the command for bold, braces that group
+nothing, the order of two accents or of an index and an exponent, and, outside scripts, round or square
+brackets.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ _Key = Callable[[Atom], str]
 
 @dataclass(frozen=True)
 class Change:
-    """One place where two formulas differ. kind: sign, operator, bracket, number,
-    exponent, index, mark, symbol, part.
+    """One position where two formulas differ. kind: sign, operator, bracket, number, exponent, index, mark,
+    symbol, part.
 
-    before: what the first formula has there (LaTeX, None if nothing); after: what the second has.
-    following: the atom that stands before the place, None at the beginning.
+    before: the part of the first formula (LaTeX, None if nothing); after: that of the second.
+    following: the atom before the position, None at the beginning.
     """
 
     kind: str
@@ -53,7 +53,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Difference:
-    """changes, in reading order, and the leaves to mark in each formula (indices into their atoms).
+    """The changes, in reading order, and the leaves to mark in each formula (indices into their atoms).
 
     parts: both formulas side by side, as {"same": latex} or {"printed": latex, "proposed": latex}, either of
     which may be "". rewritten: so little is common that no list of changes is given.
@@ -67,10 +67,10 @@ class Difference:
 
 
 def difference(before: str, after: str) -> Difference | None:
-    """What differs, or None where one of the formulas cannot be taken apart.
+    """Returns the difference, or None if one of the formulas cannot be parsed.
 
-    Bold, italic and upright letters count as the same unless they are all that differs; the parts always tell
-    them apart.
+    Bold, italic and upright letters count as the same unless they are the only difference; the parts always
+    distinguish them.
     """
     try:
         first, second = (_canonical(atoms_of(latex)) for latex in (before, after))
@@ -85,7 +85,7 @@ def difference(before: str, after: str) -> Difference | None:
 
 
 def in_one_line(parts: Iterable[Mapping[str, str]]) -> str:
-    """The parts of a difference as plain text: [-only printed-] and {+only proposed+}."""
+    """Returns the parts of a difference as plain text: [-only printed-] and {+only proposed+}."""
     pieces = []
     for part in parts:
         pieces.append(part.get("same", ""))
@@ -106,13 +106,13 @@ def _identity_of(atom: Atom) -> str:
 
 
 def _in_any_order(marks: str) -> str:
-    """The accents of a letter in alphabetical order."""
+    """Returns the accents of a letter in alphabetical order."""
     *names, letter = marks.split("(")
     return "(".join((*sorted(names), letter))
 
 
 def _canonical(atoms: Sequence[Atom]) -> list[Atom]:
-    """The atoms that count, spelled in one way, without a final stop."""
+    """Returns the atoms that count, in canonical spelling, without a final stop."""
     counted = [
         replace(atom, latex=_SIZE.sub("", atom.latex))
         for atom in atoms
@@ -125,10 +125,10 @@ def _canonical(atoms: Sequence[Atom]) -> list[Atom]:
 
 
 def _grouped(atoms: Sequence[Atom]) -> list[Atom]:
-    """Without braces that group nothing; a mark on its letter, not on the letter's scripts; the subscript
-    first."""
+    """Returns the atoms without braces that group nothing, with marks on letters instead of their scripts,
+    and with subscripts first."""
     found: list[Atom] = []
-    place = exponent = 0  # exponent: where the one starts that stands at the end
+    place = exponent = 0  # exponent: start of the exponent at the end
     while place < len(atoms):
         head, end = atoms[place], closing_of(atoms, place)
         inner, last = _grouped(atoms[place + 1 : end]), atoms[max(place + 1, end) : end + 1]
@@ -161,7 +161,7 @@ def _counted(atom: Atom, identity: str) -> Atom:
 
 
 def _has_pairs(atoms: Sequence[Atom]) -> bool:
-    """Whether each round and each square bracket is closed by one of its kind."""
+    """True if each round and each square bracket is closed by one of its kind."""
     waiting = []
     for sign in (atom.identity for atom in atoms):
         if sign in ("(", "["):
@@ -172,7 +172,7 @@ def _has_pairs(atoms: Sequence[Atom]) -> bool:
 
 
 def _with_round_brackets(atoms: Sequence[Atom]) -> list[Atom]:
-    """Square brackets count as round ones, but in scripts."""
+    """Returns the atoms with round brackets for square ones, except in scripts."""
     found: list[Atom] = []
     while len(found) < len(atoms):
         atom = atoms[len(found)]
@@ -236,7 +236,7 @@ def _is_same(pair: tuple[Atom, Atom]) -> bool:
 
 
 def _close(atoms: Sequence[Atom]) -> str:
-    """LaTeX without the spaces inside of braces and before scripts."""
+    """Returns LaTeX without the spaces inside braces and before scripts."""
     text = ""
     for atom in atoms:
         is_close = not text or text.endswith("{") or atom.is_script or opens(atom) < 0 or atom.latex == "}{"
@@ -245,8 +245,8 @@ def _close(atoms: Sequence[Atom]) -> str:
 
 
 def _units(atoms: Sequence[Atom]) -> list[int]:
-    """Where there starts what is compared as one: a symbol or bracket with its marks, exponents and indices;
-    and the end."""
+    """Returns the starts of the units of comparison, and the end. A unit is a symbol or bracket with its
+    marks, exponents and indices."""
     starts, place = [], 0
     while place < len(atoms):
         starts.append(place)
@@ -263,7 +263,7 @@ def _after_scripts(atoms: Sequence[Atom], place: int) -> int:
 
 
 def _unequal_blocks(first: Sequence[Any], second: Sequence[Any]) -> list[list[int]]:
-    """Where two sequences differ outside a longest common subsequence: [start, end, start, end], in order."""
+    """Returns the blocks outside a longest common subsequence as [start, end, start, end], in order."""
     rows, columns = len(first), len(second)
     common = [[0] * (columns + 1) for _ in range(rows + 1)]
     for row in range(rows):
@@ -291,19 +291,19 @@ def _unequal_blocks(first: Sequence[Any], second: Sequence[Any]) -> list[list[in
 
 
 def _leaves_within(atoms: Sequence[Atom], places: Iterable[int]) -> set[int]:
-    """The leaves at the places, and those inside a mark, script or fraction that opens there."""
+    """Returns the leaves at the positions, and those inside a mark, script or fraction that opens there."""
     ends = {place: closing_of(atoms, place) for place in places}
     return {i for place, end in ends.items() for i in range(place, end + 1) if atoms[i].leaf}
 
 
 def _preceding(atoms: Sequence[Atom], end: int) -> str | None:
-    """The symbol or bracket before a place, with its exponents and indices."""
+    """Returns the symbol or bracket before a position, with its exponents and indices; else None."""
     braces = brackets = 0
     for start in range(end - 1, -1, -1):
         atom = atoms[start]
         braces += opens(atom)
         brackets += (atom.identity in _OPENING) - (atom.identity in _CLOSING)
-        if braces > 0 or brackets > 0:  # the place lies inside what opens here
+        if braces > 0 or brackets > 0:  # the position is inside this bracket
             break
         if braces == brackets == 0 and (atom.leaf or atom.identity in _OPENING):
             return latex_of(atoms[start:end])
@@ -339,6 +339,6 @@ def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
 
 
 def _fragment(atoms: Sequence[Atom]) -> str | None:
-    """LaTeX of a stretch, None if it is empty; a script without a base gets an empty one."""
+    """Returns the LaTeX of the atoms, None if it is empty; a script without a base gets an empty one."""
     text = latex_of(atoms)
     return "{}" + text if text.startswith(("^", "_")) else text or None

@@ -1,4 +1,4 @@
-"""Parts of a formula for one line of a table: its left side, and what stands around its marked leaves."""
+"""Excerpts of a formula for one line of a table: its left side, and the surroundings of its marked leaves."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from workbench.source.typeset.latex_atoms import (
     opens,
 )
 
-#: A longer left side is not told.
+#: A longer left side is not shown.
 _LONG_SIDE = 16
 
 
 def left_side(latex: str) -> str | None:
-    """What stands before the first relation of a formula, in a few characters; None where nothing does."""
+    """Returns the part before the first relation of a formula if it is short; None if there is none."""
     try:
         atoms = atoms_of(latex)
     except LatexNotTypesettable:
@@ -36,8 +36,10 @@ def left_side(latex: str) -> str | None:
 def excerpts(
     old: str, new: str, marked_old: Collection[int], marked_new: Collection[int], width: int
 ) -> tuple[tuple[str, frozenset[int]], tuple[str, frozenset[int]]] | None:
-    """The surroundings of the first change in two formulas, each with its marked leaves; None where both
-    formulas are short, or cannot be taken apart."""
+    """Returns the surroundings of the first change in two formulas, each with its marked leaves.
+
+    Returns None if both formulas are short, or cannot be parsed.
+    """
     try:
         first, second = atoms_of(old), atoms_of(new)
     except LatexNotTypesettable:
@@ -57,7 +59,7 @@ def excerpts(
 
 
 def in_one_line(latex: str, marked: Collection[int]) -> tuple[str, frozenset[int]]:
-    """The formula and its marked leaves with fractions behind a slash."""
+    """Returns the formula and its marked leaves with fractions written with a slash."""
     try:
         atoms = atoms_of(latex)
     except LatexNotTypesettable:
@@ -94,7 +96,7 @@ def _slashed(atoms: Sequence[_Marked]) -> list[_Marked]:
 
 
 def _bracketed(atoms: Sequence[_Marked]) -> list[_Marked]:
-    """In brackets where it is more than one factor with its scripts."""
+    """Returns the atoms in brackets if they are more than one factor with its scripts."""
     inner = _slashed(atoms)
     plain = [atom for atom, _ in inner]
     items = list(_items(plain, 0, len(plain)))
@@ -125,7 +127,7 @@ def _unmarked_before(atoms: Sequence[Atom], marked: Collection[int], start: int 
 def _around(
     atoms: Sequence[Atom], marked: Collection[int], place: int, width: int
 ) -> tuple[str, frozenset[int]]:
-    """The items around the leaf before which so many unmarked leaves stand."""
+    """Returns the items around the leaf with `place` unmarked leaves before it."""
     seen, target = 0, len(atoms) - 1
     for at, atom in enumerate(atoms):
         if atom.leaf and (at in marked or seen == place) and seen >= place:
@@ -139,7 +141,7 @@ def _around(
         kept, marks = [_DOTS, *kept], {at + 1 for at in marks}
     if last < len(atoms):
         kept = [*kept, _DOTS]
-    # the excerpt is read again, with braces of its own: only leaves count among its atoms
+    # The excerpt is parsed again and gets its own braces: only leaves count among its atoms.
     latex = latex_of(kept)
     leaves = [at for at, atom in enumerate(kept) if atom.leaf]
     again = [at for at, atom in enumerate(atoms_of(latex)) if atom.leaf]
@@ -147,7 +149,7 @@ def _around(
 
 
 def _window(atoms: Sequence[Atom], target: int, width: int) -> tuple[int, int]:
-    """Where the excerpt begins and ends: whole items of one level around the target."""
+    """Returns the start and end of the excerpt: whole items of one level around the target."""
     bounds = (0, len(atoms))
     while True:
         items = list(_items(atoms, *bounds))
@@ -173,7 +175,7 @@ _DOTS = Atom(r"\dots", "…", "…", leaf=True, glyphs="…")
 
 
 def _items(atoms: Sequence[Atom], start: int, end: int) -> Iterator[tuple[int, int]]:
-    """Symbols with their scripts, fractions, environments: what can be told apart on one level."""
+    """Yields the ranges of symbols with their scripts, fractions, environments: the items of one level."""
     place = start
     while place < end:
         head = place
@@ -206,7 +208,8 @@ def _side(atom: Atom) -> int:
 
 
 def _inside(atoms: Sequence[Atom], start: int, end: int, target: int) -> tuple[int, int] | None:
-    """What a group, an environment or the argument of a fraction holds around the target."""
+    """Returns the range inside a group, an environment or the argument of a fraction around the target; else
+    None."""
     if end - start < 3 or atoms[start].leaf:
         return None
     last = _end_of(atoms, start)

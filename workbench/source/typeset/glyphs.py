@@ -1,7 +1,7 @@
-"""The LaTeX commands a report can typeset, and the character each must come out as.
+"""The LaTeX commands that a report can typeset, and the character for each.
 
-The table is the report's promise: a command that is not in it is shown as source, and a formula
-whose MathML does not hold exactly these characters is shown as source too (see `mathml`).
+The table is the report's promise: a command that is not in it is shown as source, and a formula whose MathML
+does not contain exactly these characters is shown as source, too (see `mathml`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ GREEK = {
     r"\Psi": "Ψ", r"\Omega": "Ω",
 }  # fmt: skip
 
-#: Greek letters that stand there without a command.
+#: Greek letters without a command.
 LETTERS = {glyph: command for command, glyph in GREEK.items()}
 
 BINARY_OPERATORS = {
@@ -53,7 +53,7 @@ FUNCTION_NAMES = {
 
 SYMBOLS = GREEK | BINARY_OPERATORS | RELATIONS | ORDINARY | FUNCTION_NAMES
 
-#: Characters that stand for another one.
+#: Characters that stand for other characters.
 SAME = {"≜": "=", "⊤": "T", "⟺": "⇔"}
 
 ACCENTS = {

@@ -1,8 +1,8 @@
-"""LaTeX formulas as flat lists of atoms: what is compared, highlighted and typeset.
+"""LaTeX formulas as flat lists of atoms, which are compared, highlighted and typeset.
 
-This is not the claim language: a printed form may be garbled and must still be shown. An atom is the
-smallest part a reader would point at: a symbol with its marks, a sign, a number, a function name.
-Braces, scripts, fractions, tables and sized delimiters are atoms too, but only leaves can be marked.
+This is not the claim language: a printed form may be garbled and must still be shown. An atom is the smallest
+part a reader would point at: a symbol with its marks, a sign, a number, a function name. Braces, scripts,
+fractions, tables and sized delimiters are atoms too, but only leaves can be marked.
 """
 
 from __future__ import annotations
@@ -21,14 +21,16 @@ _COLUMNS = {"cases": 2, "gathered": 1, "split": 2, "aligned": 8}
 
 
 class LatexNotTypesettable(ValueError):
-    """The formula holds something the report cannot typeset for certain; it is shown as source."""
+    """The formula contains something that the report cannot typeset reliably; it is shown as source."""
 
 
 @dataclass(frozen=True)
 class Atom:
-    """latex: its source. identity: what it is compared by (None: it does not count).
+    """An atom.
 
-    shape: the identity with bold and upright letters taken as the same. leaf: it may be marked by itself.
+    latex: its source.   identity: its key in comparisons (None: it does not count).
+    shape: the identity with bold and upright letters treated as the same.   leaf: it can be marked
+    separately.
     place: its index among the atoms of the formula.
     """
 
@@ -42,24 +44,24 @@ class Atom:
 
     @property
     def is_accent(self) -> bool:
-        """A mark over (or under) several symbols, opening."""
+        """True for the opening of a mark over (or under) several symbols."""
         return not self.leaf and self.latex[:-1] in table.ACCENTS
 
     @property
     def is_script(self) -> bool:
-        """The opening of an exponent or index."""
+        """True for the opening of an exponent or index."""
         return self.latex in ("^{", "_{")
 
 
 def atoms_of(latex: str) -> list[Atom]:
-    """The atoms of a formula. Raises LatexNotTypesettable, naming what is unknown or unbalanced."""
+    """Returns the atoms of a formula. Raises LatexNotTypesettable, naming what is unknown or unbalanced."""
     return _Parser(latex).formula()
 
 
 def latex_of(
     atoms: Sequence[Atom], marked: Collection[int] = (), mark: Callable[[Atom], str] | None = None
 ) -> str:
-    """LaTeX of the atoms, with each marked leaf passed through `mark`."""
+    """Returns the LaTeX of the atoms, with each marked leaf passed through `mark`."""
     pieces = [
         mark(atom) if mark and index in marked and atom.leaf else atom.latex
         for index, atom in enumerate(atoms)
@@ -68,8 +70,8 @@ def latex_of(
 
 
 def in_colour(latex: str, marked: Collection[int], colour: str = "green") -> str:
-    """The formula with the marked leaves in a colour, for MathJax as GitHub and notebooks have it; a sign
-    keeps the spacing of its kind."""
+    """Returns the formula with the marked leaves in a colour, for MathJax in GitHub and notebooks; signs keep
+    their spacing."""
     around = {"bin": r"\mathbin", "rel": r"\mathrel"}
 
     def coloured(atom: Atom) -> str:
@@ -79,7 +81,8 @@ def in_colour(latex: str, marked: Collection[int], colour: str = "green") -> str
 
 
 def decorated(command: str, atom: Atom, latex: str) -> Atom:
-    """A leaf, or several letters as one, with an accent or in a style. latex: its source without that."""
+    """Returns a leaf, or several letters as one, with an accent or in a style. latex: its source without
+    that."""
     name = _NAMES.get(command, command[1:])
     is_plain = command in table.WEIGHT_STYLES
     return replace(
@@ -94,7 +97,7 @@ def decorated(command: str, atom: Atom, latex: str) -> Atom:
 
 
 def closing_of(atoms: Sequence[Atom], opening: int) -> int:
-    """Where what opens at a place is closed: that place itself, if nothing opens there."""
+    """Returns the index of the closing for the opening at an index, or that index if nothing opens there."""
     depth = 0
     for place in range(opening, len(atoms)):
         depth += opens(atoms[place])
@@ -104,14 +107,14 @@ def closing_of(atoms: Sequence[Atom], opening: int) -> int:
 
 
 def opens(atom: Atom) -> int:
-    """1 for what opens, -1 for what closes a brace."""
+    """Returns 1 for an opening, -1 for a closing brace, else 0."""
     if atom.leaf or atom.latex.endswith((r"\{", r"\}")):
         return 0
     return atom.latex.count("{") - atom.latex.count("}")
 
 
 def _enclosed(opening: Atom, *parts: Sequence[Atom]) -> list[Atom]:
-    """An opening and its arguments, with what stands between them and closes the last."""
+    """Returns an opening and its arguments, with separators and the closing."""
     between = Atom("}{", "}{", "}{")
     inner = [atom for part in parts for atom in (between, *part)][1:]
     end = opening.identity and f"end {opening.identity}"
@@ -149,7 +152,7 @@ class _Parser:
             raise LatexNotTypesettable(f"expected {token}, got {found}")
 
     def sequence(self, columns: int = 0) -> list[Atom]:
-        """Items up to a closing; `columns` of a table row, 0 outside tables."""
+        """Returns the items up to a closing; `columns` of a table row, 0 outside tables."""
         atoms: list[Atom] = []
         cells, scripts = 1, ""
         while (token := self.peek()) not in (None, "}", r"\right", r"\end"):
@@ -218,7 +221,7 @@ class _Parser:
         return self.item()
 
     def decorated(self, command: str) -> list[Atom]:
-        """One leaf where a single symbol is decorated, else an opening, the content and a brace."""
+        """Returns one leaf for a decorated single symbol, else an opening, the content and a brace."""
         inner = self.argument()
         counted = [atom for atom in inner if atom.identity is not None]
         letters = command in table.STYLES and all(re.fullmatch("[A-Za-z]", a.latex) for a in counted)

@@ -24,7 +24,7 @@ _FENCES = {"bmatrix": "[]", "pmatrix": "()", "vmatrix": "||", "matrix": "[]", "a
 
 
 def plain_text(latex: str) -> str:
-    """One line of text for a formula; its LaTeX where it has a command that is not known here."""
+    """Returns one line of text for a formula; its LaTeX if it has an unknown command."""
     try:
         atoms = atoms_of(latex)
     except LatexNotTypesettable:
@@ -33,7 +33,7 @@ def plain_text(latex: str) -> str:
 
 
 def in_plain_text(prose: str) -> str:
-    """Prose whose formulas stand between dollar signs, with these as text."""
+    """Returns prose with its formulas between dollar signs as text."""
     return _MATH.sub(lambda match: plain_text(match[1]), prose)
 
 
@@ -85,7 +85,7 @@ class _Line:
         return ", " if base == "," else base + accents
 
     def _inside(self) -> str:
-        """The text between the opening here and its closing, which is passed."""
+        """Returns the text between the opening at the current index and its closing, and moves past it."""
         end = closing_of(self._atoms, self._place)
         inner = self._atoms[self._place + 1 : end]
         self._is_word = all(each.leaf and each.glyphs.isalpha() for each in inner)
@@ -131,7 +131,8 @@ class _Line:
 
 
 def _trailing_mark(text: str, identity: str) -> str:
-    """The accent at the end of a letter's glyphs; a letter such as a bar alone is none."""
+    """Returns the accent at the end of a letter's glyphs; "" for a letter that is itself a mark, such as a
+    bar."""
     if "(" not in identity or len(text) < 2:
         return ""
     return next((mark for mark in _MARKS if text.endswith(mark)), "")

@@ -1,4 +1,4 @@
-"""Conditionals that the text alone decides. One that it does not is left as it stands: never guessed."""
+"""Conditionals that the text alone decides. Others stay as they are; they are never guessed."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ _UNDEFINED = ("\\undefined", "\\@undefined")
 
 
 def is_conditional(expander: State, word: str) -> bool:
-    """Whether a \\fi belongs to it."""
+    """True if the word begins a conditional that ends with \\fi."""
     return word in _OF_TEX or (word.startswith("if") and word[2:] in expander.names.flags)
 
 
 def decide(expander: State, token: Token) -> bool | None:
-    """Whether the branch that follows is taken; None where the text does not tell."""
+    """Returns whether the branch that follows is taken; None if the text does not decide it."""
     word = token.word or ""
     if word[2:] in expander.names.flags:
         return expander.names.flags[word[2:]]
@@ -61,7 +61,7 @@ def decide(expander: State, token: Token) -> bool | None:
 
 
 def skip_branch(expander: State, to_else: bool) -> None:
-    """Past \\fi, or past the \\else that belongs to the conditional."""
+    """Skips past \\fi, or past the \\else that belongs to the conditional."""
     depth = 0
     while (token := expander.pop_within()) is not None:
         word = token.word
@@ -76,7 +76,7 @@ def skip_branch(expander: State, to_else: bool) -> None:
 
 
 def conditional(expander: State) -> list[Token]:
-    """What stands from behind the conditional to its \fi, which is taken, too."""
+    r"""Returns the tokens after the conditional up to and including its \fi."""
     taken: list[Token] = []
     depth = 1
     while depth and (token := expander.pop_within()) is not None:
@@ -137,7 +137,7 @@ def _is_integer(text: str) -> bool:
 
 
 def _chosen(expander: State, holds: bool | None, token: Token) -> Sequence[Token]:
-    """Of two arguments the one that applies."""
+    """Returns the applicable one of two arguments."""
     yes, no = expander.argument(), expander.argument()
     if holds is None:
         expander.undecided(token)
@@ -159,7 +159,8 @@ def _empty(expander: State) -> bool:
 
 
 def _branches(expander: State, token: Token, tests: int) -> Sequence[Token]:
-    """Of two arguments behind a test that is not decided: in a formula the first, elsewhere both."""
+    """Returns the applicable of two arguments after an undecided test: in a formula the first, elsewhere
+    both."""
     for _ in range(tests):
         expander.argument()
     yes, no = expander.argument(), expander.argument()
@@ -208,7 +209,7 @@ def _display_style(expander: State, token: Token) -> Sequence[Token]:
 
 Choice = Callable[[State, Token], Sequence[Token]]
 
-#: Commands that come to one of their arguments.
+#: Commands that expand to one of their arguments.
 CHOICES: dict[str, Choice] = {
     "IfNoValueTF": lambda e, t: _chosen(e, _is(e, NO_VALUE), t),
     "IfNoValueT": lambda e, t: _one_of(e, _is(e, NO_VALUE)),
@@ -256,7 +257,7 @@ CHOICES: dict[str, Choice] = {
 }
 
 
-#: Of these, what \edef carries out.
+#: The choices that \edef expands.
 EXPANDABLE = frozenset(
     name
     for name in CHOICES
@@ -265,7 +266,7 @@ EXPANDABLE = frozenset(
 
 
 def undecidable(expander: State, macro: Macro) -> str | None:
-    """A command in the macro's body that only a whole TeX could follow; None if there is none."""
+    """Returns a command in the macro's body that only a complete TeX could execute; None if there is none."""
     for token in macro.body:
         word = token.word
         if word is None or word in expander.names.macros or word in CHOICES:

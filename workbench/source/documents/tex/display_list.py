@@ -1,4 +1,4 @@
-"""The displays of a text in order; one that goes on with the one before it is part of it."""
+"""The displays of a text in order. A display that continues the previous one is merged with it."""
 
 from __future__ import annotations
 
@@ -7,15 +7,16 @@ from string import whitespace
 
 from workbench.source.documents.tex.displays import Display
 
-#: What may stand between them: also the mark of a quotation in Markdown.
+#: Characters allowed between them, including the quotation mark of Markdown.
 _NOTHING = f"{whitespace}>"
 
-#: What a display begins with that goes on with the last side of the one before it.
+#: Relations that, at the beginning of a display, continue the last side of the previous one.
 _GOES_ON = frozenset({"=", "\\approx", "\\equiv", "\\simeq"})
 
 
 def add(displays: list[Display], display: Display) -> None:
-    """One more display, or more rows of the last one, where it begins with a relation and follows it."""
+    """Appends a display, or its rows to the last display if it directly follows that and begins with a
+    relation."""
     first = next((token.text for row in display.rows for token in row.tokens if token.text.strip()), "")
     last = displays[-1] if displays and first in _GOES_ON and displays[-1].source is display.source else None
     if (

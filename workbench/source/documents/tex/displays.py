@@ -1,4 +1,4 @@
-"""One displayed equation: its tokens, macros expanded, row by row, with the number that each row gets."""
+"""One display: its tokens with macros expanded, row by row, with the number of each row."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from workbench.source.documents.tex.numbering import Counters
 from workbench.source.documents.tex.tex_tokens import PARAGRAPH, Call, Token, joined, spelled
 from workbench.source.documents.tex.unprinted import is_unprinted, skip_environment
 
-#: Environments whose rows are numbered one by one, and those that have one number.
+#: Environments whose rows are numbered separately, and those with one number.
 ROWS = frozenset(
     {"align", "gather", "eqnarray", "subeqnarray", "IEEEeqnarray", "flalign", "alignat", "xalignat", "dgroup"}
 )
@@ -32,7 +32,7 @@ _WORDS = frozenset({"text", "mbox", "hbox", "textrm", "textit", "textbf", "textn
 
 _NUMBER = re.compile(r"\s*(-?\d{1,6})\s*")
 
-#: Of one display; a longer one is a file that never closes it.
+#: Limit on the tokens of one display; a longer one was never closed.
 MOST_TOKENS = 100_000
 
 
@@ -49,8 +49,11 @@ class Row:
 
 @dataclass(frozen=True)
 class Display:
-    """`start` to `end`: where it stands in the author's file. `opaque`: macros in it that could not be
-    expanded. `warnings`: with the token that each is about."""
+    """One display.
+
+    start, end: offsets in the author's file.   opaque: macros in it that could not be expanded.
+    warnings: each with the token that it is about.
+    """
 
     source: Source
     start: int
@@ -68,7 +71,7 @@ class Display:
 
     @property
     def before(self) -> str:
-        """The sentence before it."""
+        """The sentence before the display."""
         return sentence_before(self.source.prose, self.start)
 
     @property
@@ -81,7 +84,7 @@ class Display:
 
     @property
     def latex(self) -> str:
-        """Without labels and marks of numbering; rows with \\\\ between."""
+        """The LaTeX without labels and numbering marks; rows are joined by \\\\."""
         return spelled(self.tokens)[0]
 
     @cached_property
@@ -97,7 +100,9 @@ class Display:
 @dataclass
 class _Row:
     tokens: list[Token] = field(default_factory=list)
-    labels: list[tuple[str, bool]] = field(default_factory=list)  # and whether the letter is in the number
+    labels: list[tuple[str, bool]] = field(
+        default_factory=list
+    )  # labels, with True if the number includes the letter
     tag: str | None = None
     marks: set[str] = field(default_factory=set)
 
@@ -118,7 +123,7 @@ class DisplayReader(Expander):
         return f"{number}{chr(96 + min(self.letter, 26))}"
 
     def count(self, token: Token) -> None:
-        """\\setcounter and its kin."""
+        """Executes \\setcounter and similar commands."""
         name = self.word()
         if token.word in ("stepcounter", "refstepcounter"):
             self.counters.step(name)
@@ -127,7 +132,7 @@ class DisplayReader(Expander):
 
 
 def read_display(reader: DisplayReader, opening: Token, environment: str) -> Display:
-    """What stands from behind `opening` to the end of the display, which is passed too."""
+    """Returns the display from `opening` to its end, and moves past the end."""
     if environment.startswith(("IEEEeqnarray", "alignat", "xalignat")):
         reader.optional()
         reader.argument()
@@ -198,7 +203,7 @@ class _Body:
             self.reader.warn(token, "braces or environments of a display that do not close one another")
 
     def _is_end_of_file(self, token: Token) -> bool:
-        """Sections and paragraphs with $$ in them cannot stand in a display: it was never closed."""
+        """True if the token shows that the display was never closed: sections cannot occur in a display."""
         if token.word in ("section", "chapter", "subsection", "documentclass", "bibliography"):
             self.reader.push([token])
             return True
@@ -212,7 +217,7 @@ class _Body:
             lexer.skip_past(mark)
 
     def _environment(self, token: Token) -> bool:
-        """Whether it is the end of the display."""
+        """Handles \\begin and \\end; True if it is the end of the display."""
         reader, is_begin = self.reader, token.text == "\\begin"
         name = reader.word()
         if not is_begin and name == self.environment:
@@ -253,7 +258,7 @@ class _Body:
         return replace(token, end=end + 1) if token.call is None and end > 0 else token
 
     def _command(self, token: Token) -> bool:
-        """Whether it is a label, a tag or a mark of numbering."""
+        """Handles a label, a tag or a numbering mark; True if the token was one."""
         reader, row = self.reader, self.rows[-1]
         match token.text:
             case "\\label":
@@ -291,7 +296,7 @@ class _Body:
         return True
 
     def _tag(self, token: Token) -> None:
-        """The number of the row; words in it, such as a reason, stay in the row."""
+        """Sets the number of the row; words in it, such as a reason, stay in the row."""
         self.reader.star()
         row = self.rows[-1]
         before = len(row.tokens)
@@ -303,14 +308,14 @@ class _Body:
             del row.tokens[before:]
 
     def _paragraph(self, token: Token) -> None:
-        """It ends a row, as in Sphinx's displays: what stands below is no factor of what stands above."""
+        """Ends a row at a blank line, as in Sphinx's displays; what follows is not a factor of the row."""
         self.reader.warn(token, "a blank line in a display: the end of a row here, where TeX stops")
         written = [kept.text for kept in self.rows[-1].tokens if not kept.text.isspace()]
         if self.depth <= 0 and written and written[-1] != "\\\\":
             self._keep(token.standing_for("\\\\"))
 
     def _words(self) -> None:
-        """The argument of \\text, as one group with its macros expanded: its $ belong to it."""
+        """Keeps the argument of \\text as one group with its macros expanded, including its $."""
         near = self.rows[-1].tokens[-1]
         argument = self.reader.argument()
         words = [near.standing_for("{"), *argument, near.standing_for("}")]
@@ -350,7 +355,7 @@ def _numbered(reader: DisplayReader, rows: Sequence[_Row], environment: str) -> 
     if base == "IEEEeqnarray" and len(rows) > 1 and not rows[-1].tokens:
         rows.pop()
     made: list[Row] = []
-    pending: list[str] = []  # amsmath: the label of a row without a number goes to the next number
+    pending: list[str] = []  # amsmath: the label of a row without a number belongs to the next number
     for row in rows:
         number = None
         plain = _number_of_letters(reader, row, base, row is rows[0])
@@ -375,7 +380,8 @@ def _numbered(reader: DisplayReader, rows: Sequence[_Row], environment: str) -> 
 
 
 def _number_of_letters(reader: DisplayReader, row: _Row, base: str, is_first: bool) -> str | None:
-    """The number that \\IEEEyessubnumber, and each row of subeqnarray, puts a letter behind; None without."""
+    """Returns the number with a letter, for \\IEEEyessubnumber and each row of subeqnarray; None without a
+    letter."""
     with_letters = base == "subeqnarray"
     if not with_letters and (base != "IEEEeqnarray" or _ON_LETTER not in row.marks):
         return None

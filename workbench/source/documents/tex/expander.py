@@ -1,4 +1,4 @@
-"""Expands the author's macros: an argument keeps the author's characters, a body stands at the call."""
+"""Expansion of the author's macros: an argument keeps its positions, a body has the position of the call."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from workbench.source.documents.tex.macros import DECLARATIONS
 from workbench.source.documents.tex.stream import MOST_PUSHED
 from workbench.source.documents.tex.tex_tokens import Call, Token
 
-#: No author nests macros deeper; one that calls itself does.
+#: Limit on the nesting of macros, which only recursive macros exceed.
 DEEPEST = 60
 _PREFIXES = frozenset({"global", "long", "outer", "protected"})
-#: A brace by another name.
+#: Names of braces.
 _IMPLICIT = {"bgroup": "{", "egroup": "}"}
 
 
 class Expander(State):
-    """Takes declarations, conditionals and macros away from what is read."""
+    """Executes declarations and expands conditionals and macros while reading."""
 
     def step(self, token: Token) -> bool:
-        """Whether the token was a declaration, a conditional or a macro, and what it comes to is now next."""
+        """True if the token was a declaration, a conditional or a macro; its expansion is read next."""
         word = token.word
         if word is None:
             return False
@@ -63,7 +63,7 @@ class Expander(State):
         return True
 
     def _prefixed(self, word: str) -> None:
-        """Obeys the declaration behind \\global and its kin."""
+        """Executes the declaration after \\global and similar prefixes."""
         prefixes = {word}
         self.skip_spaces()
         while (token := self.pop()) is not None:
@@ -81,7 +81,7 @@ class Expander(State):
             self.push([token])
 
     def _sets_flag(self, word: str) -> bool:
-        """Whether the word is \\nametrue or \\namefalse, which is then obeyed."""
+        """True if the word is \\nametrue or \\namefalse; it is then executed."""
         for ending, value in (("true", True), ("false", False)):
             name = word.removesuffix(ending)
             if name != word and name in self.names.flags:
@@ -105,7 +105,7 @@ class Expander(State):
         return made
 
     def _unexpandable(self, token: Token) -> Sequence[Token]:
-        """What stays of the token in \\edef; what it comes to is now next."""
+        """Returns the unexpandable part of the token in \\edef; its expansion is read next."""
         word = token.word
         if word is None or token.final:
             return [token]
@@ -125,7 +125,7 @@ class Expander(State):
         return [] if word in ("else", "fi") and self.step(token) else [token]
 
     def _undecided_conditional(self, token: Token) -> Sequence[Token]:
-        """The conditional as it stands, where the text does not decide it; nothing where it does."""
+        """Returns a conditional that the text does not decide; [] if it does."""
         before = [*self.waiting]
         holds = decide(self, token)
         if holds is None:
@@ -136,7 +136,7 @@ class Expander(State):
         return []
 
     def expand(self, token: Token, macro: Macro) -> bool:
-        """False for a macro that is left as it stands."""
+        """Expands a macro; False for a macro that is left unexpanded."""
         name = token.word
         if macro.keeps:
             (kept,) = macro.body
@@ -156,7 +156,7 @@ class Expander(State):
             self.opaque.add(token.word)
             return False
         if (cause := undecidable(self, macro)) is not None:
-            if not self.in_formula:  # what it sets is of no matter; what it declares is
+            if not self.in_formula:  # discard its settings, keep its declarations
                 return any(part.word in DECLARATIONS for part in macro.body)
             if (fence := fence_of(macro)) is not None:
                 self.fences[token.word] = fence
@@ -194,7 +194,7 @@ class Expander(State):
 
 
 def _stays(macro: Macro) -> bool:
-    """Whether \\edef leaves the macro as it stands: one that looks for a star or a bracket, too."""
+    """True if \\edef leaves the macro unexpanded, as it does with one that looks for a star or a bracket."""
     return macro.keeps or macro.protected or any(p.kind not in ("braces", "until") for p in macro.parameters)
 
 
@@ -203,7 +203,7 @@ def _call(token: Token, macro: Macro) -> Call:
 
 
 def _unbraced(tokens: Sequence[Token]) -> Sequence[Token]:
-    """{x} as x, where the braces belong together."""
+    """Returns x for {x}, if the braces match."""
     if len(tokens) < 2 or tokens[0].text != "{" or tokens[-1].text != "}":
         return tokens
     depth = 0
@@ -221,7 +221,7 @@ def _body(
     for part in body:
         if part.text[0] != "#" or len(part.text) == 1:
             made.append(Token(part.text, token.source, token.start, token.end, call, part.final))
-        elif part.text[1] == "#":  # of a macro that the body declares
+        elif part.text[1] == "#":  # a parameter of a macro that the body declares
             made.append(Token(part.text[1:], token.source, token.start, token.end, call))
         elif (place := int(part.text[1]) - 1) < len(arguments):
             made += arguments[place]

@@ -1,4 +1,4 @@
-"""What is known while a text is read: the author's declarations, what could not be expanded, and warnings."""
+"""The state while a text is read: the author's declarations, unexpandable macros, and warnings."""
 
 from __future__ import annotations
 
@@ -18,8 +18,11 @@ TRUE, FALSE = "\\BooleanTrueMarker", "\\BooleanFalseMarker"
 
 @dataclass(frozen=True)
 class Parameter:
-    """One argument. kind: braces | until | star | optional | token; `marks`: the tokens around it or behind.
-    `counted`: a # means it."""
+    """A parameter of a macro.
+
+    kind: braces | until | star | optional | token.   marks: the tokens around or after it.
+    counted: True if it has a number (#1).
+    """
 
     kind: str
     marks: tuple[str, ...] = ()
@@ -29,8 +32,11 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Macro:
-    """`prefix`: tokens that must follow the name; `keeps`: it stands for a command of TeX itself;
-    `protected`: \\edef leaves it as it stands."""
+    """A macro.
+
+    prefix: tokens that must follow the name.   keeps: it stands for a primitive of TeX.
+    protected: \\edef leaves it unexpanded.
+    """
 
     parameters: tuple[Parameter, ...]
     body: tuple[Token, ...]
@@ -47,8 +53,10 @@ class Environment:
 
 @dataclass
 class Names:
-    """What the author has declared. `printed`: environments that are printed, or are not; others are as
-    LaTeX has them."""
+    """The declarations of the author.
+
+    printed: environments declared as printed (True) or not (False); others have LaTeX's meaning.
+    """
 
     macros: dict[str, Macro] = field(default_factory=dict)
     environments: dict[str, Environment] = field(default_factory=dict)
@@ -57,21 +65,25 @@ class Names:
 
 
 class State(TokenStream):
-    """`overrides`: macros that are kept whatever the text declares. `opaque`: names of macros that cannot be
-    expanded, and are left as they stand."""
+    """The state of the reader.
+
+    overrides: macros that the text cannot redefine.   opaque: names of macros that cannot be expanded.
+    """
 
     def __init__(self, overrides: Names | None = None) -> None:
         super().__init__()
         self.names = Names()
         self.groups = Groups()
-        self.prefixes: frozenset[str] = frozenset()  # \global and its kin before the declaration being read
+        self.prefixes: frozenset[str] = (
+            frozenset()
+        )  # \global and similar prefixes before the current declaration
         if overrides is not None:
             self.names.macros |= overrides.macros
             self.names.environments |= overrides.environments
         self.overrides = frozenset(self.names.macros)
         self.opaque: set[str] = set()
-        self.left_opaque: set[str] = set()  # of these, what the formula being read uses
-        self.fences: dict[str, str] = {}  # of these, what seems to be a pair of brackets
+        self.left_opaque: set[str] = set()  # the opaque macros that the current formula uses
+        self.fences: dict[str, str] = {}  # the opaque macros that seem to be pairs of brackets
         self.in_formula = False
         self.warnings: list[tuple[Token, str]] = []
 
@@ -80,21 +92,21 @@ class State(TokenStream):
             self.warnings.append((token, message))
 
     def declare(self, name: str, macro: Macro, everywhere: bool = False) -> None:
-        """Defines a macro until the innermost group ends; or in all groups."""
+        """Defines a macro until the end of the innermost group, or in all groups."""
         if name not in self.overrides:
             self.assign(self.names.macros, name, macro, everywhere)
             self.opaque.discard(name)
 
     def assign(self, values: dict[str, T], name: str, value: T, everywhere: bool = False) -> None:
-        """Gives a name a value until the innermost group ends; or in all groups."""
+        """Assigns a value to a name until the end of the innermost group, or in all groups."""
         self.groups.assign(values, name, value, everywhere)
 
     def end_group(self, kind: str) -> None:
-        """Ends the innermost group of this kind, and what is open in it."""
+        """Ends the innermost group of this kind, and the groups in it."""
         self.opaque -= self.groups.end(kind)
 
     def end_groups_to(self, depth: int) -> None:
-        """Ends the groups that were begun since `depth` were open."""
+        """Ends the groups beyond the first `depth`."""
         self.opaque -= self.groups.end_to(depth)
 
     def begin_environment(self, name: str) -> None:
@@ -103,7 +115,7 @@ class State(TokenStream):
             self.groups.begin(CELL)
 
     def follow_groups(self, text: str) -> None:
-        """Begins and ends the groups that a token of the text begins and ends."""
+        """Begins or ends groups according to a token of the text."""
         if text in OPENING:
             self.groups.begin(OPENING[text])
         elif text in CLOSING:
@@ -116,7 +128,7 @@ class State(TokenStream):
             self.groups.begin(CELL)
 
     def fully_expanded(self, body: Sequence[Token]) -> list[Token]:
-        """What \\edef stores."""
+        """Returns the tokens that \\edef stores."""
         raise NotImplementedError
 
     def undecided(self, token: Token) -> None:

@@ -1,4 +1,4 @@
-"""What a macro that only TeX can follow seems to be: a pair of brackets around its argument."""
+"""Guess for unexpandable macros: a pair of brackets around the argument."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from workbench.source.documents.tex.expander_state import Macro
 
 
 def fence_of(macro: Macro) -> str | None:
-    """Its body, if it opens and closes one pair of brackets around one argument; None else. It is a guess:
-    what else the macro does is taken for size and space."""
+    """Returns the body of a macro that opens and closes one pair of brackets around one argument; else None.
+
+    It is a guess: everything else in the macro is assumed to be size and space.
+    """
     content = [place for place, parameter in enumerate(macro.parameters, 1) if parameter.kind == "braces"]
     lefts, rights, used = set(), set(), set()
     for token, following in zip(macro.body, macro.body[1:], strict=False):

@@ -1,4 +1,4 @@
-"""TeX's groups: what is assigned within a group has its old value again when the group ends."""
+"""Groups of TeX: at the end of a group, assigned names get their old values back."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from workbench.source.documents.tex.tex_tokens import Token
 
 T = TypeVar("T")
 
-#: The kinds of group; that of an environment is its \\begin{name}.
+#: The kinds of groups; that of an environment is its \\begin{name}.
 BRACES, LEFT, BEGINGROUP, FORMULA, CELL = "{", "\\left", "\\begingroup", "$", "&"
 OPENING = {"{": BRACES, "\\left": LEFT, "\\begingroup": BEGINGROUP}
 CLOSING = {"}": BRACES, "\\right": LEFT, "\\endgroup": BEGINGROUP}
@@ -30,30 +30,30 @@ _ABSENT: Any = object()
 
 
 def environment(name: str) -> str:
-    """The kind of group that an environment is."""
+    """Returns the kind of group of an environment."""
     return f"\\begin{{{name}}}"
 
 
 def has_cells(name: str) -> bool:
-    """Whether the cells of an environment are groups."""
+    """True if the cells of an environment are groups."""
     return name in ALIGNMENTS or name.rstrip("*") in ALIGNMENTS
 
 
 def end_mark(token: Token, kind: str) -> Token:
-    """A token that ends the innermost group of this kind when it is read."""
+    """Returns a token that ends the innermost group of this kind when it is read."""
     return Token(_END + kind, token.source, token.start, token.end, token.call, final=True)
 
 
 def ended_by(token: Token) -> str | None:
-    """The kind of group that an end mark ends; None for another token."""
+    """Returns the kind of group that an end mark ends; None for other tokens."""
     return token.text[len(_END) :] if token.text.startswith(_END) else None
 
 
 class Groups:
-    """The open groups, and the save stack of the assignments in them.
+    """The open groups, and the save stack of their assignments.
 
-    As in TeX, an assignment knows the level of the group that it was made in: a value of level 0 is global,
-    and the end of a group keeps it.
+    As in TeX, an assignment stores the level of its group: a value of level 0 is global, and the end of a
+    group keeps it.
     """
 
     def __init__(self) -> None:
@@ -74,9 +74,10 @@ class Groups:
         self._count[kind] += 1
 
     def end(self, kind: str) -> set[str]:
-        """Ends the innermost group of this kind and those in it; the names that have their old value again.
+        """Ends the innermost group of this kind and those in it; returns the names whose old values are
+        restored.
 
-        A brace or \\right closes nothing outside of its environment, and nothing in a formula closes a group
+        A brace or \\right closes nothing outside its environment, and nothing in a formula closes a group
         around the formula.
         """
         if self.innermost == kind:
@@ -92,7 +93,7 @@ class Groups:
         return set()
 
     def end_to(self, depth: int) -> set[str]:
-        """Ends all groups but the first `depth`; the names that have their old value again."""
+        """Ends all groups but the first `depth`; returns the names whose old values are restored."""
         while len(self._kinds) > depth:
             self._count[self._kinds.pop()] -= 1
         restored: set[str] = set()
@@ -110,7 +111,7 @@ class Groups:
         return restored
 
     def assign(self, values: dict[str, T], name: str, value: T, everywhere: bool = False) -> None:
-        """Gives `name` a value until the innermost group ends; or in all groups."""
+        """Assigns a value to `name` until the end of the innermost group, or in all groups."""
         level = 0 if everywhere else len(self._kinds)
         key = id(values), name
         known = self._levels.get(key, 0)

@@ -1,4 +1,4 @@
-"""Macros and how they are declared: \\newcommand, \\def, \\let, \\NewDocumentCommand and their kin."""
+"""Macros and their declarations: \\newcommand, \\def, \\let, \\NewDocumentCommand and similar commands."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _number(tokens: Sequence[Token] | None) -> int:
 
 
 def _name(expander: State) -> str | None:
-    """The control sequence to be declared, with or without braces around it."""
+    """Returns the control sequence to be declared, with or without braces around it."""
     tokens = [token for token in expander.argument() if token.text != " "]
     return tokens[0].word or tokens[0].text if tokens else None
 
@@ -92,7 +92,7 @@ def _let(expander: State, token: Token) -> None:
 
 
 def _flag_of(expander: State, target: Token) -> bool | None:
-    """What \\iftrue, \\iffalse or a flag of the author says; None for another token."""
+    """Returns the value of \\iftrue, \\iffalse or a flag of the author; None for other tokens."""
     if target.word in ("iftrue", "iffalse"):
         return target.word == "iftrue"
     return (
@@ -110,7 +110,7 @@ def _operator(expander: State, token: Token) -> None:
         expander.declare(name, Macro((), tuple(made)))
 
 
-#: \name*{…} and \name[\big]{…} differ from \name{…} in size alone.
+#: \name*{…} and \name[\big]{…} differ from \name{…} in size only.
 _SIZE = (Parameter("star", counted=False), Parameter("optional", ("[", "]"), (), counted=False))
 
 
@@ -153,7 +153,7 @@ def _document_command(expander: State, token: Token) -> None:
 
 
 def parameters_of(spec: Sequence[Token]) -> tuple[Parameter, ...] | None:
-    """What xparse's argument specification asks for; None where it is more than tokens and brackets."""
+    """Returns the parameters of an xparse specification; None if it uses more than tokens and brackets."""
     waiting = [token for token in spec if token.text != " "]
     made: list[Parameter] = []
 
@@ -231,12 +231,13 @@ def _flag(expander: State, token: Token) -> None:
 
 
 def _made(latex: str, token: Token) -> list[Token]:
-    """Tokens that stand where `token` does."""
+    """Returns tokens for the LaTeX with the position of `token`."""
     return lex(View(latex, token.source, [token.start] * (len(latex) + 1)))
 
 
 def named(bodies: Mapping[str, str], path: Path) -> dict[str, Macro]:
-    """Macros by their bodies, which say how many arguments they take; a star is of no matter."""
+    """Returns macros by their bodies, which determine the number of arguments; starred forms are treated
+    alike."""
     made = {}
     for name, body in bodies.items():
         source = Source(path, body)

@@ -1,4 +1,4 @@
-"""LaTeX's counters: what number an equation or a section has."""
+"""LaTeX's counters: the numbers of equations and sections."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ _BOOKS = frozenset(
 )
 _FLOATS = ("equation", "figure", "table")
 _KOMA = frozenset({"scrbook", "scrreprt", "scrartcl"})
-#: How deep a class numbers its sections, where that is not 3.
+#: Depth of numbered sections by class, where it is not 3.
 _DEPTHS = {"memoir": 1, "llncs": 2, **dict.fromkeys(_BOOKS - {"memoir", "amsbook"}, 2)}
-#: How a class prints what it numbers, where that differs; and in its appendix, where equations begin anew.
+#: Format of numbers by class, where it differs; and in its appendix, where equations restart.
 _PRINTED = {
     "revtex4": {
         "section": "\\Roman{section}",
@@ -46,7 +46,7 @@ _STYLES = re.compile(
 
 
 class Counters:
-    """Values, what each is reset by, and how each is printed (as LaTeX that names counters)."""
+    """Values of the counters, the counters that reset them, and their formats (LaTeX with counter names)."""
 
     def __init__(self) -> None:
         self.values = dict.fromkeys((*SECTIONS, "equation", "figure", "table"), 0) | {"secnumdepth": 3}
@@ -55,8 +55,8 @@ class Counters:
             "section": "\\arabic{section}",
             **{name: f"\\the{outer}.\\arabic{{{name}}}" for name, outer in self.within.items()},
         }
-        self.current = ""  # what a label refers to
-        self._outer: list[str] = []  # that of the environments around this one
+        self.current = ""  # the number that a label refers to
+        self._outer: list[str] = []  # that of the enclosing environments
         self.top, self.document_class = "section", ""
         self.is_book, self._unnumbered = False, frozenset[str]()
         self._saved: tuple[int, str | None] | None = None  # of the equations around subequations
@@ -80,7 +80,8 @@ class Counters:
         self.current = self.number(name)
 
     def step_section(self, name: str, starred: bool = False) -> None:
-        """One deeper than secnumdepth has no number, nor has a chapter outside of the main matter."""
+        """Steps the counter of a section, unless it is deeper than secnumdepth or a chapter outside the main
+        matter."""
         is_deep = SECTIONS.index(name) - 1 > self.values["secnumdepth"]
         is_outside = name in self._unnumbered
         if self.document_class == "beamer" or not (starred or is_deep or is_outside):
@@ -89,7 +90,7 @@ class Counters:
             self._reset_below(name)
 
     def number_to(self, name: str) -> None:
-        """Memoir's \\setsecnumdepth: what is deeper than `name` has no number."""
+        """Executes Memoir's \\setsecnumdepth: sections deeper than `name` have no number."""
         depths = {"none": -10, "all": 5} | {each: depth for depth, each in enumerate(SECTIONS, start=-1)}
         self.values["secnumdepth"] = depths.get(name, self.values["secnumdepth"])
 
@@ -121,15 +122,17 @@ class Counters:
         self.printed[name] = f"\\arabic{{{name}}}"
 
     def begin(self) -> None:
-        """What an environment numbers, labels behind it do not refer to."""
+        """Begins an environment; labels after it do not refer to its number."""
         self._outer.append(self.current)
 
     def end(self) -> None:
         self.current = self._outer.pop() if self._outer else self.current
 
     def appendix(self, only: bool) -> None:
-        """Its \\setcounter resets what it names, and nothing below. only: one, whose sections have no
-        numbers in IEEEtran."""
+        """Begins the appendix. Its \\setcounter resets only the named counters.
+
+        only: it has one part, whose sections have no numbers in IEEEtran.
+        """
         if self.document_class == "beamer":
             return
         self.values[self.top] = self.values["section"] = 0
@@ -147,15 +150,15 @@ class Counters:
             self.printed["subsection"] = "\\Alph{subsection}"
 
     def number(self, name: str) -> str:
-        """\\thename."""
+        """Returns \\thename."""
         return self._number(name, 0)
 
     def text(self, latex: str) -> str:
-        """A tag or a \\thename as it is printed, its styles dropped."""
+        """Returns a tag or a \\thename as printed, without styles."""
         return self._text(latex, 0).strip()
 
     def section(self) -> str:
-        """The number of the innermost section that has one; empty before the first."""
+        """Returns the number of the innermost numbered section; "" before the first."""
         numbered = [name for name in SECTIONS[SECTIONS.index(self.top) :] if self.values[name]]
         return self.number(numbered[-1]) if numbered else ""
 

@@ -1,4 +1,4 @@
-"""What is still to be read: files and expansions on one stack, and the ways in which TeX takes arguments."""
+"""The input stack of files and expansions, and TeX's ways of reading arguments."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from collections.abc import Sequence
 
 from workbench.source.documents.tex.tex_tokens import PARAGRAPH, Lexer, Token, joined
 
-#: What one token of the author may come to; more is a macro that calls itself.
+#: Limit on the expansion of one token, which only recursive macros exceed.
 MOST_PUSHED = 100_000
 
 
 class TokenStream:
-    """Tokens and files that are read later lie deeper."""
+    """A stack of tokens and files; those to be read later are deeper."""
 
     def __init__(self) -> None:
         self.waiting: list[Token | Lexer] = []
         self.pushed = 0
-        self.contained = 0  # how many arguments are being taken: none goes on behind the end of its file
+        self.contained = 0  # number of arguments being read: none extends past the end of its file
 
     def open(self, lexer: Lexer) -> None:
         self.waiting.append(lexer)
@@ -41,7 +41,7 @@ class TokenStream:
         return None
 
     def close(self, lexer: Lexer) -> None:
-        """Called when a file has been read to its end."""
+        """Called at the end of a file."""
 
     def peek(self) -> Token | None:
         token = self.pop()
@@ -50,7 +50,7 @@ class TokenStream:
         return token
 
     def lexer(self) -> Lexer | None:
-        """The file that is being read, if no tokens wait before it."""
+        """Returns the file being read, if no tokens are pending before it."""
         top = self.waiting[-1] if self.waiting else None
         return top if isinstance(top, Lexer) else None
 
@@ -59,7 +59,7 @@ class TokenStream:
             self.pop()
 
     def take(self, text: str) -> bool:
-        """Whether `text` comes next, which is then taken."""
+        """Consumes `text` if it comes next; True if it did."""
         token = self.peek()
         if token is None or token.text != text:
             return False
@@ -71,7 +71,7 @@ class TokenStream:
         return self.take("*")
 
     def argument(self) -> list[Token]:
-        """The next token, or what stands between the next braces."""
+        """Returns the next token, or the contents of the next braces."""
         self.skip_spaces()
         token = self.pop()
         if token is None or token.text == "}":
@@ -79,7 +79,7 @@ class TokenStream:
         return self.rest_of_group() if token.text == "{" else [token]
 
     def rest_of_group(self) -> list[Token]:
-        """What stands before the brace that closes the group just opened."""
+        """Returns the tokens before the brace that closes the group just opened."""
         taken: list[Token] = []
         depth = 1
         while (token := self.pop_within()) is not None:
@@ -90,7 +90,7 @@ class TokenStream:
         return taken
 
     def pop_within(self) -> Token | None:
-        """The next token of the same file; None at its end."""
+        """Returns the next token of the same file; None at its end."""
         self.contained += 1
         try:
             return self.pop()
@@ -112,11 +112,11 @@ class TokenStream:
         return taken
 
     def word(self) -> str:
-        """An argument that is a name."""
+        """Returns an argument that is a name."""
         return joined(self.argument()).strip()
 
     def until(self, stop: Sequence[str]) -> list[Token]:
-        """What stands before the tokens `stop`, which are passed too; braces are respected."""
+        """Returns the tokens before the tokens `stop`, and moves past these; braces are respected."""
         taken: list[Token] = []
         depth = 0
         while (token := self.pop_within()) is not None:
@@ -128,5 +128,5 @@ class TokenStream:
 
 
 def _mark(token: Token) -> str:
-    """A blank line begins with the end of a line, which is a space."""
+    """Returns the text of a token for comparison with a mark; a blank line counts as a space."""
     return " " if token.text == PARAGRAPH else token.text

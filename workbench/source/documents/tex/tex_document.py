@@ -1,4 +1,4 @@
-"""A TeX document as it is read: files, sections, counters, and every display on the way."""
+"""Reader of TeX documents: files, sections, counters, and all displays."""
 
 from __future__ import annotations
 
@@ -30,10 +30,13 @@ from workbench.source.documents.tex.unprinted import (
 
 @dataclass
 class Text:
-    """What was read. `labels`: label → number. `warnings`: with the file, line and column of each. `fences`:
-    macros that could not be expanded and seem to be brackets, each with its body. `inline`: the formulas
-    inside of sentences. `starts`: heading, or label outside of displays → place of the display that
-    follows."""
+    """A document.
+
+    labels: label → number.   warnings: each with file, line and column.
+    fences: unexpandable macros that seem to be brackets, each with its body.   inline: formulas inside
+    sentences.
+    starts: heading, or label outside displays → index of the next display.
+    """
 
     path: Path
     sources: list[Source] = field(default_factory=list)
@@ -48,7 +51,7 @@ class Text:
 
 
 class TexReader(FileReader):
-    """Reads what is opened, to its end."""
+    """Reads the opened files to their end."""
 
     def __init__(self, root: Path, overrides: Names | None = None) -> None:
         super().__init__(root, overrides)
@@ -60,7 +63,7 @@ class TexReader(FileReader):
         self.hooks: dict[str, list[Token]] = {"begindocument": [], "enddocument": []}
 
     def has_more_than_declarations(self, closing: str | None) -> bool:
-        """Whether a formula that begins with declarations, which are obeyed, holds anything else."""
+        """True if a formula that begins with declarations, which are executed, contains anything else."""
         while (token := self.pop()) is not None and token.text != closing:
             if token.word in _PREAMBLE:
                 self._is_end(token)
@@ -90,8 +93,8 @@ class TexReader(FileReader):
             self._inline(token, "$")
 
     def _inline(self, opening: Token, environment: str) -> None:
-        """What stands before the closing mark in this paragraph, read by itself: a $ that closes nothing
-        takes no display away."""
+        """Reads an inline formula up to the closing mark in this paragraph; an unmatched $ hides no
+        display."""
         taken: list[Token] = []
         while (token := self.pop()) is not None and token.text not in (CLOSING[environment], PARAGRAPH):
             taken.append(token)
@@ -111,7 +114,7 @@ class TexReader(FileReader):
         self.counters.end()
 
     def _is_end(self, token: Token) -> bool:
-        """Obeys a command; whether the document ends with it."""
+        """Executes a command; True if the document ends with it."""
         word = token.word
         if word == "[":
             self._display(token, "\\[")
@@ -127,7 +130,7 @@ class TexReader(FileReader):
             self.counters.end()
         elif word in SECTIONS:
             self._section(word)
-        elif (command := _COMMANDS.get(word)) is not None:  # also where a class redefines it
+        elif (command := _COMMANDS.get(word)) is not None:  # also if a class redefines it
             command(self, token)
         else:
             self.step(token)
@@ -177,7 +180,7 @@ class TexReader(FileReader):
             self.run()
 
     def hook(self, token: Token) -> None:
-        """\\AtBeginDocument and its kin: their code is no group, and is obeyed later."""
+        """Stores the code of \\AtBeginDocument and similar hooks for later; it is not a group."""
         name = _HOOKS[token.word] if token.word in _HOOKS else self.word()
         self.optional() if token.word == "AddToHook" else None
         code = self.argument()
@@ -193,7 +196,7 @@ class TexReader(FileReader):
         self.push(code)
 
     def _has_more(self, token: Token) -> bool:
-        """Whether \\AtEndDocument has code, which is read before the document ends."""
+        """True if \\AtEndDocument has code, which is read before the document ends."""
         if not self.hooks["enddocument"]:
             return False
         self.push([token.standing_for(part) for part in ("\\end", "{", "document", "}")])
@@ -208,7 +211,7 @@ class TexReader(FileReader):
         self.counters.step_section(name, starred)
 
     def unnumbered(self, token: Token) -> None:
-        """\\addchap and \\addsec."""
+        """Executes \\addchap and \\addsec."""
         outer = self.counters.values["secnumdepth"]
         self.counters.values["secnumdepth"] = -9
         self._section({"addchap": "chapter", "addsec": "section"}[token.word])
@@ -253,7 +256,7 @@ class TexReader(FileReader):
             self.assign(self.counters.printed, name[3:], joined(macro.body), everywhere)
 
 
-#: What stands in a formula that only declares macros, as for MathJax.
+#: Commands of a formula that only declares macros, as for MathJax.
 _PREAMBLE = frozenset(DECLARATIONS) | {
     "global",
     "long",
@@ -263,7 +266,7 @@ _PREAMBLE = frozenset(DECLARATIONS) | {
     "usepackage",
     "require",
 }
-#: What stops prose and begins or ends a group; & does so in a cell alone.
+#: Tokens that stop prose and begin or end a group; & does so only in a cell.
 _GROUP_TOKENS = frozenset({"{", "}", "&", "\\\\"})
 _HOOKS = {
     **dict.fromkeys(("AtBeginDocument", "AtEndPreamble"), "begindocument"),

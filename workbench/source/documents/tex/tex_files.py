@@ -1,4 +1,4 @@
-"""The files that a document opens: what it includes, and styles and classes that lie beside it."""
+"""Files that a document opens: its includes, and styles and classes in its folder."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from workbench.source.documents.tex.tex_tokens import Lexer, Token, joined
 _CLASS = ("documentclass", "LoadClass", "LoadClassWithOptions")
 _STYLES = (".sty", ".cls", ".def", ".clo")
 _MOST_FILES = 500
-#: Of these the folder is an argument by itself.
+#: Commands whose folder is a separate argument.
 FROM_FOLDER = ("import", "subimport", "includefrom", "inputfrom", "subincludefrom", "subinputfrom")
-#: What reads a file where it stands.
+#: Commands that read a file in place.
 INCLUDING = (*FROM_FOLDER, "input", "include", "subfile", "subfileinclude", "@input", "InputIfFileExists")
 
 
@@ -31,7 +31,7 @@ class Directive:
 
 
 class FileReader(DisplayReader):
-    """`root`: the folder of the main file."""
+    """A reader of files. `root`: the folder of the main file."""
 
     def __init__(self, root: Path, overrides: Names | None = None) -> None:
         super().__init__(overrides)
@@ -45,11 +45,11 @@ class FileReader(DisplayReader):
         self.global_options: list[str] = []
 
     def run(self) -> None:
-        """Reads what is opened, to its end."""
+        """Reads the opened files to their end."""
         raise NotImplementedError
 
     def read_file(self, path: Path) -> None:
-        """Raises PaperError for the file itself; what it includes and cannot be read is a warning."""
+        """Reads a file. Raises PaperError for the file itself; an unreadable include gives a warning."""
         self.open_file(Source.open(path))
         self.run()
 
@@ -64,7 +64,7 @@ class FileReader(DisplayReader):
             self.open_paths.pop()
 
     def include(self, token: Token) -> None:
-        """\\input and its kin; what \\InputIfFileExists carries out besides."""
+        """Executes \\input and similar commands, and the branch of \\InputIfFileExists."""
         folder = joined(self.fully_expanded(self.argument())).strip() if token.word in FROM_FOLDER else ""
         name = (folder + self._file_name()).strip().strip('"')
         path = self._find(name, ("", ".tex"))
@@ -78,14 +78,15 @@ class FileReader(DisplayReader):
             self._open(token, path)
 
     def _tell_outside(self, token: Token, name: str, path: Path) -> None:
-        """A warning where who gets the folder of the text does not get the file."""
+        """Warns about a file outside the folder of the text, which a copy of the folder would miss."""
         is_outside = not path.resolve().is_relative_to(self.root.resolve())
         if is_outside or Path(name).is_absolute():
             why = "an absolute path" if Path(name).is_absolute() else "outside of the folder of the text"
             self.warn(token, f"{name!r} is {why}; it is read, but copy it beside the text and name it there")
 
     def use(self, token: Token) -> None:
-        """\\usepackage and \\documentclass: a style or class file that lies beside the text is read."""
+        """Executes \\usepackage and \\documentclass: reads a style or class file in the folder of the
+        text."""
         given = [part.strip() for part in joined(self.optional() or ()).split(",")]
         if token.word == "documentclass":
             self.global_options += given
@@ -97,7 +98,7 @@ class FileReader(DisplayReader):
                 self.warn(token, f"no style or class {name!r} beside this one")
             if path is not None:
                 self._tell_outside(token, name, path)
-                outer, self.waiting = self.waiting, []  # what it leaves open ends with it
+                outer, self.waiting = self.waiting, []  # its open groups end with it
                 known = self.options, self.given, self.at_end
                 self.options, self.given, self.at_end = {}, given, []
                 self._open(token, path)
@@ -107,11 +108,11 @@ class FileReader(DisplayReader):
                 self.waiting, (self.options, self.given, self.at_end) = outer, known
 
     def at_end_of_style(self, token: Token) -> None:
-        """\\AtEndOfPackage: its code is no group, and is obeyed when the file has been read."""
+        """Stores the code of \\AtEndOfPackage for the end of the file; it is not a group."""
         self.at_end += self.argument()
 
     def option(self, token: Token) -> None:
-        """\\DeclareOption: its code is obeyed where the option is given."""
+        """Stores the code of \\DeclareOption, which is executed for a given option."""
         other = self.star()
         name = "*" if other else self.word()
         self.options[name] = self.argument()
@@ -128,7 +129,7 @@ class FileReader(DisplayReader):
             self.push(self.options.get(name.strip(), ()))
 
     def letters(self, token: Token) -> None:
-        """\\makeatletter, \\makeatother."""
+        """Executes \\makeatletter and \\makeatother."""
         for waiting in reversed(self.waiting):
             if isinstance(waiting, Lexer):
                 waiting.at_letter = token.word == "makeatletter"

@@ -1,4 +1,4 @@
-"""TeX's tokens with their origin, read one at a time from a view of the author's text."""
+"""Tokens of TeX with their origin, read lazily from a view of the author's text."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ PARAGRAPH = "\\par"
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A macro's use: the tokens of its body came through it."""
+    """A use of a macro, from which the tokens of its body come."""
 
     name: str
     outer: Call | None
     depth: int
 
     def chain(self) -> Iterator[Call]:
-        """This call and those around it, the innermost first."""
+        """Yields this call and the enclosing ones, the innermost first."""
         call: Call | None = self
         while call is not None:
             yield call
@@ -43,8 +43,11 @@ class Call:
 
 @dataclass(slots=True)
 class Token:
-    """`start` to `end` of the source: the author's own characters. Of a macro's body these are the call.
-    `final`: means what TeX means by it, whatever the author has redefined."""
+    """A token. `start` to `end`: its characters in the source; for a token of a macro's body, those of the
+    call.
+
+    final: it has TeX's meaning, even if the author has redefined it.
+    """
 
     text: str
     source: Source
@@ -59,12 +62,12 @@ class Token:
         return self.text[1:] if len(self.text) > 1 and self.text[0] == "\\" else None
 
     def standing_for(self, text: str) -> Token:
-        """Another token in the same place."""
+        """Returns another token at the same position."""
         return Token(text, self.source, self.start, self.end, self.call)
 
 
 class Lexer:
-    """The tokens of a view, lazily: what \\makeatletter and \\verb change is known when they are met."""
+    """The tokens of a view, read lazily: \\makeatletter and \\verb change the rules for what follows."""
 
     def __init__(
         self, view: View, directive: Callable[[str, Source, int], None] | None = None, at_letter: bool = False
@@ -94,12 +97,12 @@ class Lexer:
         return None
 
     def skip_prose(self, in_cell: bool = False) -> None:
-        """Onward to the next character that means something outside of formulas."""
+        """Moves to the next character with a meaning outside formulas."""
         if match := (_PROSE_OF_CELL if in_cell else _PROSE).match(self.text, self.position):
             self.position = match.end()
 
     def skip_past(self, mark: str) -> str | None:
-        """The characters up to `mark`, which is passed too; None, and the end, if it does not come."""
+        """Returns the characters up to `mark`, and moves past it; at the end of the text returns None."""
         found = self.text.find(mark, self.position)
         start, self.position = self.position, len(self.text) if found < 0 else found + len(mark)
         return None if found < 0 else self.text[start:found]
@@ -108,7 +111,7 @@ class Lexer:
         name = match["word"]
         if "@" in name and not self.at_letter:
             letters = _LETTERS.match(name)
-            if letters is None:  # \@ is a symbol of one character
+            if letters is None:  # \@ is a control symbol
                 self.position = match.start() + 2
                 return self._token("\\@", match.start(), match.start() + 2)
             name = letters[0]
@@ -130,7 +133,7 @@ def joined(tokens: Iterable[Token]) -> str:
 
 
 def spelled(tokens: Iterable[Token]) -> tuple[str, list[Token]]:
-    """The LaTeX of the tokens, and the token that each of its characters belongs to."""
+    """Returns the LaTeX of the tokens, and for each of its characters the token."""
     pieces: list[str] = []
     owners: list[Token] = []
     after_word: Token | None = None

@@ -1,4 +1,4 @@
-"""What LaTeX does not print, or prints as it is typed: excluded environments, listings and \\verb."""
+"""Text that LaTeX omits or prints verbatim: excluded environments, listings and \\verb."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ _BRACE = re.compile(r"[{}]|\n[ \t]*\n")
 
 
 def is_unprinted(reader: State, name: str) -> bool:
-    """Whether the environment holds no formulas: it is excluded, or what stands in it is printed as typed."""
+    """True if the environment contains no formulas: it is excluded or verbatim."""
     return not reader.names.printed.get(name, name not in _VERBATIM)
 
 
 def is_verbatim(reader: State, begin: Sequence[Token]) -> bool:
-    """Whether the code that begins an environment begins a verbatim one, as \\comment does."""
+    """True if the code at the beginning of an environment starts a verbatim one, as \\comment does."""
     return any(token.word in _VERBATIM and token.word not in reader.names.macros for token in begin)
 
 
 def skip_environment(reader: State, name: str) -> None:
-    """Passes the environment that has just been opened, unread."""
+    """Skips the environment that has just been opened."""
     lexer = reader.lexer()
     if lexer is not None:
         lexer.skip_past(f"\\end{{{name}}}")
@@ -39,17 +39,17 @@ def skip_environment(reader: State, name: str) -> None:
 
 
 def exclude(reader: State, token: Token) -> None:
-    """\\excludecomment{name}."""
+    """Executes \\excludecomment{name}."""
     reader.assign(reader.names.printed, reader.word(), False)
 
 
 def include(reader: State, token: Token) -> None:
-    """\\includecomment{name}."""
+    """Executes \\includecomment{name}."""
     reader.assign(reader.names.printed, reader.word(), True)
 
 
 def special(reader: State, token: Token) -> None:
-    """\\specialcomment{name}{before}{after}: a printed environment."""
+    """Executes \\specialcomment{name}{before}{after}, which declares a printed environment."""
     name, before, after = reader.word(), reader.argument(), reader.argument()
     declared = Environment(Macro((), tuple(before)), Macro((), tuple(after)))
     reader.assign(reader.names.environments, name, declared)
@@ -57,7 +57,7 @@ def special(reader: State, token: Token) -> None:
 
 
 def listing(reader: State, token: Token) -> None:
-    """\\lstnewenvironment{name} and its kin: an environment printed as typed."""
+    """Executes \\lstnewenvironment{name} and similar commands, which declare a verbatim environment."""
     given = joined(reader.optional() or ()).strip()
     name = reader.word()
     if token.word == "newminted":
@@ -66,7 +66,7 @@ def listing(reader: State, token: Token) -> None:
 
 
 def skip_verb(reader: State, token: Token) -> None:
-    """\\verb|…|, \\lstinline[…]{…}, \\mintinline[…]{language}|…|, \\url{…}."""
+    """Skips \\verb|…|, \\lstinline[…]{…}, \\mintinline[…]{language}|…|, \\url{…}."""
     lexer = reader.lexer()
     if lexer is None:
         return
@@ -84,7 +84,7 @@ def skip_verb(reader: State, token: Token) -> None:
 
 
 def _skip_pair(lexer: Lexer, opening: str, closing: str) -> None:
-    """Passes what stands between the marks on this line."""
+    """Skips the text between the marks on this line."""
     start = lexer.position + len(opening)
     if not opening or not lexer.text.startswith(opening, lexer.position):
         return
@@ -96,7 +96,7 @@ def _skip_pair(lexer: Lexer, opening: str, closing: str) -> None:
 
 
 def _skip_group(lexer: Lexer) -> None:
-    """Passes what stands between the braces, in this paragraph."""
+    """Skips the text between the braces, in this paragraph."""
     depth = 0
     for brace in _BRACE.finditer(lexer.text, lexer.position):
         depth += {"{": 1, "}": -1}.get(brace[0], -depth)

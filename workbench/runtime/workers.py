@@ -210,7 +210,7 @@ class _Worker:
         context = get_context("fork")
         self._pipe, theirs = context.Pipe()
         self._process = context.Process(target=self._serve, args=(theirs,))
-        stdin, sys.stdin = sys.stdin, None  # closing it would interrupt a thread that reads it
+        stdin, sys.stdin = sys.stdin, None  # type: ignore[assignment]  # closing it would interrupt a reader
         try:
             self._process.start()
         finally:

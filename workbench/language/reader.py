@@ -111,7 +111,7 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
     return SyntaxCode.AN_EXPRESSION()
 
 
-#: What to ask of a formula that fits only in a reading that its paper neither takes nor excludes.
+#: Questions on a formula that matches only in a reading that its paper neither uses nor excludes.
 _QUESTIONS = {
     Relaxation.DYADS: SyntaxCode.OR_DYADS(),
     Relaxation.UNIT_TENSOR: SyntaxCode.OR_UNIT_TENSORS(),
@@ -140,8 +140,10 @@ def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable],
 
 
 def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reason | None:
-    """What to ask of a formula that does not fit together as read, but does in another reading. Only readings
-    that the reader asked for can change the result."""
+    """Returns the question on a formula that does not match as read, but does in another reading; else None.
+
+    Only readings that the reader asked for can change the result.
+    """
     conventions = table.conventions.logged()
     with suppress(Fault, Misfit):
         make(replace(table, conventions=conventions))

@@ -139,7 +139,7 @@ def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
 
 
 def is_said_factor(scope: Scope, part: Node) -> bool:
-    """Whether the paper says that what is in brackets multiplies; of a time, as (t - t_0), it does not."""
+    """True if the paper states that brackets multiply; a bracket with a time, as (t - t_0), does not."""
     return scope.allows(Relaxation.FACTORS_IN_BRACKETS) and not any(
         each.clock for each in _outside_of_functions(scope.term(part))
     )

@@ -148,7 +148,8 @@ class Elaborator(Scope):
             raise Misfit(fault, places[_first_that_differs(addends)]) from None
 
     def with_units(self, terms: Sequence[Term]) -> Sequence[Term]:
-        """The terms; in a paper that says so, the numbers beside tensors are multiples of the unit tensor."""
+        """Returns the terms, with numbers next to tensors as multiples of the unit tensor if the paper states
+        so."""
         if not self.allows(Relaxation.UNIT_TENSOR) or not any(term.type.kind == "tensor" for term in terms):
             return terms
         return [_times_unit(term) for term in terms]

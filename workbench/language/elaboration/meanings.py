@@ -87,7 +87,7 @@ def meaning(
 
 
 def constant(table: SymbolTable, letter: Name, scripts: Scripts) -> Meaning | None:
-    """A name that stands for a term in the paper's own notation."""
+    """Returns the meaning of a name that stands for a term in the paper's notation, else None."""
     constants = table.notations.constants
     for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())) if constants else ():
         spelling = spell(letter, tried, ())

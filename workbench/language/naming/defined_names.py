@@ -1,4 +1,4 @@
-"""What the definitions of a table cover, and what they use."""
+"""Defined names of a symbol table: the members that definitions cover, and the symbols that they use."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class DefinedNames:
     arguments: Mapping[Name, frozenset[Name]] = field(default_factory=dict)
 
     def with_member(self, name: Name, index: tuple[Linear, ...]) -> DefinedNames:
-        """Returns these names, of which `name` is defined at the index, too."""
+        """Returns these names with a definition of `name` at the index added."""
         return replace(self, members={**self.members, name: (*self.members.get(name, ()), index)})
 
     def covers(self, name: Name, index: tuple[Linear, ...]) -> bool:
-        """Returns whether a definition covers this member: its own, or one for n or n + c."""
+        """True if a definition covers this member: its own, or one for n or n + c."""
         return any(
             all(
                 place == wanted if place.is_number else not wanted.is_number or int(wanted) >= place.constant
@@ -40,5 +40,6 @@ class DefinedNames:
         )
 
     def part(self, names: Set[Name]) -> DefinedNames:
-        """Returns which of the names are defined, without what only a reader of formulas asks for."""
+        """Returns the defined members of these names, without the data that only the reader of formulas
+        needs."""
         return DefinedNames({name: own for name, own in self.members.items() if name in names})

@@ -1,4 +1,4 @@
-"""The frames that a paper declares: how they turn, and where a dot differentiates."""
+"""The frames that a paper declares: their rotation, and the frame in which a dot differentiates."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class KnownFrames:
     directions: frozenset[Name] = frozenset()
 
     def part(self, names: Set[Name]) -> KnownFrames:
-        """Returns the frames without what is known of all other names."""
+        """Returns the frames without the properties of other names."""
         return replace(
             self,
             resolved={name: own for name, own in self.resolved.items() if name in names},

@@ -1,4 +1,4 @@
-"""The conventions of a paper where papers differ: which readings it takes, and which it excludes."""
+"""Conventions in which papers differ: the readings that a paper uses, and those that it excludes."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from enum import StrEnum
 
 
 class Gradient(StrEnum):
-    """What ∂f/∂x of a scalar by a column is."""
+    """The shape of ∂f/∂x of a scalar by a column."""
 
     ROW = "row"
     COLUMN = "column"
 
 
 class Points(StrEnum):
-    """What T p of a transform and a point is: a column of four, or the moved point R p + t itself."""
+    """The value of T p for a transform and a point: a column of four, or the moved point R p + t."""
 
     HOMOGENEOUS = "homogeneous"
     VECTORS = "vectors"
@@ -36,19 +36,19 @@ class Relaxation(StrEnum):
     FACTORS_IN_BRACKETS = "factors"
     #: \\frac{d}{dt} x y is \\dot{x} y
     RATE_OF_NEXT_FACTOR = "near"
-    #: the bracket behind a symbol with an accent holds its arguments
+    #: the bracket after a symbol with an accent contains its arguments
     ARGUMENTS_IN_BRACKET = "arguments"
-    #: a bracket is no notation of the paper
+    #: a bracket is not a notation of the paper
     MERE_BRACKETS = "brackets"
-    #: × behind a row and a column takes the column alone
+    #: × after a row and a column applies to the column only
     CROSS_OF_LAST_FACTOR = "reach"
-    #: a row that is written out is a column
+    #: an explicit row is a column
     ROW_FOR_COLUMN = "rows"
-    #: ⊗ of vectors is a sign of the paper's own
+    #: ⊗ of vectors is a sign of the paper
     OWN_SIGN = "signs"
 
 
-#: What a paper excludes by a value of [conventions].
+#: Readings that a value of [conventions] excludes.
 _EXCLUDED = {"matrices": Relaxation.DYADS, "scalar": Relaxation.UNIT_TENSOR}
 
 
@@ -88,7 +88,7 @@ class Conventions:
         return relaxation in self.loose
 
     def relaxed(self, *relaxations: Relaxation) -> Conventions:
-        """Returns the same conventions, where these readings are taken, too."""
+        """Returns the same conventions with these readings added."""
         return replace(self, loose=self.loose.union(relaxations), queries=None)
 
     def logged(self) -> Conventions:

@@ -71,7 +71,7 @@ class Scope(ABC):
         self.tensor_operand: int | None = None  # offset of the last operator on a bare tensor
 
     def allows(self, relaxation: Relaxation) -> bool:
-        """Whether the reading is taken."""
+        """True if the paper uses this reading."""
         return self.table.conventions.allow(relaxation)
 
     @abstractmethod

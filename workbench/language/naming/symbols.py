@@ -51,15 +51,15 @@ class SymbolTable:
     functions: Mapping[Name, Declaration] = field(default_factory=dict)
     #: the formal arguments of each function symbol, by its name
     formals: Mapping[Name, tuple[Declaration, ...]] = field(default_factory=dict)
-    #: what the definitions that are read so far define
+    #: the names that the definitions read so far define
     defined: DefinedNames = field(default_factory=DefinedNames)
-    #: what the paper spells in a way of its own
+    #: the paper's notation
     notations: Notations = field(default_factory=Notations)
     frames: KnownFrames = field(default_factory=KnownFrames)
-    #: names in brackets that only say what a symbol depends on: f(q)
+    #: names in brackets that only state the dependence of a symbol: f(q)
     arguments: frozenset[Name] = frozenset()
     conventions: Conventions = field(default_factory=Conventions)
-    #: whether what it says of an unknown symbol names those that are close
+    #: whether messages on an unknown symbol name close ones
     names_close: bool = True
     #: whether the table of which this is a part has a quaternion
     beside_quaternions: bool = False

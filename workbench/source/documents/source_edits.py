@@ -18,9 +18,9 @@ _CLOSE = 2
 _LEFT, _RIGHT = re.compile(r"\\left(?![A-Za-z])"), re.compile(r"\\right(?![A-Za-z])")
 _NEXT_CELL = re.compile(r"(?<!\\)&|\\\\")
 _MATRIX = re.compile(r"\\begin\{(\w+\*?)\}.*?\\end\{\1\}", re.DOTALL)
-#: Tokens behind which a formula goes on.
+#: Tokens after which a formula continues.
 _GOES_ON = RELATIONS | {"+", "-", "(", "[", "{", "\\left", "\\times", "\\cdot"}
-#: So many characters around an edit say whether a blank must part it from a command.
+#: Number of characters around an edit that decide whether a space must separate it from a command.
 _LONGEST = 60
 
 
@@ -95,7 +95,7 @@ def edits_in_source(pieces: Sequence[Piece], owners: Sequence[Token]) -> tuple[S
 
 
 def _closes_elsewhere(edits: Sequence[SourceEdit]) -> bool:
-    """Whether a bracket that is put into one cell of a display is closed in another, which TeX refuses."""
+    """True if a bracket inserted in one cell of a display closes in another one, which TeX rejects."""
     depth = 0
     for edit, after in pairwise(edits):
         depth += len(_LEFT.findall(edit.new)) - len(_RIGHT.findall(edit.new))
@@ -105,7 +105,7 @@ def _closes_elsewhere(edits: Sequence[SourceEdit]) -> bool:
 
 
 def _is_parted(between: str) -> bool:
-    """Whether a cell ends in a stretch of the source; the cells of a matrix in it are its own."""
+    """True if a cell ends in this part of the source; cells of a matrix within it do not count."""
     return bool(_NEXT_CELL.search(_MATRIX.sub("", between)))
 
 
@@ -156,8 +156,8 @@ def _edit_of(piece: Piece, owners: Sequence[Token]) -> SourceEdit | None:
 
 
 def _stays(left: Token, right: Token | None) -> bool:
-    """Whether what is put between two tokens stands in the cell of the left one: a sign or a bracket there
-    waits for it in the next."""
+    """True if text inserted between two tokens belongs to the cell of the left one; a sign or a bracket at
+    its end continues in the next cell."""
     if right is None:
         return True
     if left.source is not right.source or left.end > right.start:

@@ -34,8 +34,8 @@ def unsaved(texts: Mapping[Path, str]) -> Iterator[None]:
 
 
 def file_bytes(path: Path, expected: str, most: int) -> bytes:
-    """Raises PaperError for what is no such file, cannot or must not be read, or has more than `most`
-    bytes."""
+    """Returns the contents. Raises PaperError if the file is missing, unreadable, forbidden, or larger than
+    `most` bytes."""
     fault = None
     buffers, folder = _unsaved.get(), _folder.get()
     try:

@@ -43,7 +43,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_what_a_baseline_lists_is_not_reported(folder: Path) -> None:
+def test_faults_listed_in_a_baseline_are_not_reported(folder: Path) -> None:
     assert errors(check("p.tex")) == ["3"]
     assert check("p.tex", "--write-baseline", "known.json").exit_code == 0
     again = check("p.tex", "--baseline", "known.json", "--strict")
@@ -82,7 +82,7 @@ def test_the_same_findings_give_the_same_bytes(folder: Path) -> None:
     assert entry == {"file": "p.tex", "formula": SWAP, "verdict": "refuted", "grade": "error"}
 
 
-def test_stale_entries_are_told(folder: Path) -> None:
+def test_stale_entries_are_reported(folder: Path) -> None:
     check("p.tex", "--write-baseline", "known.json")
     Path("p.tex").write_text(text(RIGHT))
     told = check("p.tex", "--baseline", "known.json")
@@ -140,7 +140,7 @@ def repository(folder: Path) -> Path:
     return folder
 
 
-def test_what_was_wrong_in_a_revision_is_not_reported(repository: Path) -> None:
+def test_faults_of_an_earlier_revision_are_not_reported(repository: Path) -> None:
     assert errors(check("p.tex")) == ["3", "5"]
     assert errors(check("p.tex", "--since", "HEAD")) == []
     assert errors(check("p.tex", "--since", "HEAD~2")) == ["5"]

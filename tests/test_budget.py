@@ -191,7 +191,7 @@ def test_a_program_that_does_not_close_them_ends_all_the_same():
     assert done.returncode == 0 and is_gone(int(done.stdout))
 
 
-def test_what_nobody_holds_any_more_is_ended():
+def test_processes_of_deleted_workers_end():
     workers = Workers(lambda n: os.getpid(), None)
     pid = workers.call(0)
     del workers
@@ -199,7 +199,7 @@ def test_what_nobody_holds_any_more_is_ended():
     assert is_gone(pid)
 
 
-def test_what_is_left_of_a_map_that_nobody_reads_on_is_ended():
+def test_calls_of_a_closed_map_end():
     workers = Workers(lambda item: sleep(item) or os.getpid(), None, 2)
     answers = workers.map([0, 60, 60])
     pid, start = next(answers), monotonic()

@@ -160,7 +160,7 @@ def test_terms_and_symbols_know_no_reading() -> None:
     assert language == {"workbench.language.reader"}
 
 
-def test_an_engine_that_imports_the_other_is_seen() -> None:
+def test_an_engine_that_imports_the_other_is_detected() -> None:
     name = "workbench.engines.polynomial.polynomial_engine"
     sources = {"workbench.engines.jet.jets": f"from {name} import value\n", name: ""}
     assert upward(graph(sources), ROOMS["engines"], "workbench.engines") == [
@@ -188,7 +188,7 @@ FOR_TYPES = "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from workb
         "from ..prover.b import g\n",
     ],
 )
-def test_a_hidden_circle_is_seen(back: str) -> None:
+def test_a_hidden_circle_is_detected(back: str) -> None:
     sources = {"workbench.prover.a": back, "workbench.prover.b": "from workbench.prover.a import f\n"}
     assert set(circle(graph(sources))) == set(sources)
 
@@ -196,7 +196,7 @@ def test_a_hidden_circle_is_seen(back: str) -> None:
 @pytest.mark.parametrize(
     ("module", "other"), [("language", "algebra"), ("prover", "report"), ("engines", "kinematics")]
 )
-def test_an_import_of_what_stands_beside_or_above_is_seen(module: str, other: str) -> None:
+def test_an_import_of_a_sibling_or_higher_module_is_detected(module: str, other: str) -> None:
     name = f"workbench.{other}.x"
     sources = {f"workbench.{module}.y": f"def f():\n    from {name} import z\n", name: ""}
     assert upward(graph(sources)) == [f"workbench.{module}.y imports {name}"]

@@ -336,7 +336,7 @@ def test_each_field_of_a_table_is_in_the_key(kind: type, field: Field, is_whole:
         Definition,
     ],
 )
-def test_each_field_of_a_part_is_told(kind: type) -> None:
+def test_each_field_of_a_part_changes_the_key(kind: type) -> None:
     """Whatever fields are added, two values that differ are told apart."""
     made = [object.__new__(kind) for _ in range(2)]
     for changed in (each for each in fields(kind) if each.compare):

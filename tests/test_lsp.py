@@ -98,7 +98,7 @@ def test_fault_ranges_use_the_units_of_the_client(found: dict) -> None:
     assert known.severity == types.DiagnosticSeverity.Information
 
 
-def test_what_needs_a_definition_is_a_hint(found: dict) -> None:
+def test_a_formula_that_needs_a_definition_is_a_hint(found: dict) -> None:
     (hint,) = [each for each in found["opened"] if each.severity == types.DiagnosticSeverity.Hint]
     assert "defines c" in hint.message and hint.range.start.line == 2
 

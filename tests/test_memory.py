@@ -75,7 +75,7 @@ def changed(tmp_path: Path, old: str, new: str) -> set[str]:
         ('title = "t"', 'title = "another"', set()),
     ],
 )
-def test_what_a_change_reaches_is_judged_again(tmp_path, old, new, judged_again):
+def test_claims_affected_by_a_change_are_judged_again(tmp_path, old, new, judged_again):
     assert changed(tmp_path, old, new) == judged_again
 
 
@@ -189,7 +189,7 @@ def read(tmp_path: Path, text: str) -> tuple[Counted, list]:
     return store, [(claim.id, claim.printed, claim.line, keys.of(claim, "printed")) for claim in paper.claims]
 
 
-def test_what_was_read_is_not_read_again_and_is_the_same(tmp_path):
+def test_a_cached_file_equals_a_fresh_reading(tmp_path):
     first, fresh = read(tmp_path, PAPER)
     second, again = read(tmp_path, PAPER)
     assert (first.found, second.found, second.missed) == (0, 1, 0)
@@ -209,13 +209,13 @@ def test_a_file_that_changed_is_read_again(tmp_path, second):
     assert read(tmp_path, second)[0].found == 0
 
 
-def test_what_has_faults_is_not_kept(tmp_path):
+def test_faulty_files_are_not_cached(tmp_path):
     for _ in range(2):
         store, claims = read(tmp_path, PAPER + '\n[[claim]]\nid = "4"\nprinted = "a +"\n')
         assert len(claims) == 3 and store.found == 0
 
 
-def test_what_is_installed_is_read_once_whatever_store_is_asked(tmp_path):
+def test_installed_papers_are_read_once_per_process(tmp_path):
     papers = [load_installed("chapter", Store(tmp_path / f"{n}.sqlite")) for n in range(2)]
     assert papers[0] is papers[1] is find_paper(None) is find_paper("chapter")
     assert installed_notation() is installed_notation(store=Store(tmp_path / "3.sqlite"))
@@ -260,7 +260,7 @@ def test_proposals_are_searched_again_after_any_change(tmp_path, old, new):
     assert key(PAPER) == key(PAPER.replace('"t"', '"u"')) != key(PAPER.replace(old, new, 1))
 
 
-def test_what_is_proposed_is_not_searched_for_twice(tmp_path, monkeypatch):
+def test_proposals_are_cached(tmp_path, monkeypatch):
     monkeypatch.setenv("WORKBENCH_CACHE", str(tmp_path))
     (tmp_path / "paper.toml").write_text(PAPER.replace("corrected", "note"))
     command = ["check", str(tmp_path / "paper.toml")]

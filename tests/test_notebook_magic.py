@@ -46,7 +46,7 @@ def test_a_cell_is_tex_markdown_or_bare_lines(cell: str) -> None:
     assert [str(result.shown) for result in check_cell("", cell).results] == ["ok"]
 
 
-def test_what_a_symbol_is_may_be_said(shell) -> None:
+def test_the_kind_of_a_symbol_may_be_given(shell) -> None:
     assert [str(r.shown) for r in check_cell("-s A=scalar -s B=scalar", "A B = B A").results] == ["ok"]
     assert [str(r.shown) for r in check_cell("-s A=tensor -s B=tensor", "A B = B A").results] == ["error"]
 

@@ -166,7 +166,7 @@ def test_no_file_outside_of_the_folder_is_read(on_disk, tmp_path: Path) -> None:
     assert [each["file"] for each in view["displays"]] == [None, "part.tex"]
 
 
-def test_what_a_text_says_is_not_carried_out(scratch: Served, tmp_path: Path) -> None:
+def test_commands_in_a_text_are_not_executed(scratch: Served, tmp_path: Path) -> None:
     touched = tmp_path / "touched"
     text = rf"""\immediate\write18{{touch {touched}}}\openout5={touched}\directlua{{os.execute('touch {touched}')}}
 \[ \text{{<img src=x onerror=alert(1)>}} = \mathbf{{<script>}} \]
@@ -246,7 +246,9 @@ def test_a_later_text_of_a_tab_ends_the_earlier(scratch: Served, monkeypatch: py
     assert first == [(409, {"error": "superseded"})] and grades(second[0][1]) == ["ok"]
 
 
-def test_what_takes_too_long_is_given_up(scratch: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_judgements_that_take_too_long_are_cancelled(
+    scratch: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
     ended = threading.Event()
 
     def slow(
@@ -310,7 +312,7 @@ def test_the_commands_of_the_guide_serve_until_interrupted(command: str, tmp_pat
         (["paper.tex", "--port", "1"], "cannot be used"),
     ],
 )
-def test_what_cannot_be_served_is_one_error(
+def test_an_unusable_text_or_port_is_one_error(
     words: list[str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

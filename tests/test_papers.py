@@ -77,7 +77,7 @@ FAULTY = (
 
 @given(st.sets(st.sampled_from(range(len(FAULTY))), min_size=1))
 @settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-def test_all_faults_are_told_at_once(tmp_path, chosen):
+def test_all_faults_are_reported_at_once(tmp_path, chosen):
     parts = {"top": ["title = 'A paper'"], "symbols": ["'\\rho' = { kind = 'vector' }"]}
     parts["claims"] = ["[[claim]]\nid = '1'\nprinted = '\\rho \\times \\rho = 0'"]
     for place in sorted(chosen):
@@ -97,7 +97,7 @@ def test_all_faults_are_told_at_once(tmp_path, chosen):
     assert all(any(each in fault.message for fault in faults) for each in said)
 
 
-def test_what_follows_from_a_fault_is_not_told(tmp_path):
+def test_consequences_of_a_fault_are_not_reported(tmp_path):
     head = "title = 'x'\n[symbols]\n'a' = { kind = 'vektor' }\n'b' = 'vector'\n[definitions]\n'c' = 'a + b'\n"
     path = tmp_path / "follows.toml"
     path.write_text(f"{head}[[claim]]\nid = '1'\nprinted = 'c \\times a = b'\n")
@@ -118,7 +118,7 @@ def test_bytes_that_are_not_utf8_are_placed(tmp_path):
     [(Path.mkdir, "is a directory; expected a TOML file"), (lambda path: None, "no such file")],
     ids=["a directory", "no file"],
 )
-def test_what_is_no_file(make, says, tmp_path):
+def test_unreadable_paths_are_rejected(make, says, tmp_path):
     path = tmp_path / "thing.toml"
     make(path)
     with pytest.raises(PaperError) as caught:

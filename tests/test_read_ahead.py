@@ -71,7 +71,7 @@ def test_faults_are_those_of_reading_one_after_the_other(third, tmp_path, monkey
     assert told[0] == told[1] and told[0]
 
 
-def test_what_others_read_is_kept(tmp_path, monkeypatch, read_here):
+def test_results_of_parallel_readers_are_cached(tmp_path, monkeypatch, read_here):
     monkeypatch.setattr("os.cpu_count", lambda: 2)
     paths = write(tmp_path, **{name: of_id(name) for name in "abcde"})
     papers = []

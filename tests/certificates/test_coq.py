@@ -35,7 +35,7 @@ def test_a_certificate_is_accepted_without_axioms(name):
     assert said.axioms == ()
 
 
-def test_an_axiom_is_seen():
+def test_an_axiom_is_reported():
     text = (
         one("58.det").text.replace(
             "Print Assumptions",
@@ -82,7 +82,7 @@ def test_a_refutation_is_accepted_on_the_axioms_of_the_reals(name):
     ("name", "form"),
     [("58.nonsingular", "printed"), ("61.nonsingular", "reading"), ("10.invertible", "printed")],
 )
-def test_what_differs_just_where_something_else_does_is_accepted(name, form):
+def test_equivalent_disequations_are_accepted(name, form):
     said = coqc.check(one(name, form).text, remember=False)
     assert said.accepted, said.fault
     assert said.expected

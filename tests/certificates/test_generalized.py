@@ -46,7 +46,7 @@ def holds(left, right):
     return holds_whatever_they_are(theorem_)
 
 
-def test_what_cancels_holds_whatever_it_is_and_nothing_else_does():
+def test_only_terms_that_cancel_hold_for_all_values():
     total, other = sum_of(N), sum_of(N + 1)
     assert holds(plus(minus(total, Y), Y), total)
     assert holds(minus(plus(total, other), total), other)
@@ -70,7 +70,7 @@ def test_a_number_that_depends_on_n_is_a_constant_and_may_be_any():
     assert not holds(apply("mul", n, X), X)
 
 
-def test_what_is_supposed_is_used_and_an_inequation_is_refused():
+def test_premises_are_used_and_disequations_rejected():
     product = apply("dot", X, Y)
     unit = symbol(Declaration(Name("u"), VECTOR, unit=True))
     assert holds(plus(apply("dot", unit, unit), product), plus(number(1), product))

@@ -92,7 +92,7 @@ def test_the_text_says_what_the_goal_says(name):
 
 
 @pytest.mark.parametrize("name", sorted({*JOINED} - {"3C.expanded"}))
-def test_what_is_changed_in_the_text_is_seen(name):
+def test_changes_of_the_text_are_detected(name):
     theorem = joined()[name]
     text = theorem.proposition
     changed = [
@@ -105,7 +105,7 @@ def test_what_is_changed_in_the_text_is_seen(name):
 
 
 @pytest.mark.parametrize("name", OF_FAMILIES)
-def test_what_is_changed_in_a_family_is_seen(name):
+def test_changes_of_a_family_are_detected(name):
     theorem = joined()[name]
     lines = [line for line in theorem.top if "(fun " in line]
     kept, changed = theorem.top, 0
@@ -149,7 +149,7 @@ def test_definitions_of_a_letter_do_not_apply_where_it_is_bound():
 
 
 @pytest.mark.parametrize("name", JOINED)
-def test_letters_that_change_places_are_seen(name):
+def test_exchanged_letters_are_detected(name):
     theorem = joined()[name]
     text = theorem.proposition
     letters = sorted(set(re.findall(r"\((\w+'?) : ", text)))
@@ -175,7 +175,7 @@ def test_a_goal_about_every_n_and_its_theorem():
     )
 
 
-def test_what_is_supposed_of_symbols_is_what_is_declared():
+def test_premises_on_symbols_are_their_declared_properties():
     theorem = joined()["Theorem8"]
     binders = theorem.speaker.binders
     place = next(i for i, (_, type_) in enumerate(binders) if type_.startswith("unit_vector"))
@@ -238,7 +238,7 @@ def test_derivatives_of_free_symbols_alone_say_the_same(text):
     assert not holds_whatever_they_are(theorem("t", false, (), definitions))
 
 
-def test_what_is_supposed_at_one_instant_is_said_of_it():
+def test_premises_at_one_instant_are_stated_for_it():
     (form,) = (f for c in find_paper("chapter").claims if c.id == "110.A" for f in forms_of(c))
     made = of_one_instant(form)
     assert made.misread == ""

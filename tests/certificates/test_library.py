@@ -37,7 +37,7 @@ def test_the_library_is_compiled_once(left, tmp_path, monkeypatch):
     assert list(coqc.memory().iterdir()) == list(places)
 
 
-def test_what_is_long_is_checked_by_itself(monkeypatch):
+def test_a_long_certificate_is_checked_by_itself(monkeypatch):
     short, long = "Theorem a : True.\n", "Theorem b : True.\n" + "(* *) " * 40
     monkeypatch.setattr(coqc, "recall", lambda text: None)
     monkeypatch.setattr(coqc, "LENGTH", 100)
@@ -56,7 +56,7 @@ def test_what_is_long_is_checked_by_itself(monkeypatch):
         (coqc.Checked(False, (), f"{coqc.UNFINISHED} in 1 s", 1.0), True),
     ],
 )
-def test_what_ran_out_of_time_is_asked_again(monkeypatch, said, asked):
+def test_an_unfinished_certificate_is_checked_again(monkeypatch, said, asked):
     text = "From Kin Require Import Dual.\n\nTheorem t : True.\n"
     monkeypatch.setattr(coqc, "recall", lambda text: said)
     assert coqc.in_batches([text]) == ([[text]] if asked else [])

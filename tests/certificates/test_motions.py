@@ -57,7 +57,7 @@ def test_the_order_is_that_of_the_derivatives():
     assert trigonometric.order(trigonometric.parsed("(DD (Var a b 1))"), {("a", "b", "1"): 3}) == 4
 
 
-def test_what_supposes_the_same_of_its_symbols_shares_a_motion():
+def test_theorems_with_equal_premises_share_a_motion():
     motions = {not_empty(one(name)).text for name in ("3.skew", "3.omega")}
     assert len(motions) == 1
     (text,) = motions

@@ -33,7 +33,7 @@ def test_every_statement_reads_back_as_its_terms():
         ("cross", "dot"),
     ],
 )
-def test_a_changed_text_is_seen(old, new):
+def test_a_changed_text_is_detected(old, new):
     (t,) = one("58.det").theorems
     t.conclusions[:] = [c.replace("×", "·") if old == "cross" else c.replace(old, new) for c in t.conclusions]
     t.emitter.statement[:] = [line.replace(old, new) for line in t.emitter.statement]
@@ -53,7 +53,7 @@ def test_a_changed_text_is_seen(old, new):
         (("58.det",), "let Phi_1 := skew omega in", "let Phi_1 := skew omega in\nomega ≡ omega ->"),
     ],
 )
-def test_a_changed_supposition_is_seen(name, old, new):
+def test_a_changed_premise_is_detected(name, old, new):
     (t,) = one(*name).theorems
     assert t.read_back_faults() == []
     own = t.emitter
@@ -120,7 +120,7 @@ def test_most_exact_forms_of_the_chapter_are_written():
 
 
 @pytest.mark.parametrize("text", ["a + ", "a ≡ b", "(a", "a ) b", "$x"])
-def test_what_is_not_in_the_subset_is_refused(text):
+def test_text_outside_the_emitted_subset_is_rejected(text):
     with pytest.raises(read_back.Unread):
         read_back.expression(text)
 
@@ -141,7 +141,7 @@ def test_a_name_of_coq_is_spelt_otherwise():
         (r"a \cdot b \neq 0", {"a": "vector", "b": "vector"}, "an inequation to be proved"),
     ],
 )
-def test_what_the_library_does_not_have_is_named(formula, symbols, obstacle):
+def test_obstacles_name_the_missing_feature(formula, symbols, obstacle):
     claim = check(formula, symbols=symbols).result.claim
     with pytest.raises(NotCertified, match=obstacle):
         theorem("t", claim.printed.statement, (), claim.notation.definitions)

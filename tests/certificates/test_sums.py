@@ -96,7 +96,7 @@ def test_alike_sums_share_what_they_have_in_common():
     [("sum_from 0 (S n)", "sum_from 0 n"), ("sum_from 0 (S n)", "sum_from 1 (S n)"), ("choose n k", "choose k n"),
      ("(nat_minus n k) x", "(nat_minus n (S k)) x"), ("der k y", "der n y"), ("der n (x", "der (S n) (x")],
 )  # fmt: skip
-def test_a_text_that_says_another_sum_is_seen(old, new):
+def test_a_text_with_another_sum_is_detected(old, new):
     made = written(derivative(CROSS, N), leibniz(N))
     (said,) = made.conclusions
     assert old in said

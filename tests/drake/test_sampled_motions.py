@@ -121,7 +121,7 @@ def test_a_body_of_a_urdf_is_a_motion():
 
 
 @pytest.mark.parametrize("text", ["w_BW", "Phi_WB", "p_WP^(x+y)", "w_WB[n]", "p_WP^()", "", "p_WP^(1.5)"])
-def test_what_is_no_binding_is_refused(text):
+def test_unknown_bindings_are_rejected(text):
     with pytest.raises(ValueError, match=r"unknown quantity|expected a number"):
         bound(text)
 

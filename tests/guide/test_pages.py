@@ -34,7 +34,7 @@ def test_page_says_what_it_is_first(path: Path) -> None:
     assert re.match(r"# [^\n]+\n\n[A-Z`0-9][^\n]+", text)
 
 
-def test_wrong_output_is_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_wrong_output_is_detected(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     page = "```console\n$ workbench --version\nworkbench, version 9\n```\n```pycon\n>>> 1 + 1\n3\n```\n"
     assert len(list(faults(page))) == 2

@@ -108,7 +108,7 @@ PAIRS = [op for op, head in HEADS.items() if op not in ("partial", "quaternion",
 
 
 @pytest.mark.parametrize("op", PAIRS)
-def test_what_the_typed_layer_takes_is_no_misfit(op: str) -> None:
+def test_well_typed_operations_are_no_misfits(op: str) -> None:
     count = len(rows(op)[0][0])
     for parts in product(KINDS, repeat=count):
         try:

@@ -39,6 +39,6 @@ def outcome(goal, proof, apart):
         (r"\forall n \geq 1 : P_n F_1 = F_n", Induction(step=Follows(r"\dot{Y} + Y F_1", Y=Use(-1)))),
     ],
 )
-def test_a_member_apart_is_seen(goal, proof):
+def test_a_separately_defined_member_is_detected(goal, proof):
     assert outcome(goal, proof, {}) == Outcome.PROVED
     assert outcome(goal, proof, APART) in (Outcome.UNCHECKED, Outcome.REFUTED)

@@ -39,7 +39,7 @@ class TestEndlessRanges:
         ],
         ids=["binomial", "product", "expansion", "definition"],
     )
-    def test_what_fails_behind_its_numbers_is_refuted(self, false, last):
+    def test_claims_that_fail_past_their_literals_are_refuted(self, false, last):
         latex, definitions = false(last)
         found = check(latex + r", n \geq 0", F, definitions=definitions)
         assert found.outcome == Outcome.REFUTED
@@ -61,7 +61,7 @@ class TestEndlessRanges:
             ),
         ],
     )
-    def test_what_is_seen_of_the_first_few_is_not_proved_of_all(self, latex, definitions):
+    def test_members_alone_prove_no_endless_range(self, latex, definitions):
         """Whether it goes on or changes behind all numbers that are looked at: no range without an end is proved
         by some of its members."""
         found = check(latex + r", n \geq 0", F, definitions=definitions)
@@ -70,7 +70,7 @@ class TestEndlessRanges:
         chosen = check(latex + r", n \geq 0", F, definitions=definitions, orders="n = 0..4")
         assert chosen.holds and chosen.verdict.scope == "n = 0..4"
 
-    def test_what_the_recurrence_shows_is_proved_of_all(self):
+    def test_consequences_of_a_recurrence_hold_for_all_n(self):
         own = ["s_0 = f", r"s_{n+1} = \dot{s}_n"]
         found = check(r"s_{n+2} = \ddot{s}_n, n \geq 0", F, definitions=own)
         assert (found.outcome, found.verdict.scope) == (Outcome.PROVED, "all n")
@@ -117,7 +117,7 @@ class TestMembersDeclaredByThemselves:
         unchecked = [Outcome.UNCHECKED, Outcome.UNCHECKED, Outcome.REFUTED]
         assert paper(tmp_path, symbols, *printed) == unchecked
 
-    def test_a_fault_of_a_numbered_symbol_is_told_where_it_stands(self, tmp_path):
+    def test_a_fault_of_a_numbered_symbol_has_its_position(self, tmp_path):
         with pytest.raises(PaperError, match=r"p.toml:4:1: V_1: of: z"):
             paper(tmp_path, "'V_1' = { kind = 'scalar', of = ['z'] }", "V_1 = 0")
 
@@ -137,7 +137,7 @@ names = ["A"]
         (r"{}^A\frac{d}{dt} {}^A R^N = 0", "tensor in a frame"),
     ],
 )
-def test_a_tensor_seen_from_a_frame_is_asked_about(tmp_path, printed, message):
+def test_a_tensor_resolved_in_a_frame_raises_a_question(tmp_path, printed, message):
     symbols = "'x' = { kind = 'vector' }\n'T' = { kind = 'tensor' }"
     with pytest.raises(PaperError, match=message):
         paper(tmp_path, symbols, printed, head=FRAMES)
@@ -190,7 +190,7 @@ class TestVectorsOfAPaperWithQuaternions:
             "u^4 - u^2 = 2",
         ],
     )
-    def test_what_holds_for_quaternions_is_not_refuted(self, latex):
+    def test_claims_that_hold_for_quaternions_are_not_refuted(self, latex):
         found = check(latex, QUATERNIONS)
         assert found.outcome == Outcome.UNCHECKED and "quaternions without" in found.verdict.reason
         others = {name: kind for name, kind in QUATERNIONS.items() if name != "q"}
@@ -199,11 +199,11 @@ class TestVectorsOfAPaperWithQuaternions:
     @pytest.mark.parametrize(
         "latex", ["u^2 = -2", r"a^2 = \|a\|", r"a^2 = -1 \text{ for } \|a\| = 2", "a^4 = -1"]
     )
-    def test_what_holds_for_neither_is(self, latex):
+    def test_claims_false_for_vectors_and_quaternions_are_refuted(self, latex):
         assert check(latex, QUATERNIONS).outcome == Outcome.REFUTED
 
     @pytest.mark.parametrize("latex", [r"\exp(\theta u)", r"e^{\theta u}", r"\exp u"])
-    def test_the_exponential_is_asked_about_however_it_is_written(self, latex):
+    def test_any_exponential_of_a_vector_raises_a_question(self, latex):
         with pytest.raises(ReadError, match="of its skew tensor, or of a quaternion"):
             check(rf"{latex} = \cos\theta + u \sin\theta", QUATERNIONS)
 
@@ -221,7 +221,7 @@ class TestConditionsOnIndices:
     @pytest.mark.parametrize(
         "sign", ["= 0, m = n", r"= 0 \text{ if } m = n", "= 0, n = m = 1", "= 0, 1 = m = n"]
     )
-    def test_what_holds_under_them_is_not_refuted(self, sign):
+    def test_claims_that_hold_under_conditions_are_not_refuted(self, sign):
         assert "holds for" in check(rf"a_m \times a_n {sign}", self.SYMBOLS).verdict.reason
 
     @pytest.mark.parametrize(
@@ -239,7 +239,7 @@ class TestConditionsOnIndices:
         found = check(latex + self.BOTH, self.SYMBOLS, definitions=self.AXES)
         assert found.outcome == (Outcome.PROVED if holds else Outcome.REFUTED)
 
-    def test_where_none_meets_them_it_is_told(self):
+    def test_unsatisfiable_conditions_on_indices_are_an_error(self):
         with pytest.raises(PaperError, match="no values"):
             check(r"s_n = 0, m \neq n, m = \overline{1,1}, n = \overline{1,1}", self.SYMBOLS)
 
@@ -288,7 +288,7 @@ class TestMembersOfTwoDigits:
     ROTATIONS = F | {"R_n": "rotation"}
 
     @pytest.mark.parametrize("latex", ["R_{13} = R_{12} R_{23}", "R_{12} = R_1 R_2", "s_{10} = s_1"])
-    def test_what_is_false_of_the_thirteenth_is_open(self, latex):
+    def test_a_claim_on_two_indices_false_later_is_unchecked(self, latex):
         found = check(latex, self.ROTATIONS)
         assert found.outcome == Outcome.UNCHECKED and "by two indices" in found.verdict.reason
 
@@ -316,7 +316,7 @@ class TestLinesThatDefine:
             [r"a &:= R b", r"R &:= \mathbf{I}", "a &= b"],
         ],
     )
-    def test_what_a_line_defines_is_used_in_those_behind_it(self, lines):
+    def test_a_definition_in_a_line_applies_to_later_lines(self, lines):
         found = check(r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}", self.SYMBOLS)
         assert Outcome.REFUTED not in [each.outcome for each in found]
         last = found[-1].verdict
@@ -369,7 +369,7 @@ class TestSinesWithinSines:
         assert check(latex, self.ANGLES).outcome == Outcome.PROVED
 
 
-def test_what_nests_too_deep_for_the_engines_ends_no_file():
+def test_too_deep_nesting_is_unchecked():
     def judge():
         raise RecursionError
 
@@ -391,7 +391,7 @@ class TestReachOfARate:
             (r"A \frac{d}{dt} A P = A \dot{A} P + A^2 \dot{P}", "proved"),
         ],
     )
-    def test_what_it_differentiates(self, latex, expected):
+    def test_the_scope_of_a_derivative_is_judged(self, latex, expected):
         kinds = {"A": "tensor", "P": "vector", "s": "scalar", "c": {"kind": "vector", "constant": True}}
         found = check(latex, kinds)
         assert found.outcome == expected

@@ -125,18 +125,18 @@ def step(**at: str) -> Induction:
         ),
     ],
 )
-def test_what_is_refused(goal, proof, why):
+def test_invalid_proofs_below_a_bound_are_unchecked(goal, proof, why):
     found = outcome(goal, proof)
     assert found.outcome == Outcome.UNCHECKED
     assert why in found.reason
 
 
-def test_no_value_beyond_the_bound_stands_against_a_goal():
+def test_no_value_beyond_the_bound_refutes_a_goal():
     goal = r"\forall n \geq 1 : \forall k < n : k a = \mathbf{0}"
     assert outcome(goal, against=At({"n": "1", "k": "3"}, False_())).outcome == Outcome.UNCHECKED
 
 
-def test_what_is_read():
+def test_bounded_quantifiers_are_read():
     goal = read_goal(rf"\forall n \geq 1 : {below('n-1')} \Rightarrow a = b", scope()).body.premise
     assert isinstance(goal, AllBelow)
     assert (goal.integer, goal.least, goal.bound) == ("k", 0, Linear(-1, (("n", 1),)))

@@ -46,7 +46,7 @@ TRUE_AND_FALSE = [
 
 
 @pytest.mark.parametrize(("true", "false"), TRUE_AND_FALSE)
-def test_what_holds_is_proved_and_what_is_changed_refuted(true: str, false: str) -> None:
+def test_true_claims_are_proved_and_changed_ones_refuted(true: str, false: str) -> None:
     symbols = {name: {"kind": kind} for name, kind in SYMBOLS.items()}
     assert check(true, symbols=symbols, definitions=DEFINITIONS).outcome is Outcome.PROVED
     assert check(false, symbols=symbols, definitions=DEFINITIONS).outcome is Outcome.REFUTED

@@ -58,7 +58,7 @@ def test_a_damped_oscillation_satisfies_its_equation() -> None:
 
 
 @pytest.mark.parametrize("formula", [r"e^{x y} = e^{x} e^{y}", r"e^{x} = 0", r"\frac{d}{dt} e^{x} = e^{x}"])
-def test_what_is_false_is_not_proved(formula: str) -> None:
+def test_false_claims_are_not_proved(formula: str) -> None:
     assert check(formula, SYMBOLS).verdict.outcome in ("unchecked", "ill-formed")
 
 

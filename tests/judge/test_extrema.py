@@ -115,7 +115,7 @@ KNOWN = [
 
 
 class TestKnown:
-    def test_what_it_is_where_the_rank_falls(self):
+    def test_the_minimum_at_a_rank_deficiency_counts(self):
         """(x − 1)² + (f y + 3)² is 0 somewhere, and at least 9 where f = 0."""
         found = verdict(r"\min_{x, y \in \mathbb{R}} ((x - 1)^2 + (f y + 3)^2) = 0")
         assert found.outcome == Outcome.REFUTED and found.reason == "the least value is another one"
@@ -190,7 +190,7 @@ class TestKnown:
         (r"\min_{x \in V_3} \|a_x + x\| = 0", Outcome.UNCHECKED),  # a at x, or another vector?
     ],
 )
-def test_what_is_false_or_not_decided(latex, expected):
+def test_false_extrema_are_refuted_or_unchecked(latex, expected):
     found = verdict(latex)
     assert found.outcome == expected
     assert found.reason or found.counterexample
@@ -249,7 +249,7 @@ def test_a_premise_about_what_varies_is_not_used():
         (r"\min_{s} p^2 = q^2", "weight"),
     ],
 )
-def test_what_is_refused(latex, message):
+def test_invalid_extrema_are_rejected(latex, message):
     with pytest.raises((ReadError, IllFormedAt)) as error:
         read(latex, TABLE)
     assert message in str(error.value)

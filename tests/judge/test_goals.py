@@ -115,7 +115,7 @@ def test_quantifiers_reach_to_the_right():
         r"\forall c \in V_3 c = a",
     ],
 )
-def test_what_is_no_goal(goal):
+def test_invalid_goals_are_rejected(goal):
     with pytest.raises((GoalError, ReadError)):
         read_goal(goal, scope())
 
@@ -245,7 +245,7 @@ def test_sums_by_leibniz(n):
         (r"\forall c \in \underline{V}_3 : c = \mathbf{0}", ByLength(), "no rule"),
     ],
 )
-def test_what_the_rules_refuse(goal, proof, why):
+def test_invalid_proofs_are_rejected_by_the_rules(goal, proof, why):
     try:
         found = outcome(goal, proof)
     except (GoalError, ReadError, IllFormedAt):
@@ -306,7 +306,7 @@ def test_refutations(goal, against):
         (r"a \cdot b = 0 \Leftrightarrow a = \mathbf{0}", Part(1, False_())),
     ],
 )
-def test_what_is_no_refutation(goal, against):
+def test_invalid_refutations_are_unchecked(goal, against):
     assert outcome(goal, against=against).outcome == Outcome.UNCHECKED
 
 
@@ -347,7 +347,7 @@ def test_a_hypothesis_suffices_and_is_needed(goal, bare, against, found):
     assert prove(goals[0], where, Judge(where.definitions), proven, bare=goals[1]).outcome == found
 
 
-def test_what_holds_under_a_hypothesis_holds_for_its_integers():
+def test_a_conditional_goal_holds_for_its_integers():
     where = scope()
     goal, bare = (
         read_goal(rf"\forall n \geq 2 : {text}", where)
@@ -358,7 +358,7 @@ def test_what_holds_under_a_hypothesis_holds_for_its_integers():
     assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n ≥ 2")
 
 
-def test_what_becomes_the_same_term_is_told_in_the_evidence():
+def test_steps_to_the_same_term_are_in_the_evidence():
     back = Follows("Y", Y=Use(0, back=True))
     found = outcome(r"a = b \Leftrightarrow b = a", Ways(back, back))
     told = {each.method: each.outcome for each in found.evidence}
@@ -366,7 +366,7 @@ def test_what_becomes_the_same_term_is_told_in_the_evidence():
     assert (told["goal, left side"], told["goal, right side"]) == (same, same)
 
 
-def test_what_is_conditional_has_the_evidence_of_both():
+def test_a_conditional_goal_has_the_evidence_of_both_forms():
     where = scope()
     goal, bare = (read_goal(text, where) for text in (r"a = b \Rightarrow b = a", "b = a"))
     found, shown, without = (
@@ -394,7 +394,7 @@ def test_a_claim_is_not_refuted_without_what_it_supposes():
     assert (found(None), found(())) == (Outcome.PROVED, Outcome.UNCHECKED)
 
 
-def test_what_stands_against_a_claim_meets_what_it_supposes():
+def test_a_counterexample_satisfies_the_premises():
     where = scope()
     goal, assume = read_goal("b = a", where), [where.statement("a = b")]
     judge = Judge(where.definitions)

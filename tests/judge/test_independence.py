@@ -141,7 +141,7 @@ def test_sympy_with_flint_numbers_is_rejected():
     assert run(code).returncode == 0
 
 
-def test_foreign_coefficients_are_seen():
+def test_foreign_coefficients_are_detected():
     ring, x = polynomial_ring("x", QQ, lex)
     require_python_integers(x / 3 + 1, ring.zero, polynomial_ring("x", ZZ, lex)[1])
     with pytest.raises(RuntimeError, match="computes with"):

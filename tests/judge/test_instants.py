@@ -78,7 +78,7 @@ _N_TIMES = r"\forall z \in V_3^\mathbb{R} : \forall n \geq 1 : \sum_{k=1}^n z = 
         ),
     ],
 )
-def test_what_holds_at_an_instant_is_not_differentiated(true, false, proof):
+def test_equations_at_an_instant_are_not_differentiated(true, false, proof):
     assert outcome(true, proof).outcome == Outcome.PROVED
     assert outcome(false, proof).outcome == Outcome.UNCHECKED
 
@@ -110,7 +110,7 @@ def test_of_a_sum_no_letter_is_bound_either():
     assert to_latex(of_k) == r"\sum_{l=0}^{n} b_{k}^{(l)}"
 
 
-def test_what_is_true_at_all_times_is_not_refuted_at_one():
+def test_claims_for_all_times_are_not_refuted_at_one_instant():
     lasting = r"\forall c \in V_3^\mathbb{R} : c = \mathbf{0} \Longrightarrow \dot{c} = \mathbf{0}"
     for against in (False_(), Broken(False_()), Broken(False_(), Kernel())):
         assert outcome(lasting, against=against).outcome == Outcome.UNCHECKED

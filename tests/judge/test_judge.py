@@ -121,7 +121,7 @@ FALSE = {
 
 
 @pytest.mark.parametrize("name", TRUE)
-def test_what_is_true_is_proved(name):
+def test_true_claims_are_proved(name):
     verdict = judged(TRUE[name])
     assert verdict.outcome == Outcome.PROVED, verdict
     engines = {e.method.split()[0] for e in verdict.evidence}
@@ -129,7 +129,7 @@ def test_what_is_true_is_proved(name):
 
 
 @pytest.mark.parametrize("name", FALSE)
-def test_what_is_false_is_refuted_by_small_numbers(name):
+def test_false_claims_are_refuted_by_small_numbers(name):
     verdict = judged(FALSE[name])
     assert verdict.outcome == Outcome.REFUTED, verdict
     example = verdict.counterexample
@@ -168,10 +168,10 @@ class TestHypotheses:
             (r"\frac{f}{1 + f^2} + \frac{f^3}{1 + f^2} = f", r"f \neq 0"),
         ],
     )
-    def test_what_excludes_the_zeros_is_enough(self, latex, assume):
+    def test_an_assumption_that_excludes_the_zeros_suffices(self, latex, assume):
         assert judged(latex, [assume]).outcome == Outcome.PROVED
 
-    def test_what_does_not_exclude_the_zeros_is_not_enough(self):
+    def test_an_assumption_that_allows_a_zero_does_not_suffice(self):
         assert judged(r"T^{-1} T = \mathbf{I}", [r"T \neq 0"]).outcome == Outcome.CONDITIONAL
         assert judged(r"\frac{f g}{f} = g", [r"f + g \neq 0"]).outcome == Outcome.CONDITIONAL
 
@@ -238,7 +238,7 @@ class TestFamilies:
         verdict = judged(r"\sum_{k=0}^{n} C_n^k a = 2^n a", orders=Orders.parse("n = 0..6"))
         assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "n = 0..6")
 
-    def test_what_holds_for_small_n_only_is_refuted_where_it_fails(self):
+    def test_a_claim_for_small_n_only_is_refuted_where_it_fails(self):
         verdict = judged(
             r"\det \Phi_n = 0", orders=Orders.parse("n = 1..4"), definitions=PHI, table=PHI_TABLE
         )

@@ -135,7 +135,7 @@ def test_both_forms_of_ours_are_shown_on_one_motion(tmp_path):
 @pytest.mark.parametrize(
     "none, because", [("algebra", "no motion: algebra"), ("it is a word", "it is a word")]
 )
-def test_why_there_is_none_is_told(tmp_path, none, because):
+def test_the_reason_for_no_motion_is_reported(tmp_path, none, because):
     (claim,) = judged(tmp_path, "printed = 'u = R x'", head=DEFINED, motion=with_ours(f'none = "{none}"'))
     assert claim["motion"]["because"] == because == claim["motion"]["line"]
     assert claim["motion"]["witness"] == (because if none == "algebra" else "none")

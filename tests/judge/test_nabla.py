@@ -70,7 +70,7 @@ def test_the_identities_of_vector_analysis(latex):
 
 
 @pytest.mark.parametrize("latex", FALSE)
-def test_what_is_none(latex):
+def test_false_derivatives_of_fields_are_refuted(latex):
     assert check(latex, symbols=SYMBOLS).outcome is Outcome.REFUTED
 
 
@@ -95,13 +95,13 @@ def test_what_is_none(latex):
         (r"\nabla^2 f \cdot v = 0", "how far does ∇ reach"),
     ],
 )
-def test_what_is_not_clear_is_refused(latex, message):
+def test_ambiguous_derivatives_of_fields_are_rejected(latex, message):
     with pytest.raises(ValueError, match=message):
         check(latex, symbols=SYMBOLS)
 
 
 @pytest.mark.parametrize("latex", [r"\nabla \cdot f = 0", r"\nabla \times c = 0", r"\nabla \cdot q = 0"])
-def test_what_does_not_fit(latex):
+def test_ill_typed_derivatives_of_fields_are_ill_formed(latex):
     assert check(latex, symbols=SYMBOLS).outcome is Outcome.ILL_FORMED
 
 
@@ -119,7 +119,7 @@ def test_symbols_that_may_depend_on_position_are_not_constant(latex, why):
     assert verdict.outcome is Outcome.UNCHECKED and why in verdict.verdict.reason
 
 
-def test_what_is_proposed_keeps_the_place():
+def test_proposals_keep_the_coordinate():
     found = check(r"\nabla \times (a \times x) = a", symbols=SYMBOLS).repair().proposals
     assert found and all(r"\partial x" in each.latex for each in found)
 

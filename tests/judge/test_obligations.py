@@ -338,6 +338,6 @@ def told(obligation):
 
 
 @pytest.mark.parametrize(("goal", "proof", "asked"), ASKED)
-def test_what_is_asked_for(goal, proof, asked):
+def test_a_proof_leaves_the_expected_obligations(goal, proof, asked):
     where = scope()
     assert list(map(told, obligations(Sequent(read_goal(goal, where), where), proof))) == asked

@@ -57,7 +57,7 @@ FROM_SOME = Given(Obtain(0, Witness({"d": "2 c"}, Follows("2 Y", Y=Use(-1)))))
         ),
     ],
 )
-def test_what_there_is(true, false, proof):
+def test_obtained_values_prove_only_true_goals(true, false, proof):
     shown = outcome(true, proof)
     assert shown.outcome == Outcome.PROVED, shown.reason
     assert outcome(false, proof).outcome == Outcome.UNCHECKED
@@ -167,7 +167,7 @@ ZERO_ANGLE = r"\exists p \in \mathbb{R} : \cos p = 1 \wedge \sin p = 0"
         ),
     ],
 )
-def test_what_is_refused(goal, proof, why):
+def test_invalid_uses_of_obtained_values_are_unchecked(goal, proof, why):
     found = outcome(goal, proof)
     assert found.outcome == Outcome.UNCHECKED
     assert why is None or why in found.reason, found.reason
@@ -247,7 +247,7 @@ def test_no_function_is_said_to_have_others(goal):
         ),
     ],
 )
-def test_what_does_not_follow(goal, proof, why):
+def test_goals_that_do_not_follow_are_unchecked(goal, proof, why):
     found = outcome(goal, proof)
     assert found.outcome == Outcome.UNCHECKED and why in found.reason, found.reason
 

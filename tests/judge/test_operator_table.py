@@ -57,7 +57,7 @@ def put(terms, place, term):
 
 
 @pytest.mark.parametrize("head", HEADS)
-def test_what_is_linear_in_each_argument(head):
+def test_linear_operations_are_linear_in_each_argument(head):
     xs, ys = arguments_of(head)
     additive = [
         holds(
@@ -70,7 +70,7 @@ def test_what_is_linear_in_each_argument(head):
 
 
 @pytest.mark.parametrize("head", [head for head in HEADS if OPERATORS[head].linear == "components"])
-def test_what_the_derivative_goes_through(head):
+def test_the_product_rule_holds_for_each_operation(head):
     xs, _ = arguments_of(head)
     still = [symbol(replace(x.declaration, constant=True)) for x in xs]
     for place, x in enumerate(xs):

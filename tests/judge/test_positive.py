@@ -69,7 +69,7 @@ def _outcome(formula: str, symbols=SYMBOLS) -> Outcome:
 
 
 @pytest.mark.parametrize("formula", TRUE)
-def test_what_holds_of_positive_numbers_is_proved(formula: str) -> None:
+def test_claims_on_positive_numbers_are_proved(formula: str) -> None:
     assert _outcome(formula) is Outcome.PROVED
 
 
@@ -79,7 +79,7 @@ def test_the_norm_of_a_quotient(formula: str) -> None:
 
 
 @pytest.mark.parametrize("formula", FALSE)
-def test_what_does_not_is_refuted(formula: str) -> None:
+def test_false_claims_on_positive_numbers_are_refuted(formula: str) -> None:
     assert _outcome(formula) is Outcome.REFUTED
 
 

@@ -60,7 +60,7 @@ class TestAngles:
             (r"\alpha \neq 0 \Rightarrow \alpha^2 + (1 - \cos \alpha)^2 \neq 0", []),
         ],
     )
-    def test_what_is_true_is_not_refuted(self, latex, assume):
+    def test_true_claims_are_not_refuted(self, latex, assume):
         assert outcome(latex, *assume) not in (Outcome.REFUTED, Outcome.CONDITIONAL)
 
     def test_a_counterexample_with_an_angle_beside_its_sine_is_real(self):
@@ -68,7 +68,7 @@ class TestAngles:
         assert outcome(r"\cos \alpha = \alpha") == Outcome.REFUTED  # at 0
         assert outcome(r"\frac{\sin \alpha}{\alpha} \alpha = \sin \alpha", r"\alpha \neq 0") == Outcome.PROVED
 
-    def test_an_angle_without_its_value_is_told_by_cosine_and_sine(self):
+    def test_an_angle_without_a_value_is_shown_by_cosine_and_sine(self):
         values = check(r"\sin(2 \alpha) = 2 \sin \alpha", SYMBOLS).verdict.counterexample.values
         assert r"\sin \alpha" in values and r"\alpha" not in values
         values = check(r"\sin \underline{f} = \cos \underline{f}", SYMBOLS).verdict.counterexample.values
@@ -95,7 +95,7 @@ class TestZeroSets:
             (r"u \cdot u = 2 \Leftrightarrow b = 0", Outcome.REFUTED),
         ],
     )
-    def test_what_vanishes_everywhere_or_nowhere(self, latex, expected):
+    def test_divisors_that_vanish_everywhere_or_nowhere_are_known(self, latex, expected):
         assert outcome(latex) == expected
 
     def test_an_inequation_has_denominators_and_two_engines(self):

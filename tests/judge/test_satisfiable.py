@@ -75,7 +75,7 @@ def test_the_impossible_is_refused(assume):
         ("f = 0", ["f^2 = 0"], Outcome.PROVED),
     ],
 )
-def test_what_follows_and_what_does_not(latex, assume, outcome):
+def test_consequences_of_assumptions_are_judged(latex, assume, outcome):
     assert judged(latex, assume).outcome == outcome
 
 

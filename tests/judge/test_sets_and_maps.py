@@ -82,7 +82,7 @@ def test_others(latex, expected):
     assert verdict(latex).outcome == expected
 
 
-def test_what_is_not_decided_of_a_set_is_told():
+def test_undecided_set_equations_have_a_reason():
     found = verdict(r"so(3) = \{ \tilde{x} \mid x \in V_3 \}")
     assert found.reason == "whether all members of so(3) are so is not decided"
 
@@ -112,7 +112,7 @@ def test_a_map_on_two_lines():
         (r"S \subset V_3", "a part of a set"),
     ],
 )  # fmt: skip
-def test_what_does_not_fit_or_is_refused(latex, message):
+def test_ill_typed_sets_are_rejected(latex, message):
     with pytest.raises((ReadError, IllFormedAt)) as error:
         read(latex, TABLE)
     assert message in str(error.value)

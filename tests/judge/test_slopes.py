@@ -81,7 +81,7 @@ def test_the_jacobians_of_the_exponential() -> None:
         (r"\frac{\partial V}{\partial n} = 0", "no free coordinate"),
     ],
 )
-def test_what_is_not_said_to_be_independent_is_not_kept(latex: str, reason: str) -> None:
+def test_undeclared_independence_is_unchecked(latex: str, reason: str) -> None:
     try:
         found = verdict(latex)
     except NotExact as error:
@@ -102,7 +102,7 @@ def test_what_is_not_said_to_be_independent_is_not_kept(latex: str, reason: str)
         (r"\frac{\partial^{-1} V}{\partial q^{-1}} = 0", "of the order -1"),
     ],
 )
-def test_what_cannot_be_read(latex: str, message: str) -> None:
+def test_invalid_partial_derivatives_are_rejected(latex: str, message: str) -> None:
     with pytest.raises(ReadError, match=message):
         read(latex, TABLE, ["n"])
 

@@ -65,7 +65,7 @@ def test_sums_and_products_are_as_worked_out_by_hand(seed: int) -> None:
         r"\ddot{\theta} + g \sin\theta \approx \ddot{\theta} + g \theta",
     ],
 )
-def test_what_the_field_writes(formula: str) -> None:
+def test_approximations_of_the_field_are_proved(formula: str) -> None:
     verdict = check(formula, SYMBOLS).verdict
     assert verdict.outcome == "proved" and "to first order in" in verdict.scope
     assert verdict.read_back.count(r"\approx") == formula.count(r"\approx")

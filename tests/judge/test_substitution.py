@@ -74,7 +74,7 @@ def test_a_moving_symbol_is_not_constant_in_claims_for_all_times(place):
 
 @pytest.mark.parametrize("rate", [r"\frac{d}{dt}[T c]", r"[(\mathbf{D} + T) c]"])
 @pytest.mark.parametrize("place", PLACES)
-def test_what_moves_is_no_constant_under_a_derivative(place, rate):
+def test_moving_terms_cannot_replace_constants_in_derivatives(place, rate):
     said = r"a = b \Rightarrow " + place.replace("{}", rate)
     with pytest.raises(GoalError, match="constant under a derivative"):
         put(said, c="a")
@@ -108,12 +108,12 @@ def test_a_letter_of_a_premise_is_not_any_member_of_its_set(place):
     assert found.outcome == Outcome.UNCHECKED and "c stands in a premise already" in found.reason
 
 
-def test_what_a_premise_binds_is_any():
+def test_letters_bound_by_a_premise_are_arbitrary():
     goal = r"\Big( \forall c \in V_3 : c = a \Big) \Rightarrow \forall c \in V_3 : c = a"
     assert outcome(goal, Given(Follows("Y", Y=Use(0, {"c": "c"})))).outcome == Outcome.PROVED
 
 
-def test_what_definitions_use_of_a_letter_is_written_out():
+def test_definitions_that_use_a_letter_are_expanded():
     assert put("x = b", letter="s", s="3 s") == read_goal("a + T [3 s] = b", scope())
     assert put("x = b", letter="e", e="3 s") == read_goal("x = b", scope())
 
@@ -156,7 +156,7 @@ def test_no_integer_is_bound_by_what_it_was_not_meant_for():
 @pytest.mark.parametrize(
     ("latex", "constant"), [("m", True), ("M_3", True), ("q(s)", True), ("w", False), ("q(a)", False)]
 )
-def test_what_constants_define_is_constant(latex, constant):
+def test_symbols_defined_by_constants_are_constant(latex, constant):
     defined = {"m": "2 s", "w": "a + s", "M_0": "s", "M_{n+1}": "2 M_n", "q(z)": "2 z"}
     definitions, table = read_definitions(defined, SymbolTable.build({**SYMBOLS, "z": {"kind": "vector"}}))
     assert is_constant(read_term(latex, table, {}), definitions) == constant

@@ -186,7 +186,7 @@ class TestDerivativesOfAnyOrder:
     def test_false_ones(self, goal):
         assert outcome(goal, Kernel()).outcome != Outcome.PROVED
 
-    def test_what_a_sum_binds_is_not_brought_under_it(self):
+    def test_bound_variables_of_sums_are_not_captured(self):
         where = scope().with_integer("n", 0).with_integer("q", 0)
         total, other = where.term(r"\sum_{k=0}^{q} c_k"), where.term("c_n")
         bound = instantiate(other, {"n": Linear.variable("k")})
@@ -252,7 +252,7 @@ class TestTermwise:
             (r"\sum_{k=0}^n F_k(a) c_k = F_n(b) c_n", "one sum on either side"),
         ],
     )
-    def test_what_is_no_sum_to_n(self, goal, why):
+    def test_invalid_sums_to_n_are_unchecked(self, goal, why):
         found = outcome(self.PREMISE + goal, Given(Termwise("k", Follows("Y c_k", Y=Use(0, {"n": "k"})))))
         assert found.outcome == Outcome.UNCHECKED and why in found.reason
 
@@ -316,7 +316,7 @@ class TestFunctions:
         assert outcome(goal, proof).outcome == Outcome.UNCHECKED
         assert outcome(goal.replace("Rightarrow", "Longrightarrow"), proof).outcome == Outcome.PROVED
 
-    def test_what_moves_is_no_constant_in_it(self):
+    def test_moving_arguments_are_no_constants_in_a_premise(self):
         goal = r"\Big( \forall d \in V_3 : q(d) = \mathbf{0} \Big) \Rightarrow q(a) = \mathbf{0}"
         assert outcome(goal, Follows("Y", Y=Use(0, {"d": "a"}))).outcome == Outcome.UNCHECKED
 

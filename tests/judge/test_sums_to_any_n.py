@@ -63,7 +63,7 @@ def test_laws_hold_for_every_n_and_damaged_ones_do_not(addend: str, other: str) 
         (r"\sum_i m_i x_i = 0", "it may say something of"),
     ],
 )
-def test_what_is_not_seen_for_every_n_is_open(formula: str, reason: str) -> None:
+def test_sums_not_proved_for_every_n_are_unchecked(formula: str, reason: str) -> None:
     verdict = check(formula, SYMBOLS).verdict
     assert verdict.outcome == "unchecked" and reason in verdict.reason
 
@@ -86,7 +86,7 @@ def test_a_false_sum_is_refuted_by_one_that_is_long_enough() -> None:
         ),
     ],
 )
-def test_what_is_defined_for_each_index_is_put_in(formula: str, definitions: list[str]) -> None:
+def test_definitions_for_each_index_are_substituted(formula: str, definitions: list[str]) -> None:
     found = check(formula, SYMBOLS, definitions=definitions)
     assert found.verdict.outcome == "proved" and found.verdict.scope.startswith("all"), found
     left, right = formula.split("=", 1) if r"\sum_{" not in formula else formula.split(" = ")

@@ -28,7 +28,7 @@ def test_the_other_parts_decide(formula, part, found):
 
 
 @pytest.mark.parametrize("formula", ["a = a", "a = a = a", "a = a, f = f", r"f \neq 0 \Rightarrow a = a"])
-def test_what_is_trivial_as_a_whole_is_not_proved(formula):
+def test_a_fully_trivial_claim_is_not_proved(formula):
     assert verdict(formula).outcome == Outcome.UNCHECKED
 
 

@@ -153,7 +153,7 @@ ALL = [pytest.param(kind, marks=() if kind in _SHORT else pytest.mark.slow) for 
 
 
 @pytest.mark.parametrize("kind", ALL)
-def test_a_verdict_that_values_contradict_is_seen(kind: str) -> None:
+def test_a_verdict_that_values_contradict_is_detected(kind: str) -> None:
     """And the identities are true, whatever the judge says."""
     for statement, orders in claims_of(kind):
         refuse_contradicted(kind, statement, orders, Verdict(Outcome.PROVED))

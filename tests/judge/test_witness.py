@@ -14,7 +14,7 @@ from workbench.papers import find_paper
 from workbench.report.to_json import report_json
 
 
-def test_what_holds_is_seen_on_every_motion(tmp_path):
+def test_true_claims_hold_on_every_motion(tmp_path):
     (claim,) = judged(tmp_path, r"printed = '\dot{R} = \tilde{\omega} R'")
     (seen,) = motions(claim)
     assert claim["verdict"] == "proved" and len(seen["motions"]) == 5 and "6R arm, seed 9" in seen["motions"]
@@ -41,7 +41,7 @@ def test_refuted_form_and_correction_use_equal_times(tmp_path):
     assert cost["time"] in false["course"]["times"] and f"t = {cost['time']:g} s" in claim["motion"]["line"]
 
 
-def test_what_has_no_motion_says_so_and_is_counted_apart(tmp_path):
+def test_claims_without_a_motion_are_counted_separately(tmp_path):
     loaded = paper(
         tmp_path,
         r"printed = 'a \times x = -x \times a'",

@@ -64,7 +64,7 @@ class TestDefinitions:
         assert within.outcome == Outcome.PROVED and within.scope in (orders, "all n ≥ 1")
         assert verdict(latex, definitions, "n = 0..3").outcome == Outcome.REFUTED
 
-    def test_what_every_member_does_holds_for_all_n(self):
+    def test_claims_of_every_member_hold_for_all_n(self):
         found = verdict(r"\dot{s}_{n+1} = f \dot{s}_n + \dot{f} s_n", ["s_{n+1} = f s_n"], "n = 0..3")
         assert (found.outcome, found.scope) == (Outcome.PROVED, "all n")
 
@@ -266,7 +266,7 @@ class TestReadings:
     @pytest.mark.parametrize(
         "latex", [r"(\dot{T})^{-1} = -T", r"(R_1)^2 = R_2", r"\frac{d}{dt} T^{-1} = T", r"T^2 = R^2"]
     )
-    def test_what_is_bracketed_is_read(self, latex):
+    def test_bracketed_formulas_read_back(self, latex):
         found = verdict(latex)
         assert found.outcome == Outcome.REFUTED
         assert verdict(found.read_back).read_back == found.read_back
@@ -312,7 +312,7 @@ class TestMotion:
         assert not any(e.method == "Drake reference motions" for e in result.verdict.evidence)
         assert "met what it supposes" in result.verdict.no_motion
 
-    def test_what_holds_on_the_motions_is_not_refuted(self, tmp_path):
+    def test_claims_that_hold_on_motions_are_not_refuted(self, tmp_path):
         text = """title = "x"
 [symbols]
 '\\omega' = { kind = "vector", weight = 1 }

@@ -266,7 +266,7 @@ def test_bodies_of_one_name_are_asked_by_their_model():
         motion.frame("hand")
 
 
-def test_what_no_robot_can_be_made_of_is_named():
+def test_unsupported_plants_are_rejected_with_the_reason():
     from pydrake.multibody import tree
     from pydrake.multibody.plant import MultibodyPlant
 

@@ -88,7 +88,7 @@ def test_frames_of_a_closed_motion_stay_together():
     np.testing.assert_allclose(P.twists, Q.twists, atol=1e-9)
 
 
-def test_singular_positions_of_a_four_bar_are_told():
+def test_singular_positions_of_a_four_bar_are_reported():
     """Crank and coupler in a line stop the rocker: driven at the rocker, the crank is free."""
     loops = four_bar()
     line = CRANK + COUPLER
@@ -279,7 +279,7 @@ def test_a_stewart_platform_moves_as_its_legs_say():
         np.testing.assert_allclose(found.twists[k], platform.twists[k], atol=1e-10 * scale)
 
 
-def test_too_few_driven_legs_are_told():
+def test_too_few_driven_legs_are_reported():
     loops, _, _ = stewart(np.random.default_rng(1))
     q = np.zeros(len(loops.robot.positions))
     q[0], q[6] = 1, 1.2

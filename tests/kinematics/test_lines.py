@@ -167,6 +167,6 @@ def test_lists_and_integers_are_numbers_too():
         )
 
 
-def test_what_is_not_finite_is_refused():
+def test_numbers_that_are_not_finite_are_rejected():
     with pytest.raises(ValueError, match="line_through: expected finite numbers"):
         lines.line_through([0, 0, np.nan], [0, 0, 1])

@@ -56,7 +56,7 @@ def assert_covered_and_told(counts):
     assert counts["at least rightly"] >= COVERED * counts["peaks"], counts
 
 
-def test_few_recordings_are_covered_and_told():
+def test_peaks_of_a_few_recordings_are_within_their_errors():
     few = [one for i, one in enumerate(recordings(1, (100,), few=True)) if i % 9 == 0]
     counts = sum((judged(one) for one in few if len(one.t) <= LARGEST_FEW), Counter())
     assert counts["peaks"] >= 60
@@ -64,7 +64,7 @@ def test_few_recordings_are_covered_and_told():
 
 
 @pytest.mark.slow
-def test_a_campaign_of_recordings_is_covered_and_told():
+def test_peaks_of_random_recordings_are_within_their_errors():
     seed = int(np.random.SeedSequence().entropy % 2**32)
     counts = sum((judged(one) for one in recordings(seed, (100, 1000), few=True)), Counter())
     print(f"seed {seed}: {counts}")

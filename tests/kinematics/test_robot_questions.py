@@ -12,7 +12,7 @@ from workbench.kinematics.robot.joints import Limits
 from workbench.kinematics.robot.paths import JointPath
 
 
-def test_what_does_not_move_is_zero_and_no_error():
+def test_bodies_at_rest_have_zero_twists():
     robot = tree(0, ["fixed", "revolute"])
     found = motion(robot, 4, (2,))
     for body in ("world", "b0"):

@@ -449,7 +449,7 @@ def test_a_browser_shows_the_scene(scene, tmp_path):
     assert (np.abs(pictures[0] - pictures[1]).max(axis=-1) > 0.1).sum() > 50
 
 
-def test_what_needs_a_path_says_so():
+def test_methods_that_need_a_path_raise_without_one():
     motion = arm().motion(np.zeros((3, 3)))
     for ask in (motion.peaks, motion.plot, motion.table, lambda: motion.show(None, "b2")):
         with pytest.raises(ValueError, match="expected a motion"):

@@ -326,7 +326,7 @@ def test_lists_and_integers_are_numbers_too():
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_what_is_not_finite_is_refused(bad):
+def test_numbers_that_are_not_finite_are_rejected(bad):
     psi = Dual(np.array([0.1, 0.2, bad]), np.zeros(3))
     with pytest.raises(ValueError, match="exp: expected finite numbers"):
         screws.exp(psi)

@@ -134,7 +134,7 @@ def test_a_retimed_move_is_near_ruckig_s_optimum():
     assert trajectory.duration < ours < 1.15 * trajectory.duration
 
 
-def test_what_no_slowdown_mends_is_refused():
+def test_limits_that_no_slowdown_satisfies_are_rejected():
     with pytest.raises(ValueError, match=r"no slowdown keeps this limit: position of j: 1 rad"):
         quintic().slowdown(limits={"j": {"upper": 0.5}})
     with pytest.raises(ValueError, match=r"no slowdown is sure to keep this limit: snap of j: unbounded"):

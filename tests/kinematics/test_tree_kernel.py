@@ -209,7 +209,7 @@ def test_any_array_of_numbers_will_do():
 
 
 @pytest.mark.parametrize("kinds", [["revolute", "ball", "prismatic"], ["revolute"] * 3])
-def test_what_a_motion_gives_is_read_only_and_its_own(kinds):
+def test_arrays_of_a_motion_are_read_only_copies(kinds):
     robot = tree(2, kinds)
     q = np.random.default_rng(0).normal(size=(4, 9, len(robot.positions)))
     robot.motion(q[:, 0]).frame("b0")  # so that its shape is known
@@ -300,7 +300,7 @@ def test_an_evaluator_of_a_ball_is_refused():
 
 @pytest.mark.parametrize("states", [(), (10,)])
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_what_is_not_finite_is_refused_at_every_order(states, bad):
+def test_numbers_that_are_not_finite_are_rejected_at_every_order(states, bad):
     chain = SerialChain(random_joints(np.random.default_rng(7), 3))
     for k in range(4):
         q = np.ones((4, *states, chain.dof))

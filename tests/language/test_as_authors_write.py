@@ -120,7 +120,7 @@ _CASES = r"x = \begin{cases} y & \text{if } z = 0 \\ 2 y & \text{if } z \neq 0 \
         r"x = \left\{ \begin{array}{ll} y & z = 0 \\ 2 y & z \neq 0 \end{array} \right.",
     ],
 )
-def test_what_stands_behind_the_value_of_a_case_is_its_condition(spelt: str) -> None:
+def test_text_after_the_value_of_a_case_is_its_condition(spelt: str) -> None:
     assert read(spelt, TABLE) == read(_CASES, TABLE)
     assert len(read(_CASES, TABLE)) == 2
 

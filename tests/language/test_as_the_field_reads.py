@@ -307,7 +307,7 @@ def test_directions_of_nothing(formula: str, message: str) -> None:
         (r"S \subset T", "a part of a set is not read"),
     ],
 )
-def test_what_is_not_read_is_named(formula: str, feature: str) -> None:
+def test_unsupported_notation_is_named(formula: str, feature: str) -> None:
     with pytest.raises(ReadError, match=feature):
         read(formula, TABLE)
 

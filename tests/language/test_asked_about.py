@@ -20,7 +20,7 @@ def test_a_star_on_a_column_is_not_the_adjugate() -> None:
 
 
 @pytest.mark.parametrize("row", [r"a \: b \: c", "a b c", r"a ~ b"])
-def test_vectors_side_by_side_in_a_bracket_are_asked_about(row: str) -> None:
+def test_vectors_side_by_side_in_a_bracket_raise_a_question(row: str) -> None:
     with pytest.raises(ReadError, match="columns or a triple product"):
         read(f"T = [{row}]", TABLE)
 
@@ -34,7 +34,7 @@ def test_stacked_vectors_that_form_a_matrix_raise_a_question() -> None:
 @pytest.mark.parametrize(
     "formula", [r"e a^2 = -(a \cdot a) e", r"a^2 e = e", "a b = 0", "a b e = e", "a^3 = 0", "2 a^2 e = e"]
 )
-def test_vectors_that_may_be_quaternions_are_asked_about(formula: str) -> None:
+def test_vectors_that_may_be_quaternions_raise_a_question(formula: str) -> None:
     """The square of a quaternion (0, a) is −a·a, that of a vector a·a."""
     table = TABLE.with_specs({"e": {"kind": "hamilton quaternion"}})
     with pytest.raises(ReadError, match="write"):
@@ -64,7 +64,7 @@ def test_the_frobenius_norm() -> None:
             read_term(other, TABLE)
 
 
-def test_a_bracket_that_may_say_an_argument_is_asked_about() -> None:
+def test_a_bracket_that_may_be_an_argument_raises_a_question() -> None:
     for formula in (r"T(a) b = c", r"T(a, b) c = c"):
         with pytest.raises(ReadError, match="bracket"):
             read(formula, TABLE)
@@ -72,7 +72,7 @@ def test_a_bracket_that_may_say_an_argument_is_asked_about() -> None:
         read("T(a + b) b = c", TABLE)
 
 
-def test_the_exponential_of_a_vector_is_asked_about() -> None:
+def test_the_exponential_of_a_vector_raises_a_question() -> None:
     with pytest.raises(ReadError, match="of its skew tensor, or of a quaternion"):
         read(r"T = e^{a}", TABLE)
 
@@ -110,7 +110,7 @@ def test_a_tensor_function_after_a_number_raises_a_question(formula: str) -> Non
 
 
 @pytest.mark.parametrize("formula", [r"2 \times 3 s = 6 s", r"s \times \alpha = \alpha s"])
-def test_a_cross_between_numbers_is_asked_about(formula: str) -> None:
+def test_a_cross_between_numbers_raises_a_question(formula: str) -> None:
     with pytest.raises(ReadError, match="product, write"):
         read(formula, TABLE)
     with pytest.raises(IllFormedAt):
@@ -133,7 +133,7 @@ def test_a_bare_zero_among_vectors_is_one(bare: str, bold: str) -> None:
 
 
 @pytest.mark.parametrize("formula", ["H 0 = a", "H (H 0) = 0", "s = s + a \\cdot (H 0)"])
-def test_what_a_transform_makes_of_a_bare_zero_is_asked(tmp_path: Path, formula: str) -> None:
+def test_a_transform_of_a_bare_zero_raises_a_question(tmp_path: Path, formula: str) -> None:
     """The origin goes to the translation, and no point to the zero."""
     symbols = "".join(f"{name} = {{ kind = '{KINDS.get(name, 'transform')}' }}\n" for name in "Has")
     (tmp_path / "n.toml").write_text(f"[conventions]\npoints = 'vectors'\n[symbols]\n{symbols}")
@@ -223,7 +223,7 @@ def test_of_the_norms_the_euclidean_ones_are_read(sides: tuple[str, str], below:
 
 
 @pytest.mark.parametrize("kind", ["rotation", "tensor", "dual rotation", "dual tensor", "vector"])
-def test_what_is_declared_to_be_no_member_is_called_what_it_is(kind: str) -> None:
+def test_a_non_member_is_named_by_its_declared_kind(kind: str) -> None:
     table = SymbolTable.build({"x": {"kind": kind}})
     with pytest.raises(ReadError, match=f"a member of .* is a scalar; here it is a {kind}, as declared"):
         read(r"x \in \mathbb{R}", table)
@@ -232,7 +232,7 @@ def test_what_is_declared_to_be_no_member_is_called_what_it_is(kind: str) -> Non
 @pytest.mark.parametrize("kind", ["rotation", "tensor", "vector", "scalar"])
 @pytest.mark.parametrize("name", ["x", "x_1", "x_{12}"])
 @pytest.mark.parametrize("power", range(5))
-def test_a_power_that_may_be_the_label_of_a_frame_is_asked_about(kind: str, name: str, power: int) -> None:
+def test_a_power_that_may_be_a_frame_label_raises_a_question(kind: str, name: str, power: int) -> None:
     """R_1^0 and any other figure on a numbered rotation; on others those that nobody prints as powers."""
     table = SymbolTable.build({name: {"kind": kind}})
     may_be = {"rotation": power < 2 or name != "x", "scalar": False}.get(kind, power < 2 and name != "x")
@@ -248,7 +248,7 @@ def test_a_power_that_may_be_the_label_of_a_frame_is_asked_about(kind: str, name
 
 @pytest.mark.parametrize("braced", ["s S", "S T", "S + T", "-s"])
 @pytest.mark.parametrize("power", ["2", "T", r"\top", "-1"])
-def test_what_braces_hold_that_print_nothing_has_no_power(braced: str, power: str) -> None:
+def test_a_power_of_invisible_braces_is_rejected(braced: str, power: str) -> None:
     """{S T}^2 prints S T²."""
     with pytest.raises(ReadError, match="braces print nothing"):
         read_term(f"{{{braced}}}^{{{power}}}", TABLE)

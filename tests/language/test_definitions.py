@@ -236,7 +236,7 @@ def test_one_definition_at_a_time_gives_what_all_together_give() -> None:
         ({"F_n": "n a"}, "F_2", 1),
     ],
 )
-def test_a_letter_of_which_the_body_does_not_speak_is_a_label(entries, latex, indices) -> None:
+def test_a_letter_that_the_body_does_not_use_is_a_label(entries, latex, indices) -> None:
     table = SymbolTable.build({name: {"kind": "vector"} for name in "ab"})
     term = read_term(latex, read_definitions(entries, table)[1])
     assert isinstance(term, Symbol) and len(term.index) == indices

@@ -39,7 +39,7 @@ def test_a_symbol_has_each_spelling(written: str) -> None:
         ("x_{123}", ["x_{ijk}"], "x_{1 2 3}"),
     ],
 )
-def test_indices_are_told_apart(written: str, declared: list[str], expected: str) -> None:
+def test_indices_are_distinguished(written: str, declared: list[str], expected: str) -> None:
     assert named(written, *declared) == expected
 
 

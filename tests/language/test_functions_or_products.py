@@ -60,13 +60,15 @@ def test_notation_before_a_function_takes_its_value(before: str, around: str, no
 
 @pytest.mark.parametrize("before", ["%s", *BEFORE])
 @pytest.mark.parametrize("argument", ["B", "B^{-1}"])
-def test_bracket_of_a_matrix_behind_one_is_asked_about(before: str, argument: str, notation: Path) -> None:
+def test_bracket_of_a_matrix_after_a_matrix_raises_a_question(
+    before: str, argument: str, notation: Path
+) -> None:
     with pytest.raises(ReadError, match="a function of what is in the bracket, or a product"):
         check(f"{before % f'A({argument})'} = B", None, notation=notation)
 
 
 @pytest.mark.parametrize("argument", [r"\theta", r"-\theta", r"2 \theta", r"-2 \theta"])
-def test_bracket_that_fits_as_an_argument_alone_is_asked_about(argument: str) -> None:
+def test_bracket_that_fits_as_an_argument_only_raises_a_question(argument: str) -> None:
     kinds = {"J": "tensor", r"\theta": "vector"}
     with pytest.raises(ReadError, match=r"\[conventions\] arguments says the former"):
         check(rf"J({argument}) = \mathbf{{I}} - J", kinds)

@@ -72,7 +72,7 @@ def written(term, hand: Hand) -> str:
 
 @settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))
 @given(terms)
-def test_what_an_author_writes_reads_as_the_same_term(term: Term) -> None:
+def test_terms_in_the_authors_spelling_read_back(term: Term) -> None:
     for table, hand in zip(TABLES, KNOWN, strict=True):
         assert read_term(written(term, hand), table, VARIABLES) == term
 
@@ -80,7 +80,7 @@ def test_what_an_author_writes_reads_as_the_same_term(term: Term) -> None:
 @pytest.mark.slow
 @settings(max_examples=10_000, deadline=None, suppress_health_check=list(HealthCheck))
 @given(terms)
-def test_what_an_author_writes_reads_as_the_same_term_many_times(term: Term) -> None:
+def test_terms_in_the_authors_spelling_read_back_many_times(term: Term) -> None:
     for table, hand in zip(TABLES, KNOWN, strict=True):
         assert read_term(written(term, hand), table, VARIABLES) == term
 

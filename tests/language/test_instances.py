@@ -71,7 +71,7 @@ def test_written_out(latex: str, n: int, expected: str) -> None:
         (r"C_n^{m,m}", "add up to 2"),
     ],
 )
-def test_what_has_no_value(latex: str, part: str) -> None:
+def test_instances_without_a_value_are_ill_formed(latex: str, part: str) -> None:
     with pytest.raises(IllFormed, match=part):
         instantiate(read_term(latex, TABLE, VARIABLES), {"n": 2, "m": 2})
 
@@ -114,7 +114,7 @@ def test_a_bound_variable_is_renamed_rather_than_captured() -> None:
     assert instantiate(moved, {"k": 2}) == instantiate(term, {"n": 2})
 
 
-def test_what_does_not_change_stays_the_same_object() -> None:
+def test_unchanged_terms_stay_the_same_object() -> None:
     term = read_term(r"\mathbf{S} \omega + \Phi_n \omega", TABLE, {"n"})
     assert instantiate(term, {"n": 2}).arguments[0] is term.arguments[0]
     assert instantiate(term, {"m": 2}) is term
@@ -187,7 +187,9 @@ def test_the_norm_of_a_row_misfits() -> None:
         ("binomial", (LARGEST + 1, 1), f"at most {LARGEST}"),
     ],
 )
-def test_what_counting_gives(name: str, arguments: tuple[int, ...], expected: int | str) -> None:
+def test_counting_functions_have_their_values(
+    name: str, arguments: tuple[int, ...], expected: int | str
+) -> None:
     given = tuple(map(Linear, arguments))
     if isinstance(expected, str):
         with pytest.raises(IllFormed, match=expected):

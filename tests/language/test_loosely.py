@@ -84,7 +84,7 @@ def test_the_rest_is_read_as_everywhere(written: str, means: str, several: set[R
 
 
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)
-def test_it_is_asked_about_where_the_paper_does_not(
+def test_undeclared_relaxed_readings_raise_a_question(
     written: str, means: str, several: set[Relaxation]
 ) -> None:
     for missing in several:
@@ -107,7 +107,7 @@ def test_a_relaxed_reading_that_the_paper_excludes_is_ill_formed(
     "several",
     [set(), {Relaxation.DYADS}, {Relaxation.UNIT_TENSOR}, {Relaxation.DYADS, Relaxation.UNIT_TENSOR}],
 )
-def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[Relaxation]) -> None:
+def test_formulas_that_fit_no_reading_are_ill_formed(formula: str, several: set[Relaxation]) -> None:
     with pytest.raises(IllFormedAt):
         read(formula, loosely(several))
 
@@ -115,7 +115,7 @@ def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[Relaxa
 @pytest.mark.parametrize(
     "formula", [r"a \cdot b \cdot c = d", r"T \cdot a \cdot b = s", r"a \cdot b \times c = s"]
 )
-def test_what_is_ambiguous_among_dyads_is_refused(formula: str) -> None:
+def test_ambiguous_dyads_are_rejected(formula: str) -> None:
     with pytest.raises(ReadError, match="ambiguous"):
         read(formula, loosely({Relaxation.DYADS}))
 
@@ -143,7 +143,7 @@ OTHERWISE = [
 
 
 @pytest.mark.parametrize(("written", "asked", "clear"), OTHERWISE)
-def test_what_fits_in_another_reading_only_is_asked_about(written: str, asked: str, clear: str) -> None:
+def test_formulas_that_fit_another_reading_raise_a_question(written: str, asked: str, clear: str) -> None:
     with pytest.raises(ReadError, match=asked) as caught:
         read(written, SKEWED)
     assert not isinstance(caught.value, IllFormedAt)
@@ -161,7 +161,7 @@ def test_what_fits_in_another_reading_only_is_asked_about(written: str, asked: s
         "[a + b] + s = R",
     ],
 )
-def test_what_fits_or_fits_in_no_other_reading_is_not(formula: str) -> None:
+def test_formulas_without_another_reading_raise_no_question(formula: str) -> None:
     if "+ s" in formula:
         with pytest.raises(IllFormedAt):
             read(formula, SKEWED)

@@ -79,7 +79,7 @@ X = r"\tilde{x}"
         (r"x \times e \in \mathbb{S}^2", [r"\left(x \times e\right) \cdot \left(x \times e\right) = 1"]),
     ],
 )
-def test_what_makes_a_term_a_member(formula: str, claims: list[str]) -> None:
+def test_memberships_read_as_their_defining_equations(formula: str, claims: list[str]) -> None:
     assert said(formula).split(" ;; ") == claims
 
 

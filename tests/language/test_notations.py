@@ -133,7 +133,7 @@ def test_braces_are_ignored_and_an_ampersand_means_and(written: str) -> None:
 
 
 @pytest.mark.parametrize("formula", ["s_1 = s_1", "s_{12} = s_{12}", r"s_{a} = s_{a}", "{}^B s_\\beta = 1"])
-def test_what_is_no_argument_below_a_letter_is_its_label(formula: str) -> None:
+def test_subscripts_that_are_no_arguments_are_labels(formula: str) -> None:
     """s_1 is often the sine of θ₁, and never that of 1."""
     with pytest.raises(ReadError, match=r"unknown symbol|of a vector"):
         read(formula, TABLE)
@@ -173,7 +173,7 @@ def test_labels_are_read(formula: str) -> None:
         r"(a \cdot v)^\wedge = T",
     ],
 )
-def test_what_is_not_explained_is_refused(formula: str) -> None:
+def test_unexplained_notation_is_rejected(formula: str) -> None:
     with pytest.raises((ReadError, IllFormedAt)):
         read(formula, TABLE)
 
@@ -225,7 +225,7 @@ PRIMED = PRIMED.with_notations({"x'": {"where": {"x": "vector"}, "means": "T x"}
 
 
 @pytest.mark.parametrize("accent", [r"\dot", r"\ddot", r"\tilde"])
-def test_an_accent_under_a_prime_is_asked_about(accent: str) -> None:
+def test_an_accent_under_a_prime_raises_a_question(accent: str) -> None:
     with pytest.raises(ReadError, match="which first"):
         read(rf"{accent}{{x}}' = {accent}{{x}}", PRIMED)
 

@@ -41,6 +41,6 @@ def test_a_tensor_acts_on_each_entry():
 
 
 @pytest.mark.parametrize("pair", ["(a, 2)", r"(a, \mathbf{D}_x)"])
-def test_what_has_not_one_height_is_no_pair(pair):
+def test_parts_of_different_height_are_no_pair(pair):
     with pytest.raises((ReadError, IllFormedAt)):
         read_term(pair, TABLE)

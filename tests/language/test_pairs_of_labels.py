@@ -28,7 +28,7 @@ SYMBOLS = {
 
 
 @pytest.mark.parametrize("name", SYMBOLS)
-def test_what_is_printed_is_read_as_the_same(name: str) -> None:
+def test_printed_pairs_of_labels_read_back(name: str) -> None:
     table = SymbolTable.build({key: {"kind": kind} for key, kind in SYMBOLS.items()})
     term = read_term(name, table)
     assert read_term(to_latex(term), table) == term

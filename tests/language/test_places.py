@@ -89,7 +89,7 @@ def test_a_step_of_an_argument_is_no_factor(symbol: str, step: str) -> None:
 
 @pytest.mark.parametrize("argument", ["t", "k"])
 @pytest.mark.parametrize("symbol", ["f", "g", "q"])
-def test_what_has_an_argument_in_a_formula_is_no_factor_there(symbol: str, argument: str) -> None:
+def test_symbols_with_an_argument_are_no_factors_elsewhere(symbol: str, argument: str) -> None:
     for formula in ("F(A) = F(2 h) + F", "F(2 h) + F = F(A)", r"\dot{F}(A) = F(h + c)"):
         with pytest.raises(ReadError, match="a function of what is in the bracket, or a product"):
             read(formula.replace("F", symbol).replace("A", argument), STEPPED)
@@ -98,7 +98,7 @@ def test_what_has_an_argument_in_a_formula_is_no_factor_there(symbol: str, argum
 
 
 @pytest.mark.parametrize("symbol", ["f", "g"])
-def test_what_is_defined_by_x_is_not_taken_at_y(symbol: str) -> None:
+def test_a_function_defined_by_x_is_not_evaluated_at_y(symbol: str) -> None:
     for x, y in permutations(LETTERS, 2):
         _, table = read_definitions({"f": f"s {x}", "g": f"f + {x}"}, TABLE)
         assert read(f"{symbol}({x}) = v", table) and read(rf"{symbol}({x}, \dot{{{y}}}) = v", table)
@@ -137,7 +137,7 @@ def test_a_symbol_before_a_bracket_may_be_a_function(symbol: str, inside: str) -
 
 @pytest.mark.parametrize("symbol", ["s", "v", "A", r"\dot{v}", r"\ddot{s}"])
 @pytest.mark.parametrize("time", ["t + s", "s - t", "2 t", "-t", "t^2", r"\frac{t}{2}", "t - x_0"])
-def test_what_is_taken_at_another_time_is_no_product(symbol: str, time: str) -> None:
+def test_a_value_at_another_time_is_no_product(symbol: str, time: str) -> None:
     """x(t + h) = x(t) + h ẋ(t) was refuted, with x (t + h) a product."""
     table = SymbolTable.build(
         {"s": {"kind": "scalar"}, "v": {"kind": "vector"}, "A": {"kind": "tensor"}, "x_0": {"kind": "scalar"}}
@@ -149,7 +149,7 @@ def test_what_is_taken_at_another_time_is_no_product(symbol: str, time: str) -> 
 
 
 @pytest.mark.parametrize("inside", [r"1 + \cos(\omega t)", r"\sin(\omega t) - e^{-\omega t}"])
-def test_what_depends_on_the_time_by_a_function_is_no_time(inside: str) -> None:
+def test_a_function_of_time_is_not_the_time(inside: str) -> None:
     kinds = {
         "s": {"kind": "scalar"},
         "b": {"kind": "scalar", "constant": True},
@@ -219,7 +219,7 @@ def test_a_vector_is_no_other_place_of_a_number(inside: str) -> None:
 
 
 @pytest.mark.parametrize("symbol", ["v^T", "s", "v"])
-def test_what_others_depend_on_is_no_function(symbol: str) -> None:
+def test_arguments_of_other_symbols_are_no_functions(symbol: str) -> None:
     """v^T (u - B v) was refused where B(v) is B: the u - B v holds the argument v."""
     kinds = {"s": "scalar", "h": "scalar", "v": "vector", "u": "vector", "B": "tensor"}
     table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})

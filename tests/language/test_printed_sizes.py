@@ -119,7 +119,7 @@ def test_zero_of_one_number_is_a_column_or_a_square(zero: str, notation: Path) -
     assert check(f"A - A = {zero % 2}", {"A": kind(2, 2)}, notation=notation).holds
 
 
-def test_zero_of_one_number_beside_a_row_is_asked_about() -> None:
+def test_a_sized_zero_beside_a_row_raises_a_question() -> None:
     with pytest.raises(ReadError, match=r"a row of zeros is written 0_\{1 \\times 3\}"):
         check("x^T - x^T = 0_3", {"x": "vector"})
 

@@ -61,7 +61,7 @@ def test_the_laws_of_every_kind_print_back(identity: str) -> None:
         (r"\dot{J}", "tensor"),
     ],
 )
-def test_what_a_formula_is(latex: str, expected: str) -> None:
+def test_formulas_of_quaternions_have_their_type(latex: str, expected: str) -> None:
     assert type_of(latex) == expected
 
 
@@ -85,7 +85,7 @@ def test_what_a_formula_is(latex: str, expected: str) -> None:
         (r"q + R", "differ in type"),
     ],
 )
-def test_what_has_no_meaning(latex: str, message: str) -> None:
+def test_meaningless_formulas_of_quaternions_are_rejected(latex: str, message: str) -> None:
     with pytest.raises((IllFormedAt, ReadError), match=message):
         type_of(latex)
 

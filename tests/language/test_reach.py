@@ -36,7 +36,7 @@ AMBIGUOUS = [
 
 
 @pytest.mark.parametrize(("latex", "one", "other"), AMBIGUOUS)
-def test_what_can_be_taken_in_two_ways_is_refused(latex, one, other):
+def test_ambiguous_arguments_of_functions_are_rejected(latex, one, other):
     with pytest.raises((ReadError, IllFormedAt), match=r"how far|or their product"):
         read(f"{latex} = 0", TABLE)
     first, second = (read(f"{way} = 0", TABLE) for way in (one, other))
@@ -57,7 +57,7 @@ def test_what_can_be_taken_in_two_ways_is_refused(latex, one, other):
         r"2 (3) f = 6 f",
     ],
 )
-def test_what_can_be_taken_in_one_way_is_read(latex):
+def test_unambiguous_arguments_of_functions_are_read(latex):
     assert read(latex, TABLE)
 
 

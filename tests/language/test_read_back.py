@@ -21,14 +21,14 @@ _NO_CHECKS = list(HealthCheck)
 
 @settings(max_examples=600, deadline=None, suppress_health_check=_NO_CHECKS)
 @given(terms)
-def test_what_is_printed_reads_as_the_same_term(term: Term) -> None:
+def test_printed_terms_read_back(term: Term) -> None:
     assert read_term(to_latex(term), TABLE, VARIABLES) == term
 
 
 @pytest.mark.slow
 @settings(max_examples=30_000, deadline=None, suppress_health_check=_NO_CHECKS)
 @given(terms)
-def test_what_is_printed_reads_as_the_same_term_many_times(term: Term) -> None:
+def test_printed_terms_read_back_many_times(term: Term) -> None:
     assert read_term(to_latex(term), TABLE, VARIABLES) == term
 
 
@@ -103,7 +103,7 @@ DIFFERENT = [
 
 
 @pytest.mark.parametrize(("one", "other"), DIFFERENT)
-def test_what_looks_alike_may_differ(one: str, other: str) -> None:
+def test_similar_formulas_may_be_different_terms(one: str, other: str) -> None:
     assert read_term(one, TABLE, VARIABLES) != read_term(other, TABLE, VARIABLES)
 
 

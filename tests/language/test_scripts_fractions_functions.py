@@ -346,5 +346,5 @@ def test_spellings_of_the_angle_of_two(name: str, inside: str) -> None:
         ),
     ],
 )
-def test_what_is_nearly_a_derivative(latex: str, expected: str) -> None:
+def test_fractions_similar_to_derivatives_read_as_expected(latex: str, expected: str) -> None:
     term_reads(latex, expected, WITH_QUATERNIONS, "n")

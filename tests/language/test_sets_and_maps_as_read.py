@@ -333,7 +333,7 @@ def test_the_members_of_each_set(spelt: str, name: str, kind: str, trait: str) -
         r"K(\mathbf{V}_3, \mathbf{V}_3)",
     ],
 )
-def test_what_is_no_set_that_is_known(spelt: str) -> None:
+def test_unknown_sets_are_rejected(spelt: str) -> None:
     ((node,),) = parse(spelt).lines
     try:
         assert members_of(node) is None

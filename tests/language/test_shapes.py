@@ -95,7 +95,7 @@ def test_the_unit_tensor_is_square(unit: str, beside: str) -> None:
         (rf"\mathbf{{I}} x = {COLUMN}", "differ in type"),
     ],
 )
-def test_what_does_not_fit(formula: str, message: str) -> None:
+def test_shapes_that_do_not_fit_are_ill_formed(formula: str, message: str) -> None:
     with pytest.raises(IllFormedAt, match=message):
         read(formula, TABLE)
 
@@ -154,7 +154,7 @@ def test_a_product_with_the_unit_tensor_is_no_multiple_of_it() -> None:
         r"\begin{bmatrix} A & -\mathbf{0} \\ 2\mathbf{0} & 1 \end{bmatrix} = \lambda \mathbf{I}",
     ],
 )
-def test_what_is_read_prints_back(formula: str) -> None:
+def test_read_formulas_print_back(formula: str) -> None:
     (statement,) = read(formula, TABLE)
     assert read(to_latex(statement), TABLE) == (statement,)
 

@@ -240,7 +240,7 @@ def test_a_quotient_by_a_quaternion_raises_a_question(letter: str) -> None:
 @pytest.mark.parametrize(
     ("left", "right", "intent"), [("v", "v", "\\cdot"), ("v", "t", "T y"), ("t", "c", None), ("c", "t", None)]
 )
-def test_what_is_meant_by_a_product_that_has_no_meaning(left: str, right: str, intent: str | None) -> None:
+def test_a_meaningless_product_names_its_likely_meaning(left: str, right: str, intent: str | None) -> None:
     if product_of(left, right) is None:
         with pytest.raises(IllFormed, match="juxtaposition of a") as refused:
             apply("mul", of(left), of(right))

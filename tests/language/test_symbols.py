@@ -77,7 +77,7 @@ def test_a_name_is_read_back_as_it_is_shown(paper_names) -> None:
         assert str(member) == name.shown(range(name.indices))
 
 
-def test_what_is_made_of_other_terms_has_another_name() -> None:
+def test_symbols_made_of_different_terms_have_different_names() -> None:
     x, y = (Symbol(VECTOR, weight, Declaration(Name("x"), VECTOR)) for weight in (None, Linear(1)))
     names = {Name(r"\left(x\right)", of=(term,)) for term in (x, y)}
     assert len(names) == 2 and len({str(name) for name in names}) == 1
@@ -214,7 +214,7 @@ def test_a_tilde_over_a_known_vector_stays_its_skew_tensor():
         table.with_specs({r"\tilde{x}": {"kind": "vector"}})
 
 
-def test_what_a_symbol_depends_on_is_a_symbol() -> None:
+def test_a_symbol_depends_on_symbols_only() -> None:
     specs = {"q": {"kind": "scalar"}, "f": {"kind": "scalar", "of": ["q", r"\dot{q}"]}}
     with pytest.raises(SpecError, match="expected one symbol") as error:
         SymbolTable.build(specs)

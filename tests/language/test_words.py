@@ -26,7 +26,7 @@ TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in (WORDS | LETTE
 
 
 @pytest.mark.parametrize("name", WORDS)
-def test_what_is_printed_is_read_as_the_same(name: str) -> None:
+def test_printed_words_read_back(name: str) -> None:
     for text in (name, rf"m {name}", rf"\dot{{{name}}}", rf"m \dot{{{name}}} m"):
         term = read_term(text, TABLE)
         assert read_term(to_latex(term), TABLE) == term

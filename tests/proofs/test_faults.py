@@ -19,7 +19,7 @@ def claims():
     return find_paper(None).claims
 
 
-def test_what_is_not_right_has_a_fault(claims):
+def test_every_wrong_claim_has_a_fault(claims):
     wrong = [c for c in claims if c.expected not in (Outcome.PROVED, Outcome.ARGUED)]
     wrong += [c for c in claims if c.reading or c.corrected or c.hypothesis]
     assert len(wrong) > 90
@@ -86,7 +86,7 @@ def test_one_slip_is_one_fault(claims):
 
 
 @pytest.mark.skipif(not CHAPTER.is_file(), reason="the chapter's text is not beside the checkout")
-def test_what_is_changed_is_printed(claims):
+def test_edits_change_printed_text(claims):
     text = re.sub(r"\s|&|\\,", "", CHAPTER.read_text("utf-8"))
     for claim in claims:
         if claim.mend.beside:

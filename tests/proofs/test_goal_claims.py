@@ -90,7 +90,7 @@ def test_another_goal_is_not_shown_by_the_proof(name, old, new):
     assert verdict(name, goal.replace(old, new, 1)).outcome == Outcome.UNCHECKED
 
 
-def test_what_joins_a_goal_in_prose_is_argued_and_never_proved():
+def test_a_goal_joined_in_prose_is_argued_not_proved():
     judge = PaperJudge(find_paper(), motions=False)
     result = judge.result(CLAIMS["80.series"])
     judge.close()

@@ -115,7 +115,7 @@ def test_no_premise_of_a_goal_is_idle(claim):
 
 
 @pytest.mark.parametrize("claim", REFUTED)
-def test_what_stands_against_a_goal_stands_against_no_idle_one(claim):
+def test_a_refutation_does_not_refute_an_idle_goal(claim):
     goal = with_idle_conclusions(claim.goal.goal)
     expected = Outcome.REFUTED if _asks_for_one_only(goal) else Outcome.UNCHECKED
     assert outcome(claim, goal, theorem(claim)) == expected

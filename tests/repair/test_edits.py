@@ -21,7 +21,7 @@ def right():
     return right_claims(find_paper())
 
 
-def test_what_stands_at_a_place_put_there_changes_nothing(right):
+def test_replacing_a_subterm_by_itself_changes_nothing(right):
     for _, formula in right:
         for place, term in places(formula.statement):
             assert subterm(formula.statement, place) == term

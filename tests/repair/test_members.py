@@ -52,5 +52,5 @@ def test_no_repair_dresses_a_falsehood_up(latex):
 @pytest.mark.parametrize(
     "latex", [r"R S = S R", r"a \cdot b = b \cdot a, R S \in SO(3)", r"R S \in SO(3) = T"]
 )
-def test_what_says_more_is_no_membership(latex):
+def test_compound_formulas_are_no_memberships(latex):
     assert membership(latex) is None

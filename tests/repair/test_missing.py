@@ -87,7 +87,7 @@ TELLING = [
 ]
 
 
-def test_what_says_nothing_is_told_from_what_says_something(paper):
+def test_vacuous_statements_are_recognized(paper):
     claim = next(claim for claim in paper.claims if claim.id == "58.det")
     screen = screen_of(claim)
     for text in (*VACUOUS, *IDLE, *TELLING):

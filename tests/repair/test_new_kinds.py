@@ -51,5 +51,5 @@ def test_damage_is_found(damaged: str, right: str) -> None:
 
 
 @pytest.mark.parametrize("formula", ["1 = 2", r"m \ddot{r} = m g"])
-def test_what_is_no_misprint_gets_no_other_form(formula: str) -> None:
+def test_formulas_without_a_misprint_get_no_proposal(formula: str) -> None:
     assert check(formula, SYMBOLS).repair().proposals == []

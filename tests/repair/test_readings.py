@@ -99,7 +99,7 @@ def test_a_garbled_formula_is_put_right(right, old, new, said):
 
 
 @pytest.mark.parametrize("right", sorted({entry[0] for entry in GARBLED}))
-def test_what_can_be_read_has_one_spelling(right):
+def test_a_readable_formula_has_one_spelling(right):
     (spelling,) = spellings(right, notation().symbols, frozenset())
     assert spelling.changes == () and spelling.lines == parse(right)
 

@@ -102,7 +102,7 @@ def test_proposals_for_damaged_claims_are_proved(paper):
     assert good >= 0.75 * SAMPLE
 
 
-def test_what_nothing_near_makes_true_gets_no_proposal():
+def test_formulas_far_from_the_truth_get_no_proposal():
     found = check(r"a = b + c", symbols={"a": "vector", "b": "vector", "c": "vector"}).repair()
     assert found.complete
     for proposal in found.proposals:

@@ -26,7 +26,7 @@ OTHERS = [
 
 
 @pytest.mark.parametrize("latex", [*FORMULAS, *OTHERS])
-def test_what_is_spelled_is_read_again(latex: str) -> None:
+def test_spelled_trees_parse_again(latex: str) -> None:
     for line in split_lines(latex):
         spelled = latex_of(parse(line.latex))
         assert latex_of(parse(spelled)) == spelled

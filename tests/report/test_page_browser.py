@@ -149,7 +149,7 @@ def test_nothing_is_asked_of_another_host(browser: Browser, page: Served) -> Non
     assert others == []
 
 
-def test_a_stopped_server_is_told_and_the_text_kept(browser: Browser, tmp_path: Path) -> None:
+def test_a_stopped_server_is_reported_and_the_text_kept(browser: Browser, tmp_path: Path) -> None:
     path = tmp_path / "paper.tex"
     path.write_text(TEXT)
     tab = Tab(browser)

@@ -141,7 +141,7 @@ def test_an_equation_is_as_bad_as_its_worst_line():
     assert document.equations[0].state.name == "error"
 
 
-def test_every_part_of_an_erratum_is_told(texts):
+def test_every_part_of_an_erratum_is_shown(texts):
     for name in ("report.html", "report.md", "erratum.tex"):
         for expected in ("Misprints", "Conditions missing", "Counterexample", "read", "hanges also"):
             assert expected in texts[name], (name, expected)
@@ -173,7 +173,7 @@ def test_errors_list_their_heirs_and_skip_shared_corrections():
     assert document.entries[3].rests_on == (("Eq. (2)", "claim-2"),)
 
 
-def test_a_verdict_that_is_not_the_expected_one_is_told(texts):
+def test_an_unexpected_verdict_is_shown(texts):
     for name in ("report.html", "report.md"):
         assert "Not the expected verdict" in texts[name]
         assert texts[name].count("expected argued, got proved") == 1
@@ -211,7 +211,7 @@ def test_values_name_letters_in_the_typeface_of_the_formula(name, said, shown):
 REASONED = Mend(add=r"where $a \neq 0$", example="For $a = 2$ it is false.")
 
 
-def test_what_people_wrote_stands_for_what_the_machine_says():
+def test_handwritten_reasons_replace_generated_ones():
     example = {"values": {"a": ["7"]}, "lhs": ["1"], "rhs": ["0"]}
     lines = [
         claim("1", "1", "1", "refuted", printed="a", mend=REASONED, counterexample=example),
@@ -236,7 +236,7 @@ def test_a_counterexample_shows_values_of_defined_symbols():
 
 
 @pytest.mark.parametrize("verdict", ["unchecked", "ill-formed"])
-def test_no_place_in_the_source_is_told_as_a_reason(verdict):
+def test_reasons_contain_no_source_positions(verdict):
     unknown = SyntaxCode.UNKNOWN_SYMBOL_CLOSE(text="x", close="y").at(1, 25)
     reason = SyntaxCode.CANNOT_BE_READ(why=unknown)
     texts = render.render(*report_of([claim("1", "1", "1", verdict, printed="a", reason=reason)]))

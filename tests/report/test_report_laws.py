@@ -203,7 +203,7 @@ def test_font_has_every_character_of_a_formula():
 
 
 @pytest.mark.parametrize("outcome", list(Outcome))
-def test_each_verdict_is_told_in_words_for_outsiders(outcome):
+def test_each_verdict_has_words_for_new_readers(outcome):
     right = {"latex": "b = a", "verdict": "proved"}
     forms = {"refuted": {"corrected": right}, "ill-formed": {"reading": right}}.get(outcome, {})
     forms |= {"argued": {"argued": "prose"}, "conditional": {"hypothesis": "a = 0"}}.get(outcome, {})

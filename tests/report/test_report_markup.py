@@ -75,7 +75,7 @@ def test_text_of_the_erratum_note(plain, latex):
 
 
 @pytest.mark.parametrize("character", ["漢", "ſ", "\ue001"])
-def test_what_latex_cannot_set_is_an_error(character):
+def test_characters_that_latex_cannot_typeset_are_errors(character):
     with pytest.raises(ReportError, match=f"U\\+{ord(character):04X}"):
         erratum_note.escaped(f"a {character}")
 

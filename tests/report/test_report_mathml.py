@@ -120,7 +120,7 @@ def test_exactly_the_marked_leaves_are_marked(latex, data):
 
 
 @pytest.mark.parametrize("latex", [r"\mystery{x}", "a & b }", r"\input{x}", "50%", r"\frac{a}", "é"])
-def test_what_is_unknown_is_not_typeset(latex):
+def test_unknown_commands_are_not_typeset(latex):
     assert mathml(latex) is None
 
 

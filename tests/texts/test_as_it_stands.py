@@ -35,9 +35,7 @@ def displayed(*formulas: str) -> str:
         (r"\dot a = a \times b", "said", "refuted"),
     ],
 )
-def test_what_follows_from_nothing_has_no_excuse(
-    tmp_path: Path, claim: str, excused: str, alone: str
-) -> None:
+def test_a_closed_context_excuses_nothing(tmp_path: Path, claim: str, excused: str, alone: str) -> None:
     text = displayed("a = 2 d", "b = c", claim)
     model = "[symbols]\na = 'vector'\nb = 'vector'\nc = 'vector'\nd = 'vector'\nw = 'vector'\n"
     assert outcomes(tmp_path, text, model)[-1] == excused
@@ -185,7 +183,7 @@ def test_a_sentence_that_is_indented_is_none_of_the_display(tmp_path: Path) -> N
     assert outcomes(tmp_path, text, model, "rst") == ["definition", "proved"]
 
 
-def test_what_is_left_of_an_identity_is_no_law(tmp_path: Path) -> None:
+def test_an_identity_with_an_extra_term_is_no_law(tmp_path: Path) -> None:
     """The velocity of the middle of two links, with a term too much: it was a law, q̇_2 = 0, and the next row held by it."""
     text = displayed(
         r"v = l \dot{q}_1 e + l \dot{q}_2 d",

@@ -179,9 +179,7 @@ SPELLED = [
 
 
 @pytest.mark.parametrize(("written", "steps"), SPELLED)
-def test_what_stands_there_is_spelled_as_what_it_prints(
-    tmp_path: Path, written: str, steps: list[str]
-) -> None:
+def test_layout_commands_are_read_as_they_print(tmp_path: Path, written: str, steps: list[str]) -> None:
     path = tmp_path / "p.md"
     path.write_text(f"$$ {written} $$")
     (display,) = read_text(path).displays
@@ -254,7 +252,7 @@ def test_kinds_of_parts_labels_and_brackets(tmp_path: Path, text: str, kinds: di
     assert {name: guess.kind for name, guess in found.guesses.items()}.items() >= kinds.items()
 
 
-def test_what_frames_spell_is_guessed_no_more() -> None:
+def test_symbols_spelled_by_frames_are_not_guessed() -> None:
     """A symbol may be guessed before the frames that spell it are."""
     formula = r"\frac{{}^A d x}{dt} = {}^A R^B x"
     inference = infer([], Prose(""))
@@ -301,7 +299,7 @@ FALSE = [
 
 
 @pytest.mark.parametrize(("text", "why"), OPEN)
-def test_what_holds_for_a_special_symbol_is_not_refuted(tmp_path: Path, text: str, why: str) -> None:
+def test_claims_that_hold_for_a_special_symbol_are_not_refuted(tmp_path: Path, text: str, why: str) -> None:
     (tmp_path / "p.md").write_text(text)
     (tmp_path / "p.toml").write_text(MODEL)
     last = judge_paper(load_paper(tmp_path / "p.toml"))[-1].verdict
@@ -310,7 +308,7 @@ def test_what_holds_for_a_special_symbol_is_not_refuted(tmp_path: Path, text: st
 
 
 @pytest.mark.parametrize("text", FALSE)
-def test_what_holds_for_no_special_symbol_is_refuted(tmp_path: Path, text: str) -> None:
+def test_claims_that_hold_for_no_special_symbol_are_refuted(tmp_path: Path, text: str) -> None:
     (tmp_path / "p.md").write_text(text)
     (tmp_path / "p.toml").write_text(MODEL)
     assert Outcome.REFUTED in {
@@ -343,7 +341,7 @@ def test_memberships_of_products_are_claims_of_symbols_are_not(tmp_path: Path) -
     )
 
 
-def test_what_the_notation_spells_is_no_symbol() -> None:
+def test_spellings_of_the_notation_are_no_symbols() -> None:
     """A model with both would not load."""
     ground = SymbolTable().with_notations({"i": {"means": "2"}, "j": {"means": "3"}})
     guesses = {name: Guess(name, "scalar") for name in "ijm"}

@@ -102,7 +102,7 @@ def test_the_sentence_of_a_display_may_hold_others_before_it(tmp_path: Path) -> 
     assert verdicts(tmp_path, f"It is so for parallel vectors. But {displays}") == ["refuted"] * 2
 
 
-def test_the_condition_is_told_with_its_line(tmp_path: Path) -> None:
+def test_the_condition_is_shown_with_its_line(tmp_path: Path) -> None:
     (tmp_path / "p.tex").write_text(
         "\\newcommand{\\ff}{f}\nFor $\\ff \\neq 0$ it is\n\\[" + CANCELLED + "\\]"
     )

@@ -50,7 +50,9 @@ def verdict(folder: Path, formula: str, definitions: str = "", **more: str) -> V
 
 
 @pytest.mark.parametrize(("formula", "what", "false"), FORGOTTEN)
-def test_what_rests_or_turns_is_asked_for(tmp_path: Path, formula: str, what: str, false: str) -> None:
+def test_constant_or_rotating_symbols_are_proposed(
+    tmp_path: Path, formula: str, what: str, false: str
+) -> None:
     asked = verdict(tmp_path, formula)
     assert told(asked) == "said" or (told(asked) == "doubtful" and what in doubts(asked))
     assert verdict(tmp_path, false).outcome is Outcome.REFUTED
@@ -65,13 +67,13 @@ def test_it_may_stand_in_a_definition(tmp_path: Path) -> None:
     )
 
 
-def test_what_is_declared_free_does_neither(tmp_path: Path) -> None:
+def test_free_symbols_are_neither_constant_nor_rotating(tmp_path: Path) -> None:
     formula, _, _ = FORGOTTEN[0]
     assert verdict(tmp_path, formula, m="{ kind = 'scalar', free = true }").outcome is Outcome.REFUTED
     assert verdict(tmp_path, formula, m="{ kind = 'scalar', constant = true }").outcome is Outcome.PROVED
 
 
-def test_what_moves_in_the_formula_does_neither(tmp_path: Path) -> None:
+def test_moving_symbols_are_neither_constant_nor_rotating(tmp_path: Path) -> None:
     assert verdict(tmp_path, r"\frac{d}{dt}(m v) = m \dot{v} + 2 \dot{m} v").outcome is Outcome.REFUTED
     assert verdict(tmp_path, rf"{OF_R} = {TURNED} + 2 \dot{{r}}").outcome is Outcome.REFUTED
 
@@ -85,7 +87,7 @@ BEHIND = [
 
 
 @pytest.mark.parametrize(("definition", "formula", "what", "false"), BEHIND)
-def test_what_rests_may_stand_in_definitions_alone(
+def test_constant_symbols_may_occur_in_definitions_only(
     tmp_path: Path, definition: str, formula: str, what: str, false: str
 ) -> None:
     asked = verdict(tmp_path, formula, definition)

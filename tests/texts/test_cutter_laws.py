@@ -163,7 +163,7 @@ UNWORDED = {
 
 
 @pytest.mark.parametrize("display", UNWORDED)
-def test_what_stands_beside_a_formula_never_vanishes(tmp_path: Path, display: str) -> None:
+def test_text_beside_a_formula_is_never_dropped(tmp_path: Path, display: str) -> None:
     steps = [step for each in displays_of(tmp_path, display) for line in steps_of(each) for step in line]
     if (key := UNWORDED[display]) is not None:
         assert getattr(steps[0], key), display
@@ -243,7 +243,7 @@ def test_words_that_deny_a_formula_keep_it_from_being_claimed(tmp_path: Path, wo
     assert step.denied is not None
 
 
-def test_what_stands_in_a_group_stays_in_it(tmp_path: Path) -> None:
+def test_rows_are_not_split_inside_groups(tmp_path: Path) -> None:
     random = Random(2)
     for _ in range(COUNT):
         inner = f"{random.choice(TERMS)} = {random.choice(TERMS)}, \\quad {random.choice(TERMS)}"

@@ -239,7 +239,7 @@ CONCLUSIONS = [
 
 @pytest.mark.parametrize("how", ASSUMED)
 @pytest.mark.parametrize(("left", "right"), CONCLUSIONS)
-def test_an_assumed_conclusion_is_told(tmp_path: Path, left: str, right: str, how: str) -> None:
+def test_a_circular_condition_is_reported(tmp_path: Path, left: str, right: str, how: str) -> None:
     for place, letters in enumerate(ALPHABETS):
         form = FORMATS[place % len(FORMATS)]
         one, other = renamed(left, letters), renamed(right, letters)
@@ -296,7 +296,7 @@ POSSIBLE = [r"<f>^2 = 1", r"\cos <x> = 1", r"<a> \cdot <b> = 1"]
 
 
 @pytest.mark.parametrize(("letters", "form"), WRITTEN)
-def test_what_no_values_satisfy_says_nothing_of_a_symbol(
+def test_unsatisfiable_formulas_constrain_no_symbol(
     tmp_path: Path, letters: dict[str, str], form: str
 ) -> None:
     for formulas, expected in ((IMPOSSIBLE, "refuted"), (POSSIBLE, "said")):
@@ -336,7 +336,7 @@ ASSENTS = [r"\text{Note: } %s", r"\text{and } %s"]
 
 
 @pytest.mark.parametrize("words", DENIALS + ASSENTS)
-def test_words_that_deny_a_formula_are_seen(tmp_path: Path, words: str) -> None:
+def test_words_that_negate_a_formula_are_recognized(tmp_path: Path, words: str) -> None:
     for letters, form in WRITTEN:
         true = renamed(words % r"<a> \times <b> = -<b> \times <a>", letters)
         (verdict,) = verdicts(tmp_path, text_of([display(true, form)], form), model_of(letters, form), form)

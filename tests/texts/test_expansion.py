@@ -111,7 +111,7 @@ def test_overrides_win_over_the_text(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("test", [r"\z>1", r"1<\z", r"-1=\z"])
-def test_an_undecided_comparison_is_told_and_kept(tmp_path: Path, test: str) -> None:
+def test_an_undecided_comparison_is_reported_and_kept(tmp_path: Path, test: str) -> None:
     text = _read(tmp_path, "p.tex", rf"\[ \ifnum{test} a\else b\fi \]")
     (display,) = text.displays
     assert "first branch" in text.warnings[0].message and display.opaque == {"ifnum"}

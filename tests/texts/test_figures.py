@@ -80,7 +80,7 @@ def verdict(folder: Path, formula: str, definitions: str = "") -> Verdict:
 
 
 @pytest.mark.parametrize(("formula", "what", "false"), SHOWN)
-def test_what_a_figure_shows_is_asked_for(tmp_path: Path, formula: str, what: str, false: str) -> None:
+def test_relations_of_a_figure_are_proposed(tmp_path: Path, formula: str, what: str, false: str) -> None:
     asked = verdict(tmp_path, formula)
     expected = "conditional" if any(hint in what for hint in HINTS) else "doubtful"
     assert told(asked) == expected and what in doubts(asked)
@@ -93,7 +93,7 @@ def test_no_figure_excuses_what_is_false_with_it(tmp_path: Path, formula: str) -
     assert verdict(tmp_path, formula).outcome is Outcome.REFUTED
 
 
-def test_axes_of_which_only_definitions_speak_are_axes_too(tmp_path: Path) -> None:
+def test_axes_may_occur_in_definitions_only(tmp_path: Path) -> None:
     definitions = r"""
 '\mathbf{k}' = '\mathbf{i} \times \mathbf{j}'
 '\mathbf{a}' = 'x \mathbf{i} + y \mathbf{j}'

@@ -171,7 +171,7 @@ def test_only_formulas_within_the_length_limit_are_split():
 @pytest.mark.parametrize("side", [r"a \neq 0", r"c \geq 1", r"a &< b", r"x \in \mathbb{R}"])
 @pytest.mark.parametrize("behind", [r"d \neq 0", r"\text{if } d = 1", r"d > 0"])
 @pytest.mark.parametrize("rows", [r"a &= b \\ {}", r"{} \\ a &= b", r"a &= b \\ {} \\ c &= d"])
-def test_row_and_end_that_are_conditions_are_asked_about(side: str, behind: str, rows: str) -> None:
+def test_conditions_of_unclear_rows_raise_a_question(side: str, behind: str, rows: str) -> None:
     system = rf"\begin{{aligned}} {rows.format(side)} \end{{aligned}}"
     with pytest.raises(ReadError, match="of which row"):
         split_lines(f"{system}, {behind}")

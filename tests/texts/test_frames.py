@@ -227,7 +227,7 @@ def test_components_in_frames(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("phrase", ["k resolved in F", "2 resolved in F", "u", "u resolved in"])
-def test_what_is_no_vector_is_not_resolved(tmp_path: Path, phrase: str) -> None:
+def test_only_vectors_are_resolved_in_frames(tmp_path: Path, phrase: str) -> None:
     (tmp_path / "p.toml").write_text(DRAKE.replace('"u resolved in F"', f'"{phrase}"'))
     (tmp_path / "p.md").write_text("$$\nu = u\n$$\n")
     with pytest.raises(PaperError, match="a vector resolved in F"):
@@ -267,7 +267,7 @@ def test_orientations_that_are_none(tmp_path: Path, old: str, new: str, message:
     [(r"\dot{x} = x", "unchecked"), (r"\frac{{}^C d x}{dt} = x", "unchecked")],
     ids=["a dot in no frame", "no such frame"],
 )
-def test_what_names_no_frame_is_not_read(tmp_path: Path, formula: str, verdict: str) -> None:
+def test_formulas_without_known_frames_are_not_read(tmp_path: Path, formula: str, verdict: str) -> None:
     assert verdicts(tmp_path, [formula]) == [verdict]
 
 

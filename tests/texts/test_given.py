@@ -53,14 +53,14 @@ def test_its_derivatives_are_given(
     assert any(each.method == "given" and first in each.figures["formula"] for each in found.evidence)
 
 
-def test_what_is_open_says_what_is_given(tmp_path: Path) -> None:
+def test_open_claims_list_their_given_formulas(tmp_path: Path) -> None:
     found = verdict(tmp_path, r"\dot{x} = w", r"\dot{y} = w", r"\dot{f} = x")
     assert told(found) == "said"
     (given,) = (each for each in found.evidence if each.method == "given")
     assert given.figures == {"formula": r"\dot{x} = w, \dot{y} = w"}
 
 
-def test_what_holds_without_it_is_not_said_to_need_it(tmp_path: Path) -> None:
+def test_unneeded_given_formulas_are_not_listed(tmp_path: Path) -> None:
     found = verdict(tmp_path, r"\dot{x} = w", r"\dot{y} = w", r"x \times y = -y \times x")
     assert found.outcome == "proved" and all(each.method != "given" for each in found.evidence)
 
@@ -143,9 +143,7 @@ E = "scalar"
         (r"\ddot x = - \frac{k}{m} x + E", "said"),  # it may say what E is
     ],
 )
-def test_what_is_given_is_not_excused_by_what_else_is_said_of_it(
-    tmp_path: Path, formula: str, expected: str
-) -> None:
+def test_given_formulas_exclude_other_excuses(tmp_path: Path, formula: str, expected: str) -> None:
     """Stated twice, a false equation was conditional on itself, and excused as saying what m is."""
     text = [r"m \ddot x = - k x", r"\ddot x = - \frac{3 k}{m} x", formula, formula]
     (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in text))

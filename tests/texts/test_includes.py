@@ -56,7 +56,7 @@ def test_a_folder_outside_is_read_with_a_warning(tmp_path: Path, command: str, f
 
 @pytest.mark.parametrize("where", ["../gone", "FOLDER/gone", "gone", "~/gone", "$HOME/gone", r"\dir/gone"])
 @pytest.mark.parametrize("command", ["input", "include", "subfile"])
-def test_a_missing_file_is_told(tmp_path: Path, command: str, where: str) -> None:
+def test_a_missing_file_is_reported(tmp_path: Path, command: str, where: str) -> None:
     text = _read(tmp_path, f"Text.\n\\{command}{{{where}}} \\[ c = c \\]")
     assert _displays(text) == ["c=c"]
     assert (
@@ -65,7 +65,7 @@ def test_a_missing_file_is_told(tmp_path: Path, command: str, where: str) -> Non
     )
 
 
-def test_a_missing_style_is_told_where_it_has_a_folder(tmp_path: Path) -> None:
+def test_a_missing_style_in_a_folder_is_reported(tmp_path: Path) -> None:
     text = _read(tmp_path, r"\usepackage{../gone}\usepackage{amsmath}\[ c = c \]")
     assert [warning.message for warning in text.warnings] == ["no style or class '../gone' beside this one"]
 
@@ -90,7 +90,7 @@ NOT_READ = [
     ],
 )
 @pytest.mark.parametrize(("name", "written"), NOT_READ)
-def test_an_include_outside_of_tex_is_told(
+def test_an_include_outside_of_tex_is_reported(
     tmp_path: Path, name: str, written: str, where: str, what_to_do: str
 ) -> None:
     text = _read(tmp_path, f"Text.\n\n{written.format(where)}", name)

@@ -76,7 +76,7 @@ def test_kinds_are_those_with_which_the_formulas_fit(
     assert got.items() >= kinds.items()
 
 
-def test_what_only_a_sentence_defines_with_is_declared(tmp_path: Path) -> None:
+def test_symbols_of_definitions_in_sentences_are_declared(tmp_path: Path) -> None:
     said = "The angular momentum is $L$, where $L = J \\omega$ and $\\omega$ is a vector; also $E = m c$."
     found = ingested(tmp_path, f"{said}\n\n$$ \\dot{{L}} = \\tau $$")
     assert [(each.name, each.body) for each in found.definitions] == [("L", r"J \omega")]
@@ -94,7 +94,7 @@ The angular momentum is $\vect{L} = J \vect\Omega$ with an inertia tensor $J$.
 """
 
 
-def test_what_a_page_says_of_its_symbols_is_proposed(tmp_path: Path) -> None:
+def test_kinds_stated_by_a_page_are_proposed(tmp_path: Path) -> None:
     path = tmp_path / "p.tex"
     path.write_text(PAGE)
     found = ingest(path)

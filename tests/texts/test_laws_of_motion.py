@@ -52,7 +52,7 @@ FOLLOWING = [
 
 
 @pytest.mark.parametrize(("law", "follows", "does_not"), FOLLOWING)
-def test_what_follows_from_a_law_before_it_is_conditional_on_it(
+def test_consequences_of_an_earlier_law_are_conditional(
     tmp_path: Path, law: str, follows: str, does_not: str
 ) -> None:
     stated, held, failed = verdicts(tmp_path, law, follows, does_not)
@@ -107,7 +107,7 @@ def test_two_laws_for_one_rate_contradict_nothing(tmp_path: Path) -> None:
         assert told(each) == "said"
 
 
-def test_what_a_law_may_make_true_is_not_refuted(tmp_path: Path) -> None:
+def test_claims_that_a_law_may_imply_are_not_refuted(tmp_path: Path) -> None:
     """In motion without a torque, which words alone say, or by a law that stands behind."""
     rest = r"\frac{d}{dt} (\vec\omega \cdot J \vec\omega) = 0"
     for displays in ([EULER, rest], [rest, EULER]):
@@ -115,7 +115,7 @@ def test_what_a_law_may_make_true_is_not_refuted(tmp_path: Path) -> None:
         assert told(found) != "refuted"
 
 
-def test_what_is_false_whatever_the_law_is_refuted(tmp_path: Path) -> None:
+def test_claims_false_under_every_law_are_refuted(tmp_path: Path) -> None:
     *_, false = verdicts(tmp_path, r"\ddot x + x^2 = 0", r"\frac{d}{dt} (x \dot x \dot x) = \dot x^3")
     assert false.outcome is Outcome.REFUTED
     alone, *_ = verdicts(tmp_path, r"\frac{d}{dt} (m \dot x \dot x) = m \ddot x")
@@ -131,7 +131,7 @@ dot = "B"
 MOMENTUM = r"\frac{{}^N d}{dt} (J \vec\omega) = J \dot{\vec\omega} + \vec\omega \times J \vec\omega"
 
 
-def test_what_is_constant_has_no_rate_in_the_frame_of_the_dot(tmp_path: Path) -> None:
+def test_constants_have_no_rate_in_the_frame_of_the_dot(tmp_path: Path) -> None:
     turning = "'{}^F\\vec\\omega^G' = 'angular velocity of G in F'\n"
     told = MOMENTUM.replace(r"\vec\omega", r"{}^N\vec\omega^B")
     displays = (told, told.replace("= J", "= 2 J"), r"\dot J = 0", r"\frac{d}{dt} (J J) = 0")
@@ -173,7 +173,7 @@ def test_a_fact_on_a_rate_does_not_replace_its_law(tmp_path: Path) -> None:
     assert told(reversed_) == "refuted"
 
 
-def test_what_the_text_defines_is_named_without_its_laws(tmp_path: Path) -> None:
+def test_definitions_of_the_text_are_named_without_laws(tmp_path: Path) -> None:
     *_, found = verdicts(tmp_path, r"\ddot x = -k x", r"F = \frac{1}{2} \dot x^2", r"\dot F = \dot x \ddot x")
     assert found.outcome is Outcome.CONDITIONAL and "(L3)" in found.reason
 
@@ -223,7 +223,7 @@ def test_a_cart_and_its_pole(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("word", [r"= \text{const.}", r"\equiv \mathrm{const}", r"= \mbox{constant}"])
-def test_what_is_said_to_be_constant_has_no_rate(tmp_path: Path, word: str) -> None:
+def test_symbols_stated_constant_have_no_rate(tmp_path: Path, word: str) -> None:
     law, kept = r"\ddot y = k x \dot x", rf"\dot y - \frac{{k}}{{2}} x^2 {word}"
     _, found, steps, rest = verdicts(tmp_path, law, kept, rf"c + c = 2 c {word}")
     assert (found.outcome, found.hypothesis) == (Outcome.CONDITIONAL, r"\ddot{y} = k x \dot{x}")
@@ -233,6 +233,6 @@ def test_what_is_said_to_be_constant_has_no_rate(tmp_path: Path, word: str) -> N
     assert lost.outcome not in (Outcome.CONDITIONAL, Outcome.PROVED)
 
 
-def test_what_nothing_stands_before_is_not_said_to_be_constant(tmp_path: Path) -> None:
+def test_const_without_a_left_side_states_nothing(tmp_path: Path) -> None:
     for row in (r"\equiv \text{const}", r"x \equiv\equiv \text{const}"):
         assert all(told(found) != "refuted" for found in verdicts(tmp_path, "x = y", row)[1:])

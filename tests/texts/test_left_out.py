@@ -65,7 +65,7 @@ def test_a_symbol_that_is_declared_free_has_no_property(tmp_path: Path) -> None:
     assert result.verdict.outcome is Outcome.REFUTED
 
 
-def test_what_the_text_says_of_a_matrix_may_stand_for_an_example(tmp_path: Path) -> None:
+def test_a_matrix_of_numbers_may_be_an_example(tmp_path: Path) -> None:
     """It says what K is, of a free angle; what K makes then for some angle is an example, and one that holds
     for no angle, since nothing in K is free, is false."""
     applied = r"K \begin{bmatrix} 1 \\ 0 \end{bmatrix} = \begin{bmatrix} 0 \\ 1 \end{bmatrix}"

@@ -153,7 +153,7 @@ def test_code_and_comments_of_markdown_are_not_judged(tmp_path: Path, content: s
 
 
 @pytest.mark.parametrize("content", CODE)
-def test_what_follows_code_in_markdown_is_judged(tmp_path: Path, content: str) -> None:
+def test_displays_after_code_in_markdown_are_judged(tmp_path: Path, content: str) -> None:
     after = [] if "never closed" in content else ["a=b"]
     assert _displays(tmp_path, f"{content}\n\nText.\n\n$$a = b$$\n", "p.md") == after
 

@@ -46,7 +46,7 @@ def test_members_declared_one_by_one(tmp_path: Path, formula: str, expected: str
     assert (found if reads else "unread") == expected
 
 
-def test_what_a_figure_shows_of_them_is_asked_about(tmp_path: Path) -> None:
+def test_figure_relations_of_numbered_vectors_are_proposed(tmp_path: Path) -> None:
     formula = rf"e_i \cdot (e_i \times e_i) + e_i \cdot e_i = 1 {RANGE}"
     assert outcome(tmp_path, formula, VECTORS) == "refuted"
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"), motions=False)

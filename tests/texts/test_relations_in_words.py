@@ -46,7 +46,7 @@ def test_matrices_that_commute_are_a_premise(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("sentence", SENTENCES)
-def test_what_is_false_in_spite_of_it_is_refuted(tmp_path: Path, sentence: str) -> None:
+def test_claims_false_under_the_relation_are_refuted(tmp_path: Path, sentence: str) -> None:
     said = sentence.replace("W", "orthogonal").format("$a$", "$b$")
     assert verdict(tmp_path, said.replace("F", r"(a + b)^2 = a^2 + 2 b^2")).outcome is Outcome.REFUTED
     b_may_be_0 = said.replace("F", "(a + b)^2 = a^2")

@@ -46,7 +46,7 @@ def test_an_omitted_right_side_is_not_taken_from_the_next_row(tmp_path: Path) ->
     assert "y=z" in printed and "a=b" in printed and "v=w" in printed
 
 
-def test_what_an_earlier_scope_defines_may_not_fit_a_later_one(tmp_path: Path) -> None:
+def test_definitions_that_do_not_fit_a_later_scope_are_dropped(tmp_path: Path) -> None:
     (tmp_path / "p.md").write_text("# A\n\n$$ v = u $$\n\n# B\n\n$$ v = u $$\n\n# C\n\n$$ v = u $$\n")
     symbols = "source = 'p.md'\n[symbols]\nv = 'vector'\nu = 'vector'\nw = { kind = 'scalar', free = true }\n"
     scopes = "[[scope]]\nfrom = 'B'\nsymbols = { w = 'vector' }\ndefinitions = { u = 'v + w - w' }\n"
@@ -120,7 +120,7 @@ def test_rates_may_stand_among_the_arguments(tmp_path: Path) -> None:
         (r"\begin{bmatrix} 2 & \cdot \\ \cdot & 2 \end{bmatrix} = 2 \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}", "", "proved"),
     ],
 )  # fmt: skip
-def test_what_a_reader_may_take_otherwise_is_said(
+def test_formulas_with_another_reading_name_it(
     tmp_path: Path, formula: str, more: str, expected: str
 ) -> None:
     """\tilde{f} = f + g was ill-formed, f being a vector and its skew tensor none."""
@@ -177,7 +177,7 @@ def test_a_scope_may_use_what_is_defined_behind_the_place(tmp_path: Path) -> Non
     ]
 
 
-def test_what_a_scope_defines_in_a_circle_is_refused(tmp_path: Path) -> None:
+def test_circular_definitions_of_a_scope_are_rejected(tmp_path: Path) -> None:
     (tmp_path / "p.md").write_text("$$ r = 2 e $$\n\n$$ e = 2 r $$ (two)\n")
     (tmp_path / "p.toml").write_text(
         "source = 'p.md'\n[symbols]\nr = 'vector'\ne = 'vector'\n[definitions]\nr = '2 e'\n"

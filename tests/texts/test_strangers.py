@@ -171,7 +171,7 @@ DEFINED = (
 
 
 @pytest.mark.parametrize(("text", "why"), OPEN)
-def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
+def test_other_statements_of_the_text_keep_a_falsehood_open(
     tmp_path: Path, text: str, why: str | None
 ) -> None:
     (tmp_path / "p.md").write_text(text)
@@ -183,7 +183,7 @@ def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
 
 
 @pytest.mark.parametrize("text", [text for text, _ in OPEN])
-def test_what_is_declared_free_is_any_whatever_the_text_says(tmp_path: Path, text: str) -> None:
+def test_declared_free_symbols_ignore_the_text(tmp_path: Path, text: str) -> None:
     (tmp_path / "p.md").write_text(text)
     (tmp_path / "p.toml").write_text(MODEL.replace('" }', '", free = true }') + DEFINED)
     result = judge_paper(load_paper(tmp_path / "p.toml"))[-1]

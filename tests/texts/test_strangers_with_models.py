@@ -168,7 +168,7 @@ def test_a_declared_epsilon_is_a_symbol_if_nothing_is_dual(
         (r"\frac{1}{3} a = \frac{1}{4} a", "refuted"),
     ],
 )
-def test_what_is_rounded_is_not_false(tmp_path: Path, formula: str, expected: str) -> None:
+def test_rounded_values_are_not_false(tmp_path: Path, formula: str, expected: str) -> None:
     assert outcomes(tmp_path, f"$$ {formula} $$", "[symbols]\na = 'scalar'") == [expected]
 
 
@@ -209,7 +209,7 @@ def test_two_instants_are_two_values(tmp_path: Path) -> None:
     assert found == ["unchecked", "proved", "proved"]
 
 
-def test_an_alias_that_is_no_name_is_told_at_its_symbol(tmp_path: Path) -> None:
+def test_an_invalid_alias_is_reported_at_its_symbol(tmp_path: Path) -> None:
     with pytest.raises(PaperError, match="alias q1: q1: expected one symbol") as caught:
         outcomes(tmp_path, "$$ q_1 = 2 $$", "[symbols]\n'q_1' = { kind = 'scalar', aliases = ['q1'] }")
     assert caught.value.line == 3

@@ -91,7 +91,7 @@ def test_columns_of_rdjsonl_are_bytes(tmp_path: Path) -> None:
     assert json.loads(line)["location"]["range"]["start"] == {"line": 1, "column": 7}
 
 
-def test_a_text_of_which_nothing_is_read_ends_with_2(tmp_path: Path) -> None:
+def test_an_unreadable_text_has_exit_status_2(tmp_path: Path) -> None:
     path = tmp_path / "p.md"
     path.write_text("$$ \\foo = 1 $$\n")
     assert run("check", str(path)).exit_code == 2
@@ -156,7 +156,7 @@ def test_a_scope_keeps_fitting_definitions_in_any_order(tmp_path: Path) -> None:
         load_paper(tmp_path / "p.toml")
 
 
-def test_what_no_longer_fits_the_text_is_named_all_at_once(tmp_path: Path) -> None:
+def test_all_entries_that_no_longer_fit_the_text_are_named(tmp_path: Path) -> None:
     displays = "$$ a \\times b = b \\times a $$ (one)\n\n$$ a = a $$ (two)\n\n$$ a \\times a = 0 $$\n"
     (tmp_path / "p.md").write_text(displays)
     (tmp_path / "p.toml").write_text(
@@ -372,7 +372,7 @@ def test_an_unexpected_verdict_passes_unless_it_is_a_fault(tmp_path: Path) -> No
         ('["three", "L8"]', "[]", "at: expected a place, or a list of places"),
     ],
 )
-def test_what_a_model_says_of_faults_is_checked(tmp_path: Path, old: str, new: str, says: str) -> None:
+def test_fault_entries_of_a_model_are_checked(tmp_path: Path, old: str, new: str, says: str) -> None:
     assert old in MENDED
     path = faulty(tmp_path, MENDED.replace(old, new))
     for command in (["check", str(path), "--no-proposals"], ["verify", "--paper", str(path)]):
@@ -449,9 +449,7 @@ def test_claims_that_follow_from_the_text_are_not_refuted(
 @pytest.mark.parametrize(
     ("sentence", "verdict"), [("the function $g(N)$", "unchecked"), ("the vector $g$", "ill-formed")]
 )
-def test_a_function_of_which_a_sentence_speaks_is_no_factor(
-    tmp_path: Path, sentence: str, verdict: str
-) -> None:
+def test_a_function_named_in_a_sentence_is_no_factor(tmp_path: Path, sentence: str, verdict: str) -> None:
     (tmp_path / "p.md").write_text(f"Of {sentence} we know:\n\n$$ a = R \\, g(R^T b) $$\n")
     kinds = "'R' = 'rotation'\n" + "\n".join(f"'{name}' = 'vector'" for name in "abgN")
     (tmp_path / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{kinds}\n")

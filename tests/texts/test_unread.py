@@ -66,7 +66,7 @@ def test_a_formula_is_judged_with_the_value_that_the_text_gives(
 
 
 @pytest.mark.parametrize(("said", "formula"), OPEN)
-def test_what_says_more_leaves_a_falsehood_open(tmp_path: Path, said: str, formula: str) -> None:
+def test_unread_statements_keep_a_falsehood_open(tmp_path: Path, said: str, formula: str) -> None:
     assert outcomes(tmp_path, said, formula) == ["doubtful"]
 
 

@@ -104,5 +104,5 @@ def test_formulas_without_likeness_are_called_rewritten():
     assert difference(r"a + b + c", r"\rho \times \omega = 0").rewritten
 
 
-def test_what_cannot_be_taken_apart_has_no_difference():
+def test_formulas_without_atoms_have_no_difference():
     assert difference(r"\mystery", "a") is None

@@ -125,7 +125,7 @@ def test_formatting_is_no_difference(one, other):
         (r"\boldsymbol{\omega}", r"\omega"),
     ],
 )
-def test_what_means_something_else_differs(one, other):
+def test_formulas_with_different_meaning_differ(one, other):
     assert differ(one, other)
     assert differ(other, one)
 
@@ -141,7 +141,7 @@ def test_what_means_something_else_differs(one, other):
         (r"\tilde S t", r"\widetilde{S t}", r"[-\tilde{S}-] {+\widetilde{S+} t {+}+}"),
     ],
 )
-def test_what_differs_is_marked_in_plain_text(one, other, shown):
+def test_differences_are_marked_in_plain_text(one, other, shown):
     assert in_one_line(difference(one, other).parts).replace(" ", "") == shown.replace(" ", "")
 
 

@@ -79,13 +79,13 @@ STEP, OTHER = Step("f g", "g f", TRUE, "scalars"), Step("f", "g + h", FALSE, "sc
         ([("f g = g f", "proved")], ["proved", "vanished"]),
     ],
 )
-def test_wrong_verdicts_are_seen(claims: list[tuple[str, str]], kinds: list[str]) -> None:
+def test_wrong_verdicts_are_detected(claims: list[tuple[str, str]], kinds: list[str]) -> None:
     display = Shown("d0x", "align", "", [STEP, OTHER], [])
     seen = [Seen(f"d0xa.{at}", latex, outcome, "", 1) for at, (latex, outcome) in enumerate(claims)]
     assert [kind for kind, _, _ in compared(display, seen)] == kinds
 
 
-def test_what_is_not_printed_is_invented() -> None:
+def test_verdicts_on_unprinted_formulas_are_reported() -> None:
     display = Shown("d0x", "equation", "", [OTHER], [], printed=False)
     assert [kind for kind, *_ in compared(display, [Seen("d0xa", "f = g + h", "refuted", "", 1)])] == [
         "invented"

@@ -44,7 +44,7 @@ def test_sums_and_products_are_those_of_the_polynomials_in_many():
         assert bool(p.LC > 0) == bool(spread(packed, p).LC > 0)
 
 
-def test_what_is_in_a_polynomial():
+def test_generators_in_a_polynomial_are_found():
     alone = 0
     for packed, p, _, random in cases():
         place, x = random.choice(list(enumerate(packed.generators)))

@@ -95,7 +95,7 @@ def test_the_root_of_a_dual_number(square):
         (r"\sqrt{\varepsilon g} = 0", Outcome.UNCHECKED),
     ],
 )  # fmt: skip
-def test_what_is_said_of_roots_of_dual_numbers(latex, outcome):
+def test_roots_of_dual_numbers_are_judged(latex, outcome):
     assert check(latex, DUALS).outcome is outcome
 
 
@@ -110,7 +110,7 @@ QUOTIENTS = {"a": "vector", "b": "vector", "s": "scalar"}
         r"\frac{a}{\|\frac{a}{\|b\|} + b\|} = a",
     ],
 )
-def test_what_is_false_of_the_norm_of_a_quotient_is_refuted(formula: str) -> None:
+def test_false_norms_of_quotients_are_refuted(formula: str) -> None:
     assert check(formula, symbols=QUOTIENTS).outcome is Outcome.REFUTED
 
 
@@ -122,7 +122,7 @@ def test_what_is_false_of_the_norm_of_a_quotient_is_refuted(formula: str) -> Non
         r"\|\frac{a}{s^2 + 1}\| (s^2 + 1) = \|a\|",
     ],
 )
-def test_what_is_true_of_it_is_not(formula: str) -> None:
+def test_true_norms_of_quotients_are_not_refuted(formula: str) -> None:
     assert check(formula, symbols=QUOTIENTS).outcome is not Outcome.REFUTED
 
 

@@ -88,7 +88,7 @@ def told(terms, definitions):
 
 
 @pytest.mark.parametrize("latex", INVENTORIES)
-def test_what_stands_in_a_term(latex):
+def test_the_inventory_of_a_term_is_complete(latex):
     assert told([term(latex)], DEFINITIONS) == INVENTORIES[latex]
 
 
@@ -120,7 +120,7 @@ def test_the_inventory_of_two_terms_is_the_union(one):
         (r"\sin f", True),
     ],
 )
-def test_what_never_divides(latex, never):
+def test_terms_without_division_are_recognized(latex, never):
     assert never_divides(read_term(latex, TABLE, {"n": 0})) == never
 
 
@@ -177,7 +177,7 @@ def test_scalars_multiplied_out(latex, products):
         (r"\widetilde{\underline{a}}", None, None),
     ],
 )
-def test_what_an_exponential_is_taken_of(latex, turn, vector):
+def test_angle_and_axis_of_an_exponential_are_found(latex, turn, vector):
     table = TABLE.build(KINDS | {r"\underline{f}": {"kind": "dual scalar"}})
     read = read_term(latex, read_definitions(DEFINED, table)[1], {})
     found = angle_and_axis(read, DEFINITIONS)
@@ -213,7 +213,7 @@ def test_of_an_angle_that_is_divided_the_part_is_free():
         ("r", 2, [("value", 3, 1), ("slope1", 6, 1), ("slope2", 9, 1)]),
     ],
 )
-def test_what_a_symbol_depends_on(latex, order, found):
+def test_the_parts_that_a_symbol_depends_on_are_found(latex, order, found):
     assert list(parts(term(latex), order)) == found
 
 
@@ -232,7 +232,7 @@ def test_what_a_symbol_depends_on(latex, order, found):
         (r"e^{\frac{f}{2}} e^{\frac{f}{3}} = e^k", [r"e^{\frac{1}{6} f} \neq 0"]),
     ],
 )
-def test_what_is_supposed_of_exponentials(formula, supposed):
+def test_exponentials_get_their_premises(formula, supposed):
     (said,) = read_formula(formula, TABLE, {}).statements
     assert list(map(to_latex, without_exponentials(said, DEFINITIONS).supposed)) == supposed
 
@@ -240,7 +240,7 @@ def test_what_is_supposed_of_exponentials(formula, supposed):
 @pytest.mark.parametrize(
     "formula", ["e^{21 f} = g", r"\frac{d^5}{dt^5} e^f = g", r"g = \frac{d}{dt} \frac{d^4}{dt^4} e^f"]
 )
-def test_what_is_not_supposed_of_them(formula):
+def test_unsupported_exponentials_are_not_exact(formula):
     (said,) = read_formula(formula, TABLE, {}).statements
     with pytest.raises(NotExact):
         without_exponentials(said, DEFINITIONS)

@@ -86,7 +86,7 @@ def test_of_any_angle_it_is_false(arc):
     assert verdict.counterexample.left != verdict.counterexample.right
 
 
-def test_what_is_no_free_angle_has_no_witness():
+def test_a_sum_of_angles_has_no_branch_witness():
     verdict = judged(r"\alpha + \beta = \arccos f", [r"\cos(\alpha + \beta) = f"])
     assert verdict.outcome == Outcome.UNCHECKED
     assert verdict.reason == r"holds up to the branch: where 0 \leq \alpha + \beta \leq \pi"

@@ -32,7 +32,7 @@ def polynomial(random, degree):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_what_is_in_the_ideal_follows(seed):
+def test_members_of_the_ideal_follow(seed):
     random = Random(seed)
     p, q = (polynomial(random, 2) for _ in range(2))
     x, y = (polynomial(random, 1) for _ in range(2))
@@ -84,12 +84,12 @@ FALSE = [
 
 
 @pytest.mark.parametrize("latex", TRUE)
-def test_what_textbooks_conclude(latex):
+def test_textbook_consequences_are_proved(latex):
     assert outcome(latex) == Outcome.PROVED
 
 
 @pytest.mark.parametrize("latex", FALSE)
-def test_what_does_not_follow(latex):
+def test_false_consequences_are_refuted(latex):
     assert outcome(latex) == Outcome.REFUTED
 
 
@@ -114,7 +114,7 @@ def test_terms_of_one_value_turn_alike(latex):
 
 
 @pytest.mark.parametrize("latex", [r"f^2 + g^2 = 0 \Rightarrow f = 0", r"f^3 = g^3 \Rightarrow f = g"])
-def test_what_only_real_numbers_obey_is_open(latex):
+def test_consequences_over_the_reals_only_are_unchecked(latex):
     assert outcome(latex) == Outcome.UNCHECKED
 
 
@@ -134,7 +134,7 @@ def test_a_limit_is_not_seen_from_beside_where_an_equation_holds(latex):
     assert checked.verdict.evidence
 
 
-def test_what_the_second_engine_does_not_see_is_open(monkeypatch):
+def test_a_consequence_of_one_engine_only_is_unchecked(monkeypatch):
     monkeypatch.setattr(consequences, "recheck", lambda *_: False)
     verdict = judged(r"f a = f b \Rightarrow f (a \cdot c) = f (b \cdot c)")
     assert verdict.outcome == Outcome.UNCHECKED and "the second engine does not see" in verdict.reason
@@ -148,7 +148,7 @@ def test_what_the_second_engine_does_not_see_is_open(monkeypatch):
         r"n \cdot m = 0 \Rightarrow (\exp(\tilde{a}) n) \cdot (\exp(\tilde{a}) m) = 0",
     ],
 )
-def test_what_no_equation_speaks_of_is_seen_from_beside(latex):
+def test_identities_beside_unrelated_equations_are_proved(latex):
     assert outcome(latex) == Outcome.PROVED
 
 

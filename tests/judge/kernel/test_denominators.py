@@ -21,7 +21,7 @@ NESTED = [
 
 
 @pytest.mark.parametrize(("latex", "assume"), NESTED)
-def test_what_is_excluded_is_no_gap(latex, assume):
+def test_an_excluded_zero_leaves_no_condition(latex, assume):
     assert judged(latex, assume).outcome == Outcome.PROVED
 
 
@@ -48,7 +48,7 @@ def test_negative_powers(latex, assume, orders, outcome):
     assert judged(latex, assume, orders=Orders.parse(orders)).outcome == outcome
 
 
-def test_what_is_conditional_is_seen_by_both_engines():
+def test_conditional_verdicts_have_evidence_of_both_engines():
     evidence = [e.method for e in judged(r"\frac{f g}{f} = g").evidence]
     assert any("FLINT" in method for method in evidence) and any("SymPy" in method for method in evidence)
 

@@ -100,7 +100,7 @@ def told(verdict):
 
 
 @pytest.mark.parametrize("latex", SAID)
-def test_what_was_checked(latex):
+def test_the_evidence_lists_the_checks(latex):
     assert told(judged(latex)) == SAID[latex]
 
 
@@ -159,7 +159,7 @@ FAMILIES = {
 
 
 @pytest.mark.parametrize("latex", FAMILIES)
-def test_what_was_checked_for_each_n(latex):
+def test_the_evidence_lists_the_checks_for_each_n(latex):
     verdict = judged(latex, orders=Orders.parse("n = 1..3"), definitions=PHI, table=PHI_TABLE)
     assert told(verdict) == FAMILIES[latex]
 
@@ -190,7 +190,7 @@ FALSE_RECHECKS = [
 
 
 @pytest.mark.parametrize(("module", "name", "latex"), FALSE_RECHECKS)
-def test_what_one_engine_alone_sees_is_a_disagreement(monkeypatch, module, name, latex):
+def test_a_result_of_one_engine_alone_is_a_disagreement(monkeypatch, module, name, latex):
     assert judged(latex).outcome == Outcome.PROVED
     monkeypatch.setattr(module, name, lambda *arguments: False)
     with pytest.raises(EngineDisagreement):
@@ -247,7 +247,7 @@ MEANS = {
 
 
 @pytest.mark.parametrize("latex", MEANS)
-def test_what_else_was_used_is_told(latex):
+def test_the_evidence_lists_other_methods(latex):
     symbols = {name: "vector" for name in "ab"} | {name: "scalar" for name in "fgxy"}
     found = check(latex, symbols=symbols | {r"\delta": {"kind": "scalar", "small": True}})
     assert told(found.verdict) == MEANS[latex]

@@ -37,7 +37,7 @@ def family(random):
 
 
 @pytest.mark.parametrize("seed", range(15))
-def test_what_does_not_agree_with_the_recurrence_is_apart(seed):
+def test_members_that_contradict_the_recurrence_are_exceptions(seed):
     random = Random(seed)
     entries, lowest, apart = family(random)
     judge, table = defined(entries)

@@ -77,7 +77,7 @@ def test_statements_about_the_same_share_an_engine():
         r"f (f \mathbf{I})^{-1} a = a",
     ],
 )
-def test_what_divides_or_takes_a_root_or_turns_shares_none(other):
+def test_statements_with_divisions_share_no_engine(other):
     """Its engine remembers what it divided by, and the next statement would be asked for it."""
     judge = Judge(Definitions())
     for latex in (other, r"f a = a f", other):

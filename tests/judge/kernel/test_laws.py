@@ -233,12 +233,12 @@ def test_a_sum_along_fixed_axes_is_free(formula: str, named: str | None) -> None
         assert f"states a law for {named}," in (said.verdict.reason or "")
 
 
-def test_what_a_definition_names_is_still_in_a_law() -> None:
+def test_laws_of_defined_symbols_are_found() -> None:
     said = check(r"\dot{L} + \omega \times L = \mathbf{0}", SYMBOLS, definitions=[r"L = J \omega"])
     assert said.outcome == Outcome.UNCHECKED and r"a law for \dot{\omega}," in said.verdict.reason
 
 
-def test_what_a_definition_ties_is_no_law() -> None:
+def test_an_equation_between_defined_symbols_is_no_law() -> None:
     definitions = {"k": r"\operatorname{vect}(\dot{R} R^T)"}
     symbols = {"R": "rotation", "a": "vector"}
     assert check(r"\dot{R} = \tilde{k} R", symbols, definitions=definitions).outcome == Outcome.PROVED

@@ -85,7 +85,7 @@ def test_equal_angles_have_equal_sines_also_where_they_move(premise, true, false
 
 
 @pytest.mark.parametrize("premise", [r"\|a\| = 1", r"1 = \|a\|^2", "a^2 = 1", r"a \cdot a = 1", r"1 = a^T a"])
-def test_what_has_length_1_is_a_unit_vector(premise):
+def test_a_premise_on_the_length_gives_a_unit_vector(premise):
     true = r"\exp(x \tilde{a}) = \mathbf{I} + \tilde{a} \sin x + \tilde{a}^2 (1 - \cos x)"
     assert check(true, symbols=SYMBOLS, assume=[premise]).outcome is Outcome.PROVED
     assert check(true.replace("1 -", "1 +"), symbols=SYMBOLS, assume=[premise]).outcome is Outcome.REFUTED
@@ -96,7 +96,7 @@ def test_what_has_length_1_is_a_unit_vector(premise):
 
 
 @pytest.mark.parametrize("premise", [r"\cos x = 0", "y = 1", r"x \neq 0", "x + \\cos x = 1", "a = b"])
-def test_what_equates_no_angles_says_nothing_of_sines(premise):
+def test_only_equations_of_angles_give_equal_sines(premise):
     table = SymbolTable().with_specs(
         SYMBOLS | {name: {"kind": spec} for name, spec in SYMBOLS.items() if isinstance(spec, str)}
     )
@@ -128,7 +128,7 @@ FREE = {"kind": "scalar"}
         (r"\underline{x} = y", r"\underline{x} = z", {r"\underline{x}": {"kind": "dual scalar"}, "y": {**FREE, "constant": True}}),
     ],
 )  # fmt: skip
-def test_what_does_not_define_a_symbol(premise, claim, more):
+def test_unsolvable_premises_define_no_symbol(premise, claim, more):
     symbols = {key: {"kind": spec} if isinstance(spec, str) else spec for key, spec in SYMBOLS.items()}
     table = SymbolTable().with_specs({**symbols, **more})
     found = []

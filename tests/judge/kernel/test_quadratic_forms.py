@@ -79,7 +79,7 @@ def test_the_coefficients_are_those_that_were_written(seed):
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_what_is_solved_is_a_solution_and_what_is_free_is_0(seed):
+def test_solutions_solve_the_system_with_free_unknowns_0(seed):
     random = Random(seed)
     size = random.randint(1, 4)
     matrix = symmetric(random, size, random.randint(1, size))
@@ -139,7 +139,7 @@ PERHAPS_NEGATIVE = [
 
 
 @pytest.mark.parametrize("latex", [*NOT_NEGATIVE, *PERHAPS_NEGATIVE])
-def test_what_is_seen_not_to_be_negative(latex):
+def test_nonnegative_terms_are_recognized(latex):
     table = SymbolTable.build(
         {key: {"kind": "scalar"} for key in "fg"}
         | {key: {"kind": "vector"} for key in "ab"}
@@ -176,7 +176,7 @@ DEFINE = "{} may depend on {}, which varies; define it"
         (r"\min_{\omega \in V_3} (\omega + x_\omega)^2 = 0", DEFINE.format(r"x_{\omega}", r"\omega")),
     ],
 )
-def test_what_depends_unseen_on_what_varies_is_refused(latex, reason):
+def test_hidden_dependence_on_the_variable_is_unchecked(latex, reason):
     found = verdict(latex, table=MOVED)
     assert (found.outcome, found.reason) == (Outcome.UNCHECKED, reason)
 
@@ -189,7 +189,7 @@ def test_what_depends_unseen_on_what_varies_is_refused(latex, reason):
         r"\min_{a \in V_3} (h + a^2) = h",
     ],
 )
-def test_what_does_not_depend_on_it_varies_not(latex):
+def test_independent_symbols_do_not_vary(latex):
     table = replace(
         MOVED, symbols=MOVED.symbols | SymbolTable.build({"T": {"kind": "tensor", "uniform": True}}).symbols
     )

@@ -107,7 +107,7 @@ def test_distinct_indices_respect_the_bounds_of_sums():
     assert [(v["i"], v["j"], v["n"]) for v in found] == [(1, 2, 1), (1, 2, 2), (2, 1, 1), (2, 1, 2)]
 
 
-def test_what_holds_addend_by_addend_says_so():
+def test_a_proof_by_addends_is_named_in_the_evidence():
     (said,) = read(r"\sum_{k=i}^{n} (f + g)^2 = \sum_{k=i}^{n} (f^2 + 2 f g + g^2)", TABLE, frozenset("in"))
     found = judge_addends(Judge(FREE), said)
     assert (found.outcome, found.scope) == (Outcome.PROVED, "all i, n")

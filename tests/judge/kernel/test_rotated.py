@@ -93,7 +93,7 @@ def both(latex):
 
 
 @pytest.mark.parametrize("latex", REWRITTEN)
-def test_a_dear_relation_is_proved_by_a_cheaper_one(always, latex):
+def test_an_expensive_relation_is_proved_by_a_cheaper_one(always, latex):
     verdict = judged(latex)
     assert verdict.outcome == Outcome.PROVED, verdict
     assert [e.method for e in verdict.evidence].count("rotated frame") == 1
@@ -101,7 +101,7 @@ def test_a_dear_relation_is_proved_by_a_cheaper_one(always, latex):
 
 
 @pytest.mark.parametrize("latex", [*REWRITTEN, r"(R T R^T)^{-1} R = R T^{-1}", r"(T^{-1} S)^{-1} = S T^{-1}"])
-def test_what_was_rewritten_differs_by_a_rotation_at_most(always, latex):
+def test_a_rewritten_relation_differs_by_a_rotation_only(always, latex):
     """At each point the two sides differ by as much, and are undefined together."""
     for false in (latex, latex.replace("=", "+ 0 =").replace("S", "T")):
         statement, cheaper = both(false)
@@ -131,7 +131,7 @@ def test_a_false_relation_is_refuted(always, latex):
     assert judged(latex).outcome == Outcome.REFUTED
 
 
-def test_what_need_not_exist_is_conditional():
+def test_a_possibly_undefined_inverse_is_conditional():
     inverse = r"(\underline{R} T \underline{R}^T)^{-1} = \underline{R} T^{-1} \underline{R}^T"
     verdict = judged(inverse)
     assert verdict.outcome == Outcome.CONDITIONAL

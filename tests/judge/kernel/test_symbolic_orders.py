@@ -81,7 +81,7 @@ def test_a_hypothesis_and_a_denominator_are_of_all_n():
 
 
 @pytest.mark.parametrize("latex", NOT_ALL_N)
-def test_what_fails_for_some_n_is_refuted(latex):
+def test_claims_that_fail_for_some_n_are_refuted(latex):
     """Each holds for n = 0, or at least at some points."""
     found = check(latex, symbols=SYMBOLS | {"x": {"kind": "vector"}}, orders="n = 0..2")
     assert found.outcome == Outcome.REFUTED
@@ -151,7 +151,7 @@ def test_of_other_kinds_it_is_any_of_that_type(kind):
     assert (free.type, free.declaration.transform, free.declaration.unit) == (term.type, False, False)
 
 
-def test_what_linearity_makes_one_term_is_said_as_a_difference():
+def test_linear_derivatives_are_compared_as_a_difference():
     """Where both sides are one term as printed, they stay so: that is no claim."""
 
     def said(latex):

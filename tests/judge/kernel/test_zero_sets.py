@@ -59,7 +59,7 @@ def test_an_equation_is_not_equivalent_to_an_inequation(right):
     assert judged(rf"f = 0 \Leftrightarrow {right}").outcome == Outcome.REFUTED
 
 
-def test_what_is_not_0_must_be_defined():
+def test_a_nonzero_quotient_must_be_defined():
     assert judged(r"f \neq 0 \Rightarrow \frac{f}{g} \neq 0").outcome == Outcome.CONDITIONAL
     assert judged(r"\frac{f}{g} \neq 0 \Rightarrow f \neq 0").outcome == Outcome.PROVED
 
@@ -72,7 +72,7 @@ def test_a_claim_that_needs_a_lasting_premise_asks_its_author():
     assert judged(r"f = 1 \Rightarrow f g = g").outcome == Outcome.PROVED
 
 
-def test_what_is_assumed_may_last_too():
+def test_an_assumption_may_hold_at_all_times():
     """An assumption is a premise: it, too, is supposed at the instant, and may be meant for all times."""
     table = TABLE.with_specs({"v": {"kind": "vector"}, r"\theta": {"kind": "scalar"}})
     definition, known = read_definition("v", r"f a + \dot{\theta} b", table)

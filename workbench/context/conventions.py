@@ -206,7 +206,7 @@ _PLAIN = "wxyz"
 def _of_length_one(subject: Subject) -> Iterator[Made]:
     """Yields unit sets: 2 to 4 numbers of one letter, the numbers x, y, z, w, or a number and a vector."""
     numbers = _numbers(subject)
-    vectors = [s for s in subject.free if s.type.kind == "vector"]
+    vectors = [s for s in subject.free if s.type.kind == "vector" and not s.declaration.unit]
     groups: dict[str, list[Symbol]] = {}
     for own in numbers:
         name = own.declaration.name

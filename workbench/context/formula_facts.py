@@ -24,24 +24,36 @@ from workbench.source.documents import Display
 def with_acts(claims: Sequence[Claim]) -> list[Claim]:
     """Returns the claims with their acts; a constraint that another claim cites as given is a postulate."""
     given = {formula.statement for claim in claims for formula in claim.given}
-    moving = _moving_names(claims)
+    moving = _moving_by_scope(claims)
     made = []
     for claim in claims:
         statement = claim.printed.statement
         if statement is not None:
             is_given = statement in given and constrains(statement, claim.notation.definitions)
             act = (Act.POSTULATE, claim.act[1]) if is_given else claim.act
-            claim = replace(claim, moving=moving, act=act)
+            claim = replace(claim, moving=moving[id(claim.notation)], act=act)
         made.append(claim)
     return made
 
 
-def _moving_names(claims: Sequence[Claim]) -> frozenset[Name]:
-    """Returns the names of the symbols whose rates the formulas write."""
-    statements = (claim.printed.statement for claim in claims if claim.printed.statement is not None)
-    terms = (term for statement in statements for term in terms_of(statement))
-    rates = (part for term in terms if isinstance(term, Derivative) for part in term.walk())
-    return frozenset(part.declaration.name for part in rates if isinstance(part, Symbol))
+def _moving_by_scope(claims: Sequence[Claim]) -> dict[int, frozenset[Name]]:
+    """Returns for each notation the symbols of which formulas write rates that no other scope declares."""
+    notations = {id(claim.notation): claim.notation for claim in claims}
+    moved: dict[int, set[Name]] = {each: set() for each in notations}
+    for claim in claims:
+        if claim.printed.statement is not None:
+            rates = (part for part in terms_of(claim.printed.statement) if isinstance(part, Derivative))
+            parts = (part for rate in rates for part in rate.walk() if isinstance(part, Symbol))
+            moved[id(claim.notation)].update(part.declaration.name for part in parts)
+    return {
+        here: frozenset(
+            name
+            for there, names in moved.items()
+            for name in names
+            if notations[there].since.get(name) == notation.since.get(name)
+        )
+        for here, notation in notations.items()
+    }
 
 
 def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> list[Claim]:

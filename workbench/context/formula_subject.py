@@ -158,23 +158,28 @@ class Subject:
         once = [each for each in once if not any(o is not each and each in o.declaration.of for o in count)]
         return [each for each in once if not (self.rates and each.declaration.constant)]
 
+    @cached_property
+    def constrained(self) -> list[Symbol]:
+        """The symbols that an equation may say something of: those that stand once in it, or all that may be
+        given if its sides have no common free symbol, or one of them is a number."""
+        if self.conditioned:
+            return [symbol(min(self.conditioned, key=lambda each: str(each.name)))]
+        if once := self._single:
+            return once
+        left, right = (free_in([side], self.definitions) for side in sides_of(self.statement))
+        inside: list[Symbol] = []
+        if left and right and left.isdisjoint(right):
+            inside = self._symbols
+        elif self._is_example:
+            inside = [symbol(each) for each in sorted(left | right, key=lambda each: str(each.name))]
+        return [each for each in inside if self._may_be_given(each)]
+
     @property
     def _constrained(self) -> tuple[Act, Symbol | None]:
-        """CONSTRAIN for an equation if a symbol occurs once in it or its sides share no free symbol, else
-        ASSERT.
-        """
+        """CONSTRAIN for an equation that may say something of a symbol; ASSERT for any other."""
         assert isinstance(self.statement, Relation)
-        if self.conditioned:
-            return Act.CONSTRAIN, symbol(min(self.conditioned, key=lambda each: str(each.name)))
-        once = self._single
-        left, right = (free_in([side], self.definitions) for side in sides_of(self.statement))
-        if not once and left and right and left.isdisjoint(right):
-            once = [each for each in self._symbols if self._may_be_given(each)]
-        if not once and self._is_example:
-            inside = [symbol(each) for each in sorted(left | right, key=lambda each: str(each.name))]
-            once = [each for each in inside if self._may_be_given(each)]
         kind = self.statement.left.type
-        best = min(once, key=lambda each: each.type != kind, default=None)
+        best = min(self.constrained, key=lambda each: each.type != kind, default=None)
         return (Act.ASSERT, None) if best is None else (Act.CONSTRAIN, best)
 
     @property

@@ -88,20 +88,36 @@ class Decider:
                 self._known[key] = Verdict(Outcome.UNCHECKED, reason=reason_of(error))
         return self._known[key]
 
+    def is_impossible(self, facts: Sequence[Fact]) -> bool:
+        """Returns whether no values of its symbols that meet the facts make the claim true."""
+        try:
+            undisturbed(lambda: self._decide(facts, self._statement, False, True, is_supposed=True))
+        except Unsatisfiable:
+            return self.claim.orders is None
+        except _PROBLEMS:
+            return False
+        return False
+
     def _decide(
-        self, facts: Sequence[Fact], statement: Statement, approximately: bool, by_both: bool
+        self,
+        facts: Sequence[Fact],
+        statement: Statement,
+        approximately: bool,
+        by_both: bool,
+        is_supposed: bool = False,
     ) -> Verdict:
         put = _Put(facts)
         claim, put_in = self.claim, put.meaning
-        own = [replace(each, body=put_in(each.body)) for each in claim.notation.definitions]
+        given = [replace(each, body=put_in(each.body)) for each in claim.notation.definitions]
         new = [replace(each, body=put_in(each.body)) for each in put.definitions]
-        known = Definitions([*own, *new]) if put.terms or new else claim.notation.definitions
+        known = Definitions([*given, *new]) if put.terms or new else claim.notation.definitions
         goal = put.in_statement(statement, {"=": "≈"} if approximately else {})
         base = [put.in_statement(each) for each in claim.supposed]
         always = [put.in_statement(each) for each in put.always]
         lasts = lasting(always, goal, known) if always else []
         instant = [put.in_statement(each) for each in put.instant]
-        supposed = tuple(dict.fromkeys((*base, *instant, *lasts, *known.known_of(goal))))
+        own = (goal,) if is_supposed else ()
+        supposed = tuple(dict.fromkeys((*base, *instant, *lasts, *known.known_of(goal), *own)))
         judge = self._judge(known)
         if not by_both:
             judge = judge.by_one_engine()
@@ -203,17 +219,6 @@ def judged_alone(claim: Claim, judge_of: JudgeOf) -> Verdict:
         judge = judge_of(claim.notation)
         return undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
     return Verdict(Outcome.UNCHECKED)
-
-
-def is_impossible(claim: Claim, judge_of: JudgeOf) -> bool:
-    """True if no values of its symbols make the claim true, under any facts."""
-    said = claim.printed.statement
-    assert said is not None
-    try:
-        undisturbed(lambda: judge_of(claim.notation).judge(said, (*claim.supposed, said)))
-    except Unsatisfiable:
-        return claim.orders is None
-    return False
 
 
 def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare: Verdict) -> Verdict:

@@ -15,18 +15,12 @@ from workbench.context.conventions import conventional
 from workbench.context.facts import Act, Context, Fact, Provider, Strength, Supposition
 from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
 from workbench.context.formula_subject import Subject, derived
-from workbench.context.free_symbols import names_in
+from workbench.context.free_symbols import names_in, terms_of
 from workbench.core.codes.context_codes import ContextCode
-from workbench.core.terms import Definition, Relation, Symbol
+from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
-from workbench.prover.explain.decide_under_facts import (
-    Decider,
-    JudgeOf,
-    OutOfDecisions,
-    is_impossible,
-    is_true,
-)
+from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, OutOfDecisions, is_true
 from workbench.prover.explain.fact_layers import layers_of
 from workbench.prover.explain.false_premises import under_premises
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
@@ -68,7 +62,7 @@ class Explainer:
         decider = Decider(claim, self._judge_of, self._options)
         subject = subject_of(claim)
         may_be = base.outcome is Outcome.REFUTED and act in _TESTED
-        if may_be and not subject.conditioned and is_impossible(claim, self._judge_of):
+        if may_be and not subject.conditioned and decider.is_impossible(()):
             act = Act.ASSERT
         explanation = _Explanation(claim, subject, base, decider, act, own)
         try:
@@ -81,10 +75,9 @@ class Explainer:
 class _Explanation:
     """One claim that is false or open under the declarations.
 
-    known: the largest layer of stated facts under which it is refuted, too.   against: that refutation.
-    pending: the facts that no refutation includes, because no engine, or only the first, could use them.
-    hints: the hints that are consistent with the known facts.
-    """
+    known: the largest layer of stated facts under which it is refuted too.   against: that refutation.
+    pending: the facts that no refutation meets, as the engines could not use them, or only the first could.
+    hints: the hints that can hold together with what is known.   doubts: why it may be no claim."""
 
     claim: Claim
     subject: Subject
@@ -96,6 +89,7 @@ class _Explanation:
     against: Verdict | None = None
     pending: list[Fact] = field(default_factory=list)
     hints: list[Fact] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)
 
     def verdict(self) -> Verdict:
         is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.alone
@@ -113,7 +107,9 @@ class _Explanation:
         if self.act in _GIVES:
             return _only_said(self.base, self.act, self.own)
         context = self._context()
-        return self._by_hints(context) or self._refuted(context)
+        if (held := self._by_hints(context)) is not None:
+            return held
+        return self._refuted(context) if self._is_claim() else self._only_constrained()
 
     def unfinished(self) -> Verdict:
         """Returns the verdict if the limit on decisions is reached; a refuted claim stays refuted."""
@@ -148,7 +144,8 @@ class _Explanation:
         """
         said = self._definitions()
         if said and self.act in _TESTED:
-            self.act, self.own = subject_of(self.claim, said).act
+            self.subject = subject_of(self.claim, said)
+            self.act, self.own = self.subject.act
         if self.act is Act.POSTULATE and any(self._follows_from(fact.content) for fact in self.known):
             self.act = Act.ASSERT
 
@@ -167,11 +164,41 @@ class _Explanation:
     def _definitions(self) -> list[Definition]:
         return [fact.content for fact in self.known if isinstance(fact.content, Definition)]
 
-    def _given(self) -> Fact | None:
-        """Returns a condition in the refutation that determines the symbol of the act, else None."""
-        own = self.own
-        says = (fact for fact in self.known if own is not None and _says_what_is(own, fact.content))
-        return next(says, None)
+    def _is_claim(self) -> bool:
+        """Returns whether the equation asserts something; adds the doubt that it says what a symbol is.
+
+        It does if nothing that meets the facts makes it true, if a condition says what its symbol is, or if
+        conditions speak of every symbol of which it may say something."""
+        if self.act is not Act.CONSTRAIN or self.own is None:
+            return True
+        says_what_it_is = f"it says what {to_latex(self.own)} is"
+        for facts in filter(None, (self.known, self.hints and [*self.known, *self.hints])):
+            if self.decider.is_impossible(facts):
+                if facts is not self.known:
+                    hints = ", ".join(map(str, self.hints))
+                    self.doubts.append(f"{says_what_it_is}, and not {hints}")
+                return True
+        given = next((each for each in self.known if _says_what_is(self.own, each.content)), None)
+        if given is None:
+            is_spoken_of = self._are_spoken_of(self.subject.constrained)
+            self.doubts += [says_what_it_is] * is_spoken_of
+            return is_spoken_of
+        self.doubts += [says_what_it_is] * (given.origin.provider is Provider.UNREAD)
+        return True
+
+    def _are_spoken_of(self, symbols: Sequence[Symbol]) -> bool:
+        """Returns whether equations that are conditions of the sentence speak of each of the symbols."""
+        beside = [each for each in self.known if each.origin.provider is Provider.CONDITION]
+        said = [each.content for each in beside if isinstance(each.content, Relation)]
+        names = {
+            name for each in said if each.operator == "=" and not _holds_rate(each) for name in names_in(each)
+        }
+        return {each.declaration.name for each in symbols} <= names
+
+    def _only_constrained(self) -> Verdict:
+        """Returns that the equation says what a symbol is, with the values of which it is not true."""
+        shown = (self.against or self.base).counterexample
+        return replace(_only_said(self.base, self.act, self.own), counterexample=shown)
 
     def _context(self) -> Context:
         """Returns the facts that the refutation must include, and the guesses."""
@@ -214,17 +241,12 @@ class _Explanation:
         return self.decider.holds(facts, approximately=_is_small(facts))
 
     def _refuted(self, context: Context) -> Verdict:
-        """Returns the refutation with its doubts; for an equation that constrains a symbol, its act."""
-        given = self._given() if self.act is Act.CONSTRAIN else None
-        if self.act is Act.CONSTRAIN and given is None:
-            return _only_said(self.base, self.act, self.own)
+        """Returns the refutation with its doubts."""
         against = self.against or self.base
         with_hints = self.decider.decide([*self.known, *self.hints]) if self.hints else against
         meets = with_hints.outcome is Outcome.REFUTED
         shown = (with_hints if meets else against).counterexample or self.base.counterexample
-        unless = [*self._rescuing(context)]
-        if given is not None and self.own is not None and given.origin.provider is Provider.UNREAD:
-            unless.append(f"it says what {to_latex(self.own)} is")
+        unless = [*self._rescuing(context), *self.doubts]
         unless += [f"the text says more: {fact}" for fact in context.opaque]
         unless += [f"not decided with {fact}" for fact in self.pending[:_NAMED]]
         if not meets:
@@ -237,13 +259,18 @@ class _Explanation:
         return replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
 
     def _rescuing(self, context: Context) -> list[str]:
-        """Returns the first guess that makes it true, in addition to the known facts and hints."""
+        """Returns the first guess under which it holds, with the hints that it needs for that."""
         for group in context.alternatives:
-            if self._holds([*self.known, *self.hints, *group]) or (
-                self.hints and self._holds([*self.known, *group])
-            ):
+            if self._holds([*self.known, *group]):
                 return [str(group[0])]
+            if self.hints and self._holds([*self.known, *self.hints, *group]):
+                core = minimise([*self.hints, *group], lambda facts: self._holds([*self.known, *facts]))
+                return [" and ".join(map(str, core))]
         return []
+
+
+def _holds_rate(statement: Statement) -> bool:
+    return any(isinstance(part, Derivative) for part in terms_of(statement))
 
 
 def _says_what_is(own: Symbol, content: object) -> bool:

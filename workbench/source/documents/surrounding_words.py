@@ -38,6 +38,10 @@ def sentence_before(text: str, start: int) -> str:
     return _SENTENCE.split(" ".join(chunk.split()))[-1].strip()
 
 
+#: What begins another sentence behind a display without a full stop. "Here, m is …" goes on with the display.
+_NEW_SENTENCE = re.compile(r"(?!(?:Here|Where|With|In which|For|If|When|Since|Because|As)\b)[A-Z][a-z]*\b")
+
+
 def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
     """Returns the start and end of the sentence that contains the display from `start` to `end`. A heading
     ends it."""
@@ -46,7 +50,7 @@ def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
     ends = [m.end() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) for m in sign.finditer(before)]
     end += len(text[end:]) - len(text[end:].lstrip())
     after = text[end : end + _FAR]
-    closed = _STOP.search(text[start:end].rstrip()[-40:])
+    closed = _STOP.search(text[start:end].rstrip()[-40:]) or _NEW_SENTENCE.match(after)
     stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) if (m := sign.search(after))]
     return first + max(ends, default=0), end if closed else end + min(stops, default=len(after))
 

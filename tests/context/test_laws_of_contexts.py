@@ -15,7 +15,7 @@ from tests.context.generated_texts import GREEK, PLAIN, SPOKEN, Piece, model_of,
 from tests.context.judged_texts import seen
 from workbench.core.verdict import Outcome, Verdict
 
-FEW, MANY = 8, 300
+FEW, MANY = 6, 300
 CAMPAIGN = [FEW, pytest.param(MANY, marks=pytest.mark.slow)]
 #: Of the words for a convention that letters, accents or typefaces tell.
 BY_LETTERS = re.compile(r"letter says|hat says|the length of|a component of|cosine and sine|axes of a frame")
@@ -170,8 +170,8 @@ def test_one_scope_says_nothing_of_another(tmp_path: Path, number: int) -> None:
 DECLARED = {"unit": "n", "constant": "m", "symmetric": "T", "positive": "m"}
 #: Claims that hold by one fact, and the fact: a display, a sentence, the words before the claim, or a hint.
 BY_FACTS = (
-    ((texts.FORMULAS[0],), r"<x> <a> + <x> <a> = 4 <f> <a> + <x> <a> - <x> <a>"),
-    ((texts.FORMULAS[3],), r"(<a> + <b>) \cdot (<a> + <b>) = <a> \cdot <a> + <b> \cdot <b>"),
+    ((texts.FORMULAS[0],), r"<x> <a> + <x> <a> = 3 <f> <a> + <f> <a>"),
+    ((texts.FORMULAS[3],), r"<f> (<a> \cdot <b>) + <f> <g> = <f> <g>"),
     ((texts.FORMULAS[2],), r"<m> <m> \ddot{<f>} + <f> = <f> - <m> <g> <f>"),
     ((Piece(texts.SENTENCES[0]),), r"(<n> \cdot <n>) <f> = <f>"),
     ((Piece(texts.SENTENCES[1]),), r"\frac{d}{dt} (<m> <f>) = <m> \dot{<f>}"),
@@ -205,7 +205,8 @@ def test_conditional_claim_is_proved_with_its_hypothesis(tmp_path: Path, number:
             more_of = "[[claim]]\nat = 'line 9'\ngiven = ['line 4']\n"
         else:
             with_law = [claim]
-            more_of = f"[[claim]]\nat = 'line 4'\nassume = {assumed}\n" if assumed else ""
+            listed = ", ".join(f"'{each}'" for each in assumed)
+            more_of = f"[[claim]]\nat = 'line 4'\nassume = [{listed}]\n" if assumed else ""
         *_, proved = verdicts_on(tmp_path, with_law, model_of(flags=flags, more=more_of))
         assert proved.outcome is Outcome.PROVED, (held.hypothesis, proved)
         *_, bare = verdicts_on(tmp_path, [claim], model_of(more="[[claim]]\nat = 'line 4'\ngiven = []\n"))

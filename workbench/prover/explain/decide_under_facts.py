@@ -15,7 +15,7 @@ from workbench.core.names import Name
 from workbench.core.properties import PROPERTIES
 from workbench.core.reasons import Reason, reason_of
 from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
-from workbench.core.verdict import EngineDisagreement, Outcome, Strength, Verdict
+from workbench.core.verdict import Counterexample, EngineDisagreement, Outcome, Strength, Verdict
 from workbench.engines.inventory.assumptions import Unsatisfiable, lasting
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, replaced
@@ -87,6 +87,14 @@ class Decider:
             except (Unsatisfiable, *_PROBLEMS) as error:
                 self._known[key] = Verdict(Outcome.UNCHECKED, reason=reason_of(error))
         return self._known[key]
+
+    def witness(self) -> Counterexample | None:
+        """Returns values of which the claim is false on what is declared, be it a law or not."""
+        judge = replace(self._judge_of(self.claim.notation), laws=False)
+        with suppress(Unsatisfiable, *_PROBLEMS):
+            found = judge.judge(self._statement, self.claim.supposed, orders=self.claim.orders)
+            return found.counterexample
+        return None
 
     def is_impossible(self, facts: Sequence[Fact]) -> bool:
         """Returns whether no values of its symbols that meet the facts make the claim true."""

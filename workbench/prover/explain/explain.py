@@ -128,7 +128,8 @@ class _Explanation:
                 core = minimise(layer, self.decider.holds)
                 found = self.decider.decide(core)
                 if found.outcome in _SURE:
-                    return _under(found, core, self.base)
+                    witness = self.base.counterexample or self.decider.witness()
+                    return _under(found, core, replace(self.base, counterexample=witness))
             elif self.decider.is_refuted(layer):
                 met.update(layer)
                 self.known = layer if len(layer) >= len(self.known) else self.known

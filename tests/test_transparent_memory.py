@@ -6,7 +6,7 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import HealthCheck, Phase, example, given, settings
 from hypothesis import strategies as st
 
 from tests.context import generated_texts as texts
@@ -16,7 +16,7 @@ from workbench.app.pipeline.verdict_keys import Memory
 from workbench.context.claims import Paper
 from workbench.papers import load_paper
 
-CAMPAIGN = [4, pytest.param(100, marks=pytest.mark.slow)]
+CAMPAIGN = [1, pytest.param(100, marks=pytest.mark.slow)]
 
 
 def results_of(paper: Paper, memory: Memory | None, jobs: int = 1, seed: int | None = None) -> dict[str, str]:
@@ -36,6 +36,7 @@ def results_of(paper: Paper, memory: Memory | None, jobs: int = 1, seed: int | N
 def test_memory_and_order_and_processes_change_no_result(tmp_path: Path, number: int) -> None:
     shared = Memory(tmp_path / "shared.sqlite")
 
+    @example([texts.WHOLE[11], texts.FORMULAS[0], texts.WHOLE[11], *texts.SUPPOSING[:5], *texts.WHOLE[:5]], 1)
     @settings(
         max_examples=number,
         deadline=None,

@@ -117,6 +117,9 @@ claims = st.builds(
     st.sampled_from((1, 1, 2)),
     st.sampled_from(("We have", "We have", *CONDITIONS)),
 )
+#: Each formula once, without facts, and each beneath other words.
+WHOLE = [_claim(sides, 1, "We have") for sides in SIDES]
+SUPPOSING = [Piece(CONDITIONS[at % len(CONDITIONS)], piece.display) for at, piece in enumerate(WHOLE)]
 facts = st.one_of(st.builds(Piece, st.sampled_from(SENTENCES)), st.sampled_from(FORMULAS))
 texts = st.lists(st.one_of(facts, claims, claims), min_size=2, max_size=5).filter(
     lambda pieces: any(piece.display for piece in pieces)

@@ -155,7 +155,9 @@ def _scopes(count: int) -> str:
 def test_one_scope_says_nothing_of_another(tmp_path: Path, number: int) -> None:
     parts = st.lists(texts.texts, min_size=2, max_size=3)
 
-    @for_all(number, parts, first=[([texts.SUPPOSING, texts.WHOLE],)])
+    @for_all(
+        number, parts, first=[([texts.WHOLE, texts.WHOLE[7:8]],), ([texts.SUPPOSING, texts.WHOLE[4:8]],)]
+    )
     def law(parts: list[list[Piece]]) -> None:
         def judged(chosen: list[list[Piece]]) -> list[list[Verdict]]:
             whole = [piece for n, part in enumerate(chosen) for piece in (Piece(f"# S{n}\n\nWords."), *part)]

@@ -74,7 +74,7 @@ def written(text: str, ending: str) -> str:
         (r"With <<m \geq 1>> it is [[|m| = m]]", "conditional"),
         (r"With <<m > f>> it is [[|m - f| = m - f]]", "doubtful"),
         (r"If <<0 = a - g b>>, then [[a \times b = 0]]", "conditional"),
-        (r"If <<0 = a - g b>>, then [[a \times b = b]]", "said"),
+        (r"If <<0 = a - g b>>, then [[a \times b = b]]", "doubtful"),
         (r"If <<0 = a - g b>>, then it is so. The next one is [[a \times b = b \times a]]", "refuted"),
         (r"Suppose that <<f \neq 0>>. Then [[a \times b = b \times a]]", "refuted"),
         (r"Suppose that <<a>> and <<b>> do not change. Then [[a \times b = b \times a]]", "refuted"),

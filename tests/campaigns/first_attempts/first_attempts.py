@@ -85,9 +85,9 @@ def claims_of(file: Path, change: Callable[[str], str]) -> tuple[Claim, ...]:
 
 def rows_of(file: Path, change: Callable[[str], str]) -> list[Row]:
     """Returns a row for each display whose truth the finished model says."""
-    finished = {r.claim.id: r for r in judge_claims(load_paper(file).claims, motions=False, jobs=1)}
+    finished = {r.claim.id: r for r in judge_claims(load_paper(file).claims, motions=False)}
     rows = []
-    for result in judge_claims(claims_of(file, change), motions=False, jobs=1):
+    for result in judge_claims(claims_of(file, change), motions=False):
         known = finished.get(result.claim.id)
         outcome = known.verdict.outcome if known is not None else Outcome.UNCHECKED
         if outcome in _TRUE or outcome in _FALSE:
@@ -98,7 +98,7 @@ def rows_of(file: Path, change: Callable[[str], str]) -> list[Row]:
 def mutants_of(file: Path, change: Callable[[str], str], seed: int) -> list[Row]:
     """Returns a row for one edit in each display that the finished model proves and that is not proved then."""
     random = Random(seed)
-    finished = {r.claim.id: r for r in judge_claims(load_paper(file).claims, motions=False, jobs=1)}
+    finished = {r.claim.id: r for r in judge_claims(load_paper(file).claims, motions=False)}
     edited = []
     for claim in claims_of(file, change):
         known, said = finished.get(claim.id), claim.printed.statement
@@ -111,8 +111,8 @@ def mutants_of(file: Path, change: Callable[[str], str], seed: int) -> list[Row]
         printed = replace(claim.printed, statement=other)
         edited.append(replace(claim, printed=printed, act=act_of(printed, claim.notation)))
     bare = [replace(c, alone=True, facts=(), given=(), guessed=()) for c in edited]
-    alone = {r.claim.id: r.verdict for r in judge_claims(bare, motions=False, jobs=1)}
-    found = judge_claims([c for c in edited if alone[c.id].outcome in _FALSE], motions=False, jobs=1)
+    alone = {r.claim.id: r.verdict for r in judge_claims(bare, motions=False)}
+    found = judge_claims([c for c in edited if alone[c.id].outcome in _FALSE], motions=False)
     return [Row(file.stem, r.claim.id, False, r.verdict) for r in found]
 
 
@@ -140,7 +140,7 @@ def renamed(claims: Sequence[Claim]) -> list[Claim]:
 def changed_by_renaming(file: Path, change: Callable[[str], str]) -> list[tuple[str, Verdict, Verdict]]:
     """Returns the claims of which renaming changes the outcome or the grade, with both verdicts."""
     claims = claims_of(file, change)
-    before, after = (judge_claims(each, motions=False, jobs=1) for each in (claims, renamed(claims)))
+    before, after = (judge_claims(each, motions=False) for each in (claims, renamed(claims)))
     pairs = [(one.claim.id, one.verdict, two.verdict) for one, two in zip(before, after, strict=True)]
     return [each for each in pairs if (each[1].outcome, each[1].grade) != (each[2].outcome, each[2].grade)]
 

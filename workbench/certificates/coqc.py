@@ -246,10 +246,10 @@ def check_together(texts: Sequence[str]) -> Sequence[str]:
 def _joined(texts: Sequence[str]) -> str:
     """Returns one file with a module for each text; Coq prints which ones it has passed."""
     parts = [
-        f"Module m{place}.\n{_theorems(text)}\nEnd m{place}.\nLocate Module m{place}.\n"
-        for place, text in enumerate(texts, start=1)
+        f"Module m{index}.\n{_theorems(text)}\nEnd m{index}.\nLocate Module m{index}.\n"
+        for index, text in enumerate(texts, start=1)
     ]
-    names = [f"@m{place}.{_last(text)}" for place, text in enumerate(texts, start=1)]
+    names = [f"@m{index}.{_last(text)}" for index, text in enumerate(texts, start=1)]
     every = f"Definition all_of_them := ({', '.join(names)}).\nPrint Assumptions all_of_them.\n"
     return "\n".join([_header(texts[0]), *parts, every])
 

@@ -122,9 +122,9 @@ class Theorem:
         if premises and not emitter.steps:
             lines.append(f"pose (free := @premised K [{shapes}] these eq_refl eq_refl [] (Forall_nil _)).")
             by = "certify_by free known0"
-        for place, goals in enumerate(self.goals):
+        for index, goals in enumerate(self.goals):
             parts = [f"{by}\n    {left}\n    {right}" for left, right in goals]
-            if place < len(self.goals) - 1:
+            if index < len(self.goals) - 1:
                 lines.append("split.")
                 lines.append("{ " + _proof_of(parts) + " }")
             else:

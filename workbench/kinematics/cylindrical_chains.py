@@ -175,9 +175,9 @@ def _require(lines: Sequence[Dual], rates: Rates, joints: int, entries: int = 4)
         raise ValueError(f"expected {joints or 'at least 1'} lines, got {len(lines)}")
     if len(rates) != joints:
         raise ValueError(f"expected the rates of {joints} joints, got those of {len(rates)}")
-    for place, entry in enumerate(rates):
+    for index, entry in enumerate(rates):
         if len(entry) != entries or entries == 0:
             raise ValueError(
-                f"joint {place + 1}: expected its rate and {entries - 1} derivatives of it, "
+                f"joint {index + 1}: expected its rate and {entries - 1} derivatives of it, "
                 f"got {len(entry)} entries"
             )

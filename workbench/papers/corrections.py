@@ -33,8 +33,8 @@ def mend_of(toml: TomlFile, path: KeyPath, printed: str) -> Mend:
         raise toml.error_at_key((*path, given[0]), f"{given[0]}: only a claim with a fault has it")
     texts = [text for text in (said["beside"], printed) if text]
     edits = tuple(
-        _edit(toml, (*path, "mend", place), texts)
-        for place in range(len(toml.value((*path, "mend"), list, [])))
+        _edit(toml, (*path, "mend", index), texts)
+        for index in range(len(toml.value((*path, "mend"), list, [])))
     )
     return Mend(edits, by=toml.text((*path, "mended_by")), **said)
 

@@ -260,11 +260,11 @@ def _arguments(files: Sequence[TomlFile]) -> frozenset[Name]:
     """Returns the arguments that only state a dependence; with q, its rates are included."""
     found = set()
     for file in files:
-        for place, text in enumerate(file.texts(("conventions", "arguments"))):
+        for index, text in enumerate(file.texts(("conventions", "arguments"))):
             try:
                 found.add(read_key(_DOTS.sub("", text))[0])
             except SpecError as error:
-                at = ("conventions", "arguments", place)
+                at = ("conventions", "arguments", index)
                 raise file.error_at_value(at, f"arguments: {error}") from None
     return frozenset(found)
 
@@ -273,10 +273,10 @@ def _words(files: Sequence[TomlFile]) -> frozenset[str]:
     r"""Returns the functions that a text writes as letters: cos for \cos."""
     found = set()
     for file in files:
-        for place, word in enumerate(file.texts(("conventions", "functions"))):
+        for index, word in enumerate(file.texts(("conventions", "functions"))):
             if word not in FUNCTIONS:
                 message = f"functions: expected some of {', '.join(FUNCTIONS)}, got {word!r}"
-                raise file.error_at_value(("conventions", "functions", place), message)
+                raise file.error_at_value(("conventions", "functions", index), message)
             found.add(word)
     return frozenset(found)
 

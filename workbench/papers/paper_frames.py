@@ -103,9 +103,9 @@ class _Reader:
     def read(self) -> tuple[SymbolTable, list[Definition]]:
         frames = self.frames
         orientations = _table(self.entries["frames"], "orientation")
-        for place, (frame, said) in enumerate(orientations.items()):
+        for index, (frame, said) in enumerate(orientations.items()):
             self.known(label(frame), frames.labels, "orientation")
-            later = {label(other) for other in list(orientations)[place:]}
+            later = {label(other) for other in list(orientations)[index:]}
             frames.given[label(frame)] = self.orientation(label(frame), said, later)
         phrases = [
             str(said)
@@ -310,8 +310,8 @@ class _Reader:
         self.known(frame, self.frames.labels, frame)
         if not isinstance(axes, list) or len(axes) != 3:
             raise SpecError(f"expected its three axes, got {axes!r}", frame)
-        for place, key in enumerate(axes):
-            body = turned(self.frames.orientation(frame), _unit(place))
+        for index, key in enumerate(axes):
+            body = turned(self.frames.orientation(frame), _unit(index))
             name = _spelling(key).exact
             self.frames.directions.add(name)
             self.frames.axes.append(self.table.symbols.get(name) or Declaration(name, VECTOR))

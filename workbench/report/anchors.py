@@ -106,7 +106,7 @@ class Heirs:
             self._later.setdefault(claim.id, set()).update(claim.inherits)
             if claim.mend.by:
                 self._later.setdefault(claim.mend.by, set()).add(claim.id)
-        self._order = {result.claim.id: place for place, result in enumerate(results)}
+        self._order = {result.claim.id: index for index, result in enumerate(results)}
         self._before: dict[str, list[str]] = {}
         for name, heirs in self._later.items():
             for heir in sorted(heirs):

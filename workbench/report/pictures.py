@@ -62,7 +62,7 @@ def all_errors(rows: Sequence[ErrorRow]) -> str | None:
         f'<svg viewBox="0 0 {_WIDTH} {bottom + 37}" role="img" aria-labelledby="pic-t pic-d">',
         f'<title id="pic-t">{title}</title><desc id="pic-d">{escape(described)}</desc>',
         *_decades(scale, lowest, highest, bottom),
-        *(_dumbbell(row, scale, 12 + _ROW * place) for place, row in enumerate(shown)),
+        *(_dumbbell(row, scale, 12 + _ROW * index) for index, row in enumerate(shown)),
         f'<text class="ax" x="{middle:g}" y="{below}" text-anchor="middle">'
         "relative difference of the two sides, log scale</text></svg>",
     ]

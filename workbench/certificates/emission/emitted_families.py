@@ -133,7 +133,7 @@ def _free_family(emitter: Collector, symbol: Symbol, kind: str) -> str:
     if declaration not in emitter.families:
         name = emitter.fresh(_family_name(emitter, symbol))
         emitter.families[declaration] = name
-        places = [f"i{place}" for place, _ in enumerate(symbol.index)]
+        places = [f"i{index}" for index, _ in enumerate(symbol.index)]
         type_ = emitted_nodes.type_name(symbol.type.dual, kind)
         emitter.binders.append((name, "nat -> " * len(places) + type_))
         if declaration.rotation:

@@ -45,10 +45,10 @@ def differentiated(statement: Statement) -> set[BigSum]:
 def cores_of(met: Sequence[Summed]) -> list[Summed]:
     cores: list[Summed] = []
     for one in met:
-        for place, core in enumerate(cores):
+        for index, core in enumerate(cores):
             common = _in_common(one.total, core.total)
             if common is not None:
-                cores[place] = Summed(common, core.differentiated or one.differentiated)
+                cores[index] = Summed(common, core.differentiated or one.differentiated)
                 break
         else:
             cores.append(one)

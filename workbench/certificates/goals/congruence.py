@@ -44,9 +44,9 @@ class Following(Equations):
         image = read_term(proof.expression, scope.table, at.scope.integers)
         first, last = (Substitution(x, scope.definitions).as_written(image) for x in (lefts, rights))
         dual = one.left.type.dual or one.right.type.dual or first.type.dual or last.type.dual
-        for place, new in enumerate(self.by_way_of(one, first, last, dual)):
+        for index, new in enumerate(self.by_way_of(one, first, last, dual)):
             self._real(new, dual)
-            if place == 1:
+            if index == 1:
                 self._alike(at, image, shown, lasts)
             else:
                 self._prove(at, new, ())

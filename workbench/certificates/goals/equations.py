@@ -34,8 +34,8 @@ class Equations(Script):
     def _equations(self, at: Place, using: tuple[int, ...] | None) -> list[tuple[Relation, str]]:
         """Returns the equations that may be used as premises, each with its proof."""
         found = []
-        for place, known in enumerate(at.known):
-            if using is None or place in using:
+        for index, known in enumerate(at.known):
+            if using is None or index in using:
                 with suppress(NotCertified):
                     found += flattened(known.goal, known.proof)
         return [(one, proof) for one, proof in found if one.operator == "="]
@@ -209,13 +209,13 @@ class Equations(Script):
         dual = own.type.dual
         value = self._node(term, dual)
         shown = []
-        for place, one in enumerate(said_ := belongs(variable, term)):
+        for index, one in enumerate(said_ := belongs(variable, term)):
             name = self.fresh("member")
             with self.shown(name, said(self.speaker, Atom(one)), False):
                 if by is None or isinstance(by, Kernel):
                     self._prove(at, one, self._equations(at, None if by is None else by.using))
                 elif isinstance(by, Each) and len(said_) > 1:
-                    self.show(at.of(Atom(one)), by.proofs[place])
+                    self.show(at.of(Atom(one)), by.proofs[index])
                 else:
                     self.show(at.of(Atom(one)), by)
             shown.append(name)

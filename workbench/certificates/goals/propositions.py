@@ -210,7 +210,7 @@ def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_familie
     bound = set(_bound_names(goal))
     for member in families_in(goal):
         if by_families:
-            places = (Linear.variable(f"i{place}") for place, _ in enumerate(member.index))
+            places = (Linear.variable(f"i{index}") for index, _ in enumerate(member.index))
             member = symbol(member.declaration, tuple(places))
         if not names_of(member, scope) & bound:
             prepare(speaker, member)

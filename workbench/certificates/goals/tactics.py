@@ -181,8 +181,8 @@ class Joiner(Following):
         sums = [p for s in atoms(body) for r in relations_of(s) for p in (*r.left.walk(), *r.right.walk())]
         if isinstance(at.goal, Atom) and any(isinstance(part, BigSum) for part in sums):
             one = one_of(at.goal.statement)
-            for place, _ in enumerate(self.by_way_of(one, one.left, one.right)):
-                if place == 1:
+            for index, _ in enumerate(self.by_way_of(one, one.left, one.right)):
+                if index == 1:
                     self.show(at, proof)
                 else:
                     self.tell("added.")

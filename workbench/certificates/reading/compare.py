@@ -118,7 +118,7 @@ def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
 def _members(declaration: Declaration, name: str) -> dict[str, str]:
     """Returns the type of a family, and the premises on its members."""
     kind = emitted_nodes.type_name(declaration.type.dual, KINDS[declaration.type.kind])
-    places = " ".join(f"i{place}" for place in range(declaration.indices))
+    places = " ".join(f"i{index}" for index in range(declaration.indices))
     said = conditions(declaration, f"({name} {places})")
     words = [one.split()[0].removeprefix("dual_") for one in said]
     supposed = [f"forall {places} : nat, {one}" for one in said]

@@ -252,7 +252,7 @@ class _Reading:
     @staticmethod
     def of(steps: list[tuple[Display, Step]], proposals: list[Proposal], start: _Start) -> _Reading:
         formulas = [step.spelled()[0] for _, step in steps]
-        blocked = {place for place, (display, _) in enumerate(steps) if _opaque(display, formulas[place])}
+        blocked = {index for index, (display, _) in enumerate(steps) if _opaque(display, formulas[index])}
         return _Reading(proposals, steps, formulas, blocked, start)
 
     @cached_property
@@ -295,9 +295,9 @@ class _Reading:
     def made(self) -> list[Formula]:
         return [
             Formula(
-                display, latex, _blocked(display, latex) if place in self.blocked else self.outcome(latex)
+                display, latex, _blocked(display, latex) if index in self.blocked else self.outcome(latex)
             )
-            for place, ((display, _), latex) in enumerate(zip(self.steps, self.formulas, strict=True))
+            for index, ((display, _), latex) in enumerate(zip(self.steps, self.formulas, strict=True))
         ]
 
 

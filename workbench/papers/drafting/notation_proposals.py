@@ -222,7 +222,7 @@ def _notation(
 def _units(font: str) -> Proposal:
     """Returns the proposal that i, j and k in this font are the units of quaternions."""
     spelled = [f"{font}{{{letter}}}" if font else letter for letter in "ijk"]
-    columns = (r" \\ ".join(str(int(place == other)) for other in range(3)) for place in range(3))
+    columns = (r" \\ ".join(str(int(index == other)) for other in range(3)) for index in range(3))
     entries = {
         f"'{unit}'": rf"{{ means = '\operatorname{{quat}}(0, \begin{{bmatrix}} {column} \end{{bmatrix}})' }}"
         for unit, column in zip(spelled, columns, strict=True)

@@ -53,7 +53,7 @@ def scopes_of(
     quaternions: Sequence[Quaternion],
 ) -> list[Scope]:
     """Returns the scopes of a text, in order."""
-    places = {id(display): place for place, display in enumerate(displays)}
+    places = {id(display): index for index, display in enumerate(displays)}
     users: dict[str, list[int]] = {}
     for formula in formulas:
         for name in formula.outcome.symbols:
@@ -132,8 +132,8 @@ def _scalar_and_vector(quaternion: Quaternion, guesses: Mapping[str, Guess]) -> 
         return {}
     others = [part for part in parts if part not in scalar]
     found = {scalar[0]: rf"\operatorname{{Sc}} {name}"}
-    for place, part in enumerate(others):
-        row = " & ".join(str(int(place == at)) for at in range(3))
+    for index, part in enumerate(others):
+        row = " & ".join(str(int(index == at)) for at in range(3))
         found[part] = rf"\begin{{bmatrix}} {row} \end{{bmatrix}} \operatorname{{Vec}} {name}"
     return found
 

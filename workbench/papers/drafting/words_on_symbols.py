@@ -48,10 +48,10 @@ _PARTS = {"v": "vector", **dict.fromkeys("swxyz", "scalar")}
 def _nearest(before: str, after: str) -> tuple[int, int, str] | None:
     """Returns the nearest words that give a symbol's kind: (distance, index in the table, words)."""
     found = []
-    for place, (pattern, _) in enumerate(_WORDS):
+    for index, (pattern, _) in enumerate(_WORDS):
         near = [(len(before) - match.end(), match[0]) for match in pattern.finditer(before)]
         near += [(match.start() + _BEHIND, match[0]) for match in pattern.finditer(after)]
-        found += [(distance // _PHRASE, place, words) for distance, words in near]
+        found += [(distance // _PHRASE, index, words) for distance, words in near]
     return min(found, default=None)
 
 

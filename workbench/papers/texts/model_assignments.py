@@ -124,7 +124,7 @@ def unknown_ids(entries: Mapping[str, Sequence[Entry]], ids: Collection[str]) ->
     """Yields errors for ids that the model uses and the text does not have."""
     tables = {id(entry): entry.table for group in entries.values() for entry in group}
     for table in tables.values():
-        named = [(("inherits", place), name) for place, name in enumerate(table.texts(("inherits",)))]
+        named = [(("inherits", index), name) for index, name in enumerate(table.texts(("inherits",)))]
         by = table.text(("mended_by",))
         for path, name in [*named, *([(("mended_by",), by)] if by else [])]:
             if name not in ids:

@@ -196,7 +196,7 @@ def place_of(name: str, displays: Sequence[Display]) -> int | None:
     )
     if match := _LINE.fullmatch(name):
         line = int(match[1])
-        return next((place for place, display in enumerate(displays) if _covers(display, line)), None)
+        return next((index for index, display in enumerate(displays) if _covers(display, line)), None)
     for test in tests:
         if (found := next((p for p, d in enumerate(displays) if test(d)), None)) is not None:
             return found

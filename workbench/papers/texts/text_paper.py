@@ -193,8 +193,8 @@ def _names_of(formula: Formula) -> frozenset[Name]:
 
 def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:
     taken: set[str] = set()
-    for place, display in enumerate(displays):
-        notation = [known for start, known in notations if start <= place][-1]
+    for index, display in enumerate(displays):
+        notation = [known for start, known in notations if start <= index][-1]
         lines = steps_of(display, notation.words)
         bases = [_base(display, step) for line in lines for step in line]
         numbering: dict[str, int] = {}

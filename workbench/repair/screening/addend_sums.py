@@ -41,7 +41,7 @@ def _matching(left: Sequence[Sequence[int]], right: Sequence[Sequence[int]]) -> 
         for match in order[start[number] : end[number]]:
             first = _places(int(match), left)
             yield tuple(
-                (first if place % 2 == 0 else second)[place // 2] for place in range(len(left) + len(right))
+                (first if index % 2 == 0 else second)[index // 2] for index in range(len(left) + len(right))
             )
 
 

@@ -85,8 +85,8 @@ class RandomPoint(dict):
         """Sets a random point on a sphere by stereographic projection."""
         slopes = [nmod(random.randrange(1, PRIME), PRIME) for _ in range(SPHERES[parameter.part] - 1)]
         square = sum((t * t for t in slopes), start=nmod(0, PRIME))
-        for place, x in enumerate([1 - square, *(t + t for t in slopes)]):
-            self[Parameter(parameter.symbol, parameter.part, 0, place)] = x / (1 + square)
+        for index, x in enumerate([1 - square, *(t + t for t in slopes)]):
+            self[Parameter(parameter.symbol, parameter.part, 0, index)] = x / (1 + square)
 
 
 class SharingEngine(JetEngine):

@@ -124,18 +124,18 @@ def _numbers(term: Number) -> Iterator[Variant]:
 
 
 def _countings(term: Counting) -> Iterator[Variant]:
-    for place, argument in enumerate(term.arguments):
+    for index, argument in enumerate(term.arguments):
         for step in (1, -1):
             changed = list(term.arguments)
-            changed[place] = argument + step
+            changed[index] = argument + step
             said = ("replace {} by {} in the {} {}", argument, argument + step, term.name, term)
             yield "coefficient", said, partial(counting, term.name, *changed)
 
 
 def _sums(term: Apply) -> Iterator[Variant]:
     """Yields the sum without each addend."""
-    for place, addend in enumerate(term.arguments):
-        rest = term.arguments[:place] + term.arguments[place + 1 :]
+    for index, addend in enumerate(term.arguments):
+        rest = term.arguments[:index] + term.arguments[index + 1 :]
         yield "addend dropped", ("remove the addend {}", addend), partial(sum_of, rest)
 
 

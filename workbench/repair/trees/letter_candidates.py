@@ -80,11 +80,11 @@ def occurrences(node: Node) -> Iterator[Occurrence]:
     match node:
         case Product(items=items):
             left = None
-            for place, item in enumerate(items):
+            for index, item in enumerate(items):
                 if isinstance(item, Scripted) and item.nucleus == Group(item.nucleus.at, ()):
                     left = item
                     continue
-                after = items[place + 1] if place + 1 < len(items) else None
+                after = items[index + 1] if index + 1 < len(items) else None
                 bracket = after if isinstance(after, Bracket) and after.kind == "(" else None
                 for found in occurrences(item):
                     found = replace(found, bracket=bracket if found.bracket is None else found.bracket)

@@ -200,38 +200,38 @@ def _wide_tilde(over: Accented) -> Iterator[Mark]:
     yield Mark(over, body, 1, "tilde", f"remove the tilde of {shown}", 0)
     if not isinstance(body, Product):
         return
-    for place, item in enumerate(body.items):
+    for index, item in enumerate(body.items):
         if not isinstance(item, Infix):
             under = Accented(item.at, "~", item)
-            moved = Product(body.at, (*body.items[:place], under, *body.items[place + 1 :]))
+            moved = Product(body.at, (*body.items[:index], under, *body.items[index + 1 :]))
             said = f"put the tilde of {shown} over ${latex_of(item)}$ alone"
             yield Mark(over, Group(over.at, (moved,)), 1, "tilde", said, 0)
 
 
 def _sums_uncovered(product: Product) -> Iterator[Mark]:
     """Yields the removal of a tilde over a summation sign, so that the sum extends over all that follows."""
-    for place, item in enumerate(product.items):
+    for index, item in enumerate(product.items):
         match item:
             case Accented(accent="~", body=Group(parts=(Product(items=(Summation(), *_) as inner),))):
-                new = Product(product.at, (*product.items[:place], *inner, *product.items[place + 1 :]))
+                new = Product(product.at, (*product.items[:index], *inner, *product.items[index + 1 :]))
                 said = f"remove the tilde of ${latex_of(item)}$"
                 yield Mark(product, new, 1, "tilde", said, 0)
 
 
 def _signs(product: Product) -> Iterator[Mark]:
     items = product.items
-    for place, (left, right) in enumerate(pairwise(items)):
+    for index, (left, right) in enumerate(pairwise(items)):
         if isinstance(left, Infix) or isinstance(right, Infix) or _is_number(left):
             continue
         for operator, sign in _INFIXES.items():
-            new = Product(product.at, (*items[: place + 1], Infix(right.at, operator), *items[place + 1 :]))
+            new = Product(product.at, (*items[: index + 1], Infix(right.at, operator), *items[index + 1 :]))
             said = f"insert ${sign}$ between ${latex_of(left)}$ and ${latex_of(right)}$"
             yield Mark(product, new, 1, "product", said, 0)
-    for place, item in enumerate(items):
+    for index, item in enumerate(items):
         for operator, sign in _INFIXES.items():
-            if isinstance(item, Infix) and item.operator != operator and 0 < place < len(items) - 1:
-                new = Product(product.at, (*items[:place], Infix(item.at, operator), *items[place + 1 :]))
-                said = f"replace ${latex_of(item)}$ before ${latex_of(items[place + 1])}$ by ${sign}$"
+            if isinstance(item, Infix) and item.operator != operator and 0 < index < len(items) - 1:
+                new = Product(product.at, (*items[:index], Infix(item.at, operator), *items[index + 1 :]))
+                said = f"replace ${latex_of(item)}$ before ${latex_of(items[index + 1])}$ by ${sign}$"
                 yield Mark(product, new, 1, "product", said, 0)
 
 

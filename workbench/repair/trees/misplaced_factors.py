@@ -49,10 +49,10 @@ def factor_marks(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
 
 def _longer_exponents(product: Product) -> Iterator[Mark]:
     items = product.items
-    for place, item in enumerate(items[:-1]):
+    for index, item in enumerate(items[:-1]):
         match item:
             case Scripted(nucleus=Leaf(text="e"), sub=None, sup=Node() as sup):
-                following = items[place + 1 :]
+                following = items[index + 1 :]
                 inner = sup.parts if isinstance(sup, Group) else (sup,)
                 row = inner[0].items if isinstance(inner[0], Product) else inner
                 for taken in range(1, len(following) + 1):
@@ -60,7 +60,7 @@ def _longer_exponents(product: Product) -> Iterator[Mark]:
                         continue
                     power = Group(sup.at, (Product(sup.at, (*row, *following[:taken])),))
                     longer = Scripted(item.at, item.nucleus, None, power)
-                    rest = (*items[:place], longer, *following[taken:])
+                    rest = (*items[:index], longer, *following[taken:])
                     new = in_a_row(product.at, rest)
                     shown = latex_of(Product(item.at, following[:taken]))
                     said = f"move ${shown}$ into the exponent of ${latex_of(item)}$"
@@ -69,24 +69,24 @@ def _longer_exponents(product: Product) -> Iterator[Mark]:
 
 def _surplus_signs(product: Product) -> Iterator[Mark]:
     items = product.items
-    for place, item in enumerate(items):
-        if isinstance(item, Infix) and 0 < place < len(items) - 1:
-            new = Product(product.at, (*items[:place], *items[place + 1 :]))
-            said = f"remove ${latex_of(item)}$ before ${latex_of(items[place + 1])}$"
+    for index, item in enumerate(items):
+        if isinstance(item, Infix) and 0 < index < len(items) - 1:
+            new = Product(product.at, (*items[:index], *items[index + 1 :]))
+            said = f"remove ${latex_of(item)}$ before ${latex_of(items[index + 1])}$"
             yield Mark(product, new, 1, "product", said, 0)
 
 
 def _missing_factors(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
     items = node.items if isinstance(node, Product) else (node,)
-    for place in range(len(items), -1, -1):
-        before = items[place - 1] if place else None
-        after = items[place] if place < len(items) else None
+    for index in range(len(items), -1, -1):
+        before = items[index - 1] if index else None
+        after = items[index] if index < len(items) else None
         if is_left_script(before) or isinstance(before, Summation) or isinstance(after, Summation):
             continue
-        if place == 0 and isinstance(after, Leaf) and after.kind == "NUMBER":
+        if index == 0 and isinstance(after, Leaf) and after.kind == "NUMBER":
             continue
         for letter, weight in letters:
-            new = Product(node.at, (*items[:place], letter, *items[place:]))
+            new = Product(node.at, (*items[:index], letter, *items[index:]))
             where = f"after ${latex_of(before)}$" if before is not None else f"before ${latex_of(items[0])}$"
             said = f"insert the factor ${latex_of(letter)}$ {where}"
             yield Mark(node, new, 2, "factor", said, weight)

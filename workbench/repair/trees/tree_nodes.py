@@ -90,9 +90,9 @@ def _hole(value: Any, inner: Node) -> Callable[[Node], Any] | None:
             if (filled := _hole(getattr(value, name), inner)) is not None:
                 return partial(_with_field, value, name, filled)
     if isinstance(value, tuple):
-        for place, part in enumerate(value):
+        for index, part in enumerate(value):
             if (filled := _hole(part, inner)) is not None:
-                return partial(_with_part, value, place, filled)
+                return partial(_with_part, value, index, filled)
     return None
 
 

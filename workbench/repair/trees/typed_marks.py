@@ -105,24 +105,24 @@ def _moved_transposes(product: Product) -> Iterator[Mark]:
 
 def _transposes(part: Node) -> Iterator[Mark]:
     items = part.items if isinstance(part, Product) else ()
-    for place, item in enumerate(items):
+    for index, item in enumerate(items):
         new = _with_transpose(item) if _is_factor(item) else None
         if new is not None:
             verb = "remove" if _has_transpose(item) else "insert"
             nucleus = item.nucleus if _has_transpose(item) and isinstance(item, Scripted) else item
             said = f"{verb} the transpose of ${latex_of(nucleus)}$"
-            row = Product(part.at, (*items[:place], new, *items[place + 1 :]))
+            row = Product(part.at, (*items[:index], new, *items[index + 1 :]))
             yield Mark(part, row, 1, "transpose", said)
 
 
 def _products_for_sums(part: Sum) -> Iterator[Mark]:
     """Yields x^T + x as x^T x."""
-    for place in range(len(part.addends) - 1):
-        (sign, at, left), (between, _, right) = part.addends[place : place + 2]
+    for index in range(len(part.addends) - 1):
+        (sign, at, left), (between, _, right) = part.addends[index : index + 2]
         if between != "+":
             continue
         row = Product(at, (*_factors(left), *_factors(right)))
-        addends = (*part.addends[:place], (sign, at, row), *part.addends[place + 2 :])
+        addends = (*part.addends[:index], (sign, at, row), *part.addends[index + 2 :])
         new: Node = Sum(part.at, addends) if len(addends) > 1 or sign else row
         said = f"remove $+$ between ${latex_of(left)}$ and ${latex_of(right)}$"
         yield Mark(part, new, 1, "product", said)
@@ -135,14 +135,14 @@ def _factors(node: Node) -> tuple[Node, ...]:
 
 def stray_relations(chain: Chain) -> Iterator[Mark]:
     """Yields a = b = c as a = b c."""
-    for place in range(1, len(chain.relations)):
+    for index in range(1, len(chain.relations)):
         sides, relations = chain.sides, chain.relations
-        left, right = sides[place], sides[place + 1]
+        left, right = sides[index], sides[index + 1]
         row = Product(left.at, (*_factors(_bracketed(left)), *_factors(_bracketed(right))))
         new = Chain(
             chain.at,
-            (*sides[:place], row, *sides[place + 2 :]),
-            (*relations[:place], *relations[place + 1 :]),
+            (*sides[:index], row, *sides[index + 2 :]),
+            (*relations[:index], *relations[index + 1 :]),
         )
         said = f"remove $=$ before ${latex_of(right)}$"
         yield Mark(chain, new, 1, "relation", said)

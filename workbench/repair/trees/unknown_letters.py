@@ -188,12 +188,12 @@ def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> lis
             continue
         ways: list[Found] = []
         formal_names = {f.name for fs in table.formals.values() for f in fs}
-        for place, formal in enumerate(formals):
+        for index, formal in enumerate(formals):
             for other, declaration in table.symbols.items():
                 if declaration.type != formal.type or other.indices or other in formal_names:
                     continue
                 argument = parse(str(other)).lines[0][0]
-                parts = (*given[:place], argument, *given[place:])
+                parts = (*given[:index], argument, *given[index:])
                 bracket = Bracket(found.bracket.at, found.bracket.kind, parts)
                 said = f"insert the argument ${other}$ in ${latex_of(bracket)}$"
                 mark = Mark(found.bracket, bracket, 1, "symbol", said)

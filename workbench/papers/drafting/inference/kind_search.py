@@ -51,9 +51,9 @@ class Search:
         self.formulas, self.costs = [each for each in formulas if each.trees], costs or Costs()
         self.names = [each.names for each in self.formulas]
         self.users: dict[str, list[int]] = defaultdict(list)
-        for place, names in enumerate(self.names):
+        for index, names in enumerate(self.names):
             for name in names:
-                self.users[name].append(place)
+                self.users[name].append(index)
         self.prior = {name: priors.of(name) for name in self.users}
         self.kinds: dict[str, Kind] = {name: next(iter(own)) for name, own in self.prior.items()}
         self.kinds |= {name: kind for name, kind in (start or {}).items() if name in self.kinds}
@@ -64,7 +64,7 @@ class Search:
         self._known: dict[tuple[int, tuple[Kind, ...]], int] = {}
         self._hopeless: dict[int, tuple[Kind, ...]] = {}
         self._beams = Beams(self.costs)
-        self._now = [self._cost(place, None) for place in range(len(self.formulas))]
+        self._now = [self._cost(index, None) for index in range(len(self.formulas))]
         self._settled: set[str] = set()
 
     # --------------------------------------------------------------------------------------- the cost

@@ -119,8 +119,8 @@ class Costs:
         width."""
         height, width = map(int, tree.text.split())
         blocks = _Blocks(height, width)
-        for place, cell in enumerate(tree.parts):
-            blocks.put(*divmod(place, width), cell, self.table(cell, kinds))
+        for index, cell in enumerate(tree.parts):
+            blocks.put(*divmod(index, width), cell, self.table(cell, kinds))
         return blocks.table()
 
 

@@ -193,11 +193,11 @@ class Walker(RowWalker):
             bare = str(self._named(letter.text, styles, scripts.without_sup()))
             if scripts.sup is not None:
                 self.labelled.add(bare)
-            for place, (power, node) in enumerate(powers):
+            for index, (power, node) in enumerate(powers):
                 if power == "transpose" and letter.text.islower():
                     self.transposed.add(bare)
                     if bare in self.labels:
-                        rest = [*powers[:place], *powers[place + 1 :]]
+                        rest = [*powers[:index], *powers[index + 1 :]]
                         return self._marked(letter, styles, replace(scripts, sup=node.sup), rest, has_dots)
         mark = next((style for style in styles if style in ("\\tilde", "\\hat")), None)
         if mark is not None and made.op == SYMBOL:
@@ -273,9 +273,9 @@ class Walker(RowWalker):
     def _matrix(self, node: Matrix) -> Operation:
         width = max(map(len, node.rows))
         cells = [
-            self.term(row[place]) if place < len(row) else self.make("zero", text="0")
+            self.term(row[index]) if index < len(row) else self.make("zero", text="0")
             for row in node.rows
-            for place in range(width)
+            for index in range(width)
         ]
         return self.make("matrix", *cells, text=f"{len(node.rows)} {width}")
 

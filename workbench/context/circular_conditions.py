@@ -84,11 +84,14 @@ def _differences(
         NotExact: A side cannot be evaluated.
     """
     from workbench.engines.inventory.inventory import NotExact, take_inventory
+    from workbench.engines.inventory.parameters import Parameter
     from workbench.engines.jet.jets import JetEngine
     from workbench.engines.jet.rings import FloatRing, PointSource, RationalRing, sample
 
     inventory = take_inventory((one.left, one.right, other.left, other.right), definitions)
-    random, fixed, found = Random(_SEED), {}, []
+    random = Random(_SEED)
+    fixed: dict[Parameter, float] = {}
+    found: list[list[list[float]]] = []
     for _ in range(_TRIES):
         drawn = sample(inventory, RationalRing(_ENTRIES), random)
         point = {each: float(value) for each, value in drawn.items()} | fixed

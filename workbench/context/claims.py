@@ -54,6 +54,12 @@ class Formula:
     def __str__(self) -> str:
         return self.latex
 
+    @property
+    def parsed(self) -> Statement:
+        """The statement of a formula that is known to be read."""
+        assert self.statement is not None, f"{self.latex} is not read"
+        return self.statement
+
 
 @dataclass(frozen=True)
 class Robot:
@@ -254,12 +260,12 @@ class Claim:
     def supposed(self) -> tuple[Statement, ...]:
         """All premises: assumed conditions, facts given for all times, and declared properties of symbols."""
         said, definitions = self.printed.statement, self.notation.definitions
-        given = [formula.statement for formula in self.given]
+        given = [formula.parsed for formula in self.given]
         if given and said is not None:
             from workbench.engines.inventory.assumptions import lasting
 
             given = lasting(given, said, definitions)
-        premises = (*(formula.statement for formula in self.assume), *given)
+        premises = (*(formula.parsed for formula in self.assume), *given)
         spoken = premises if said is None else (said, *premises)
         declared = dict.fromkeys(each for part in spoken for each in definitions.known_of(part))
         return (*premises, *declared)

@@ -166,10 +166,10 @@ def _condition(
         statement, ranges = read_statement(latex, notation, None)
         symbols = _symbols(terms_of(statement))
         of_pi = any(map(notation.definitions.is_pi, symbols))  # `unread_facts` handles such angles
-        is_equation = isinstance(statement, Relation) and statement.operator != "≈" and not of_pi
-        is_new = is_equation and not (order is None and is_by_definition(statement, notation.definitions))
-        is_new = is_new and not is_before_scope(names_in(statement), tokens[0].source.path, line, notation)
-        if is_new and not ranges:
+        if not isinstance(statement, Relation) or statement.operator == "≈" or of_pi or ranges:
+            return
+        is_known = order is None and is_by_definition(statement, notation.definitions)
+        if not is_known and not is_before_scope(names_in(statement), tokens[0].source.path, line, notation):
             yield from _facts(spelled(tokens)[0], line, statement, order)
 
 

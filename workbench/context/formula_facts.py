@@ -129,7 +129,7 @@ def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
             continue
         seen.add(declaration)
         for saying in said.get(declaration, ()):
-            stated = saying.claim.printed.statement
+            stated = saying.claim.printed.parsed
             if stated in claim.supposed or not _is_carried(stated, saying.claim.notation, notation):
                 continue
             fact = saying.fact

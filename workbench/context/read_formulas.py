@@ -18,7 +18,7 @@ from workbench.core.terms import Conjunction, Statement
 from workbench.language.reader import Range, read_formula
 from workbench.source.rewriting.formulas_in_models import or_respelled
 from workbench.source.rows.formula_lines import Line, whole_line
-from workbench.source.toml.toml_file import TomlFile
+from workbench.source.toml.toml_file import TomlTable
 
 #: A hypothesis in words: of an argument, or the branch of an inverse function.
 WORDS = re.compile(r"\\text\{[^{}\\]+\}")
@@ -28,7 +28,7 @@ WORDS = re.compile(r"\\text\{[^{}\\]+\}")
 class FormulaReader:
     """Reads the formulas of the claim at `path`."""
 
-    toml: TomlFile
+    toml: TomlTable
     path: KeyPath
     notation: Notation
     orders: Orders | None
@@ -92,7 +92,7 @@ class FormulaReader:
 
     def _refuse_conclusion(self, place: KeyPath, formula: Formula, printed: Formula) -> None:
         said, definitions = printed.statement, self.notation.definitions
-        if said is not None and is_conclusion(formula.statement, said, definitions):
+        if said is not None and is_conclusion(formula.parsed, said, definitions):
             raise self.toml.error_at_value((*self.path, *place), f"{place[0]}: {IS_THE_CONCLUSION}")
 
     def _intended(self, place: KeyPath, line: Line) -> Formula:

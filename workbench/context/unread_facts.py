@@ -82,6 +82,7 @@ class Unread:
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
     """Returns the unparsed equations and those in sentences, by their left side."""
     unread = [each for each in claims if each.printed.statement is None and not each.chain]
+    said: list[tuple[str, int, Path | None, Source | None]]
     said = [(each.printed.latex, each.line, each.file, None) for each in unread]
     said += [(each.latex, each.line, each.source.path, each.source) for each in inline]
     found: dict[str, list[Unread]] = {}
@@ -161,7 +162,9 @@ def _quarters(right: str) -> int | None:
     if right in ("0", "-0"):
         return 0
     match = _RIGHT_ANGLE.fullmatch(right)
-    degrees = int(match[2] or (180 if match[3] else 90)) if match else 1
+    if match is None:
+        return None
+    degrees = int(match[2] or (180 if match[3] else 90))
     return None if degrees % 90 else degrees // 90 * (-1 if match[1] == "-" else 1)
 
 
@@ -171,7 +174,7 @@ def _flat(name: str) -> str:
 
 
 def _expanded(claim: Claim) -> list[Term]:
-    sides = list(sides_of(claim.printed.statement))
+    sides = list(sides_of(claim.printed.parsed))
     sides += [side for supposed in claim.supposed for side in sides_of(supposed)]
     with suppress(IllFormed):
         return [expand(side, claim.notation.definitions) for side in sides]

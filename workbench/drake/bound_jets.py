@@ -27,6 +27,7 @@ class Motion(Protocol):
 
     name: str
     samples: tuple[float, ...]
+    course: tuple[float, ...]
     plant: MultibodyPlant
     path: JointPath
     body: str

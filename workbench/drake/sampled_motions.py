@@ -44,7 +44,7 @@ from workbench.drake.quantities import (
 )
 
 SAMPLES = (-0.75, 0.5)
-COURSE = (-1.0, -0.5, 0.0, 0.5, 1.0)
+COURSE: tuple[float, ...] = (-1.0, -0.5, 0.0, 0.5, 1.0)
 
 #: The sums of joint angles, in rad, covered by half of a window.
 TURNS = (4.0, 6.0)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Mapping
 
+from workbench.core.names import Name
 from workbench.core.terms import Definition, Symbol, Term
 from workbench.drake.relations import ALSO, DEFINED, names_in
 from workbench.drake.relations import Term as Data
@@ -32,12 +33,13 @@ def ties(motion: Mapping[Symbol, str], definitions: Definitions) -> list[Definit
     return found
 
 
-def names_behind(terms: Iterable[Term], definitions: Iterable[Definition]) -> set[str]:
+def names_behind(terms: Iterable[Term], definitions: Iterable[Definition]) -> set[Name]:
     """Returns the names of all symbols in the terms and in the definitions that they use."""
-    bodies: dict[str, list[Term]] = {}
+    bodies: dict[Name, list[Term]] = {}
     for definition in definitions:
         bodies.setdefault(definition.declaration.name, []).append(definition.body)
-    waiting, names = list(terms), set()
+    waiting = list(terms)
+    names: set[Name] = set()
     while waiting:
         new = {t.declaration.name for t in waiting.pop().walk() if isinstance(t, Symbol)} - names
         names |= new

@@ -186,7 +186,9 @@ class ClaimTable:
                     id=claim.id if len(lines) == 1 else f"{claim.id}.{number + 1}",
                     printed=printed,
                     reading=reading,
-                    corrected=corrections and reader.intended("corrected", corrections[number]),
+                    corrected=None
+                    if corrections is None
+                    else reader.intended("corrected", corrections[number]),
                     hypothesis=reader.hypothesis(printed),
                     assume=reader.conditions(printed),
                     orders=reader.orders,

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from typing import TypeVar
 
 from workbench.core.codes.model_codes import ModelCode
 from workbench.core.paper_errors import PaperError, PaperErrors
-from workbench.core.reasons import code_of
+from workbench.core.reasons import Reason
 
 T = TypeVar("T")
 
@@ -55,6 +55,14 @@ class Faults(list[PaperError]):
             for undo in reversed(put_back):
                 undo()
 
+    def need(self, make: Callable[[], T]) -> T:
+        """What `make` gives without the entries at fault. Raises PaperError where it cannot do without."""
+        made = self.past(make)
+        if made is None:
+            self.stop()
+        assert made is not None, "nothing is made, and no fault is told"
+        return made
+
     def tell(self, error: PaperError) -> None:
         for each in error.faults:
             is_told = any(str(each) == str(known) for known in self)
@@ -76,10 +84,10 @@ def _follows(error: PaperError, aside: PaperError) -> bool:
     path = aside.path
     while isinstance(path[-1], int):
         path = path[:-1]
-    *table, key = path
+    *table, last = path
+    key = str(last)
     if error.toml is aside.toml and list(error.path[: len(table)]) == table:
-        is_of_table = len(error.path) == len(table) and isinstance(code_of(error.message), ModelCode)
-        missing = error.message.arguments.values() if is_of_table else ()
+        missing = _missing_keys(error.message) if len(error.path) == len(table) else ()
         if key in _GROUNDS or error.message == aside.message or get_close_matches(key, missing, 1):
             return True
     is_notation = any(get_close_matches(str(part), _NOTATION, 1, cutoff=0.8) for part in path[:3:2])
@@ -87,6 +95,13 @@ def _follows(error: PaperError, aside: PaperError) -> bool:
         return False
     declares = table[-1:] and table[-1] in ("symbols", "definitions", "notation")
     return not declares or set(_LETTERS.findall(key)) <= set(_LETTERS.findall(error.latex))
+
+
+def _missing_keys(message: str) -> Sequence[str]:
+    """The keys that a message of a model misses in a table."""
+    if isinstance(message, Reason) and isinstance(message.code, ModelCode):
+        return [str(key) for key in message.arguments.values()]
+    return ()
 
 
 def _place(error: PaperError) -> tuple[str, int, int]:

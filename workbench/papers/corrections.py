@@ -6,12 +6,12 @@ import re
 
 from workbench.context.claims import FAULTS, Edit, Mend
 from workbench.core.paper_errors import KeyPath
-from workbench.source.toml.toml_file import TomlFile
+from workbench.source.toml.toml_file import TomlTable
 
 MEND_KEYS = ("fault", "mend", "mended_by", "beside", "place", "cause", "add", "example")
 
 
-def fault_of(toml: TomlFile, path: KeyPath) -> str | None:
+def fault_of(toml: TomlTable, path: KeyPath) -> str | None:
     fault = toml.text((*path, "fault"))
     if fault is not None and fault not in FAULTS:
         message = f"fault: expected one of {', '.join(FAULTS)}; got {fault!r}"
@@ -19,7 +19,7 @@ def fault_of(toml: TomlFile, path: KeyPath) -> str | None:
     return fault
 
 
-def mend_of(toml: TomlFile, path: KeyPath, printed: str) -> Mend:
+def mend_of(toml: TomlTable, path: KeyPath, printed: str) -> Mend:
     """Returns the correction that the keys of one claim state.
 
     printed: a formula, or a sentence in quotation marks.
@@ -55,7 +55,7 @@ def _squeezed(latex: str) -> str:
     return re.sub(r"\\(?:left|right)(?![A-Za-z])|\s|&", "", latex).rstrip(".,")
 
 
-def _edit(toml: TomlFile, path: KeyPath, texts: list[str]) -> Edit:
+def _edit(toml: TomlTable, path: KeyPath, texts: list[str]) -> Edit:
     pair = toml.value(path, list)
     if len(pair) != 2 or not all(isinstance(text, str) for text in pair) or not pair[0].strip():
         raise toml.error_at_value(path, f"mend: expected ['for', 'read'], got {list(pair)!r}")

@@ -12,7 +12,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
-from workbench.source.toml.toml_file import TomlFile
+from workbench.source.toml.toml_file import TomlTable
 
 
 class Promise(NamedTuple):
@@ -43,7 +43,7 @@ def without_promises(
 
 
 def require_kept(
-    promises: Collection[Promise], owners: Mapping[str, TomlFile], table: SymbolTable, known: Definitions
+    promises: Collection[Promise], owners: Mapping[str, TomlTable], table: SymbolTable, known: Definitions
 ) -> None:
     """Raises PaperError for a property that is not proved. owners: the files of the definitions."""
     for key, flag in promises:

@@ -16,17 +16,17 @@ and refutations with them are valid. In components of the base:
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.core.construct import apply, block, derivative, number, symbol, zero
 from workbench.core.formula_errors import SpecError
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
-from workbench.core.terms import Definition, Term, Zero
-from workbench.core.types import TENSOR, VECTOR, Declaration, Type, type_of_kind
+from workbench.core.terms import Definition, Symbol, Term, Zero
+from workbench.core.types import KINDS, TENSOR, VECTOR, Declaration, Type
 
-TRANSFORM = type_of_kind("transform")
+TRANSFORM = KINDS["transform"]
 
 
 @dataclass
@@ -95,18 +95,21 @@ class Frames:
             raise SpecError(f"{point} is fixed, too", "place")
         self.place(point)
 
-    def define(self, term: Term, body: Term) -> None:
-        """Defines a symbol that is free until then."""
-        self.definitions.append(Definition(term.declaration, (), (), body))
+    def define(self, point: str, body: Term) -> None:
+        """Defines the place of a point, which is free until then."""
+        place = self.place(point)
+        assert isinstance(place, Symbol), f"{point} is fixed, too"
+        self.definitions.append(Definition(place.declaration, (), (), body))
 
-    def free(self, name: Name, type_: Type, **flags: bool) -> Term:
+    def free(self, name: Name, type_: Type, rotation: bool = False, constant: bool = False) -> Term:
         if name not in self.declarations:
-            self.declarations[name] = Declaration(name, type_, hidden=True, **flags)
+            made = Declaration(name, type_, hidden=True, rotation=rotation, constant=constant)
+            self.declarations[name] = made
         return symbol(self.declarations[name], ())
 
-    def defined(self, name: Name, type_: Type, body: Term, **flags: bool) -> Term:
+    def defined(self, name: Name, type_: Type, body: Term, hidden: bool = False) -> Term:
         if name not in self.declarations:
-            self.declarations[name] = Declaration(name, type_, **flags)
+            self.declarations[name] = Declaration(name, type_, hidden=hidden)
             self.definitions.append(Definition(self.declarations[name], (), (), body))
         return symbol(self.declarations[name], ())
 
@@ -118,7 +121,7 @@ class Frames:
         index = tuple(Linear.variable(f"@{place}") for place in range(declaration.indices))
         self.declarations[own.name] = own
         body = turned(turn, symbol(own, index))
-        if declaration.type.is_square:
+        if declaration.type.is_square and turn is not None:
             body = apply("mul", body, apply("transpose", turn))
         self.definitions.append(Definition(moving, index, (), body))
         return moving
@@ -162,15 +165,16 @@ def turned(turn: Term | None, body: Term) -> Term:
 
 def _rotation(frames: Frames, to: str, origin: str) -> Term:
     one, other = frames.orientation(to), frames.orientation(origin)
-    if one is None or one == other:
-        return apply("mul", apply("transpose", one), one) if one is not None and one == other else other
+    if one is None:
+        assert other is not None, f"{to} and {origin} are the base"
+        return other
     return apply("transpose", one) if other is None else apply("mul", apply("transpose", one), other)
 
 
 #: Phrases of components, which are in the frame F if no other is named.
 RESOLVED_IN_F = ("origin of", "place of")
 #: (phrase, kind, letters that are frames, term) for each meaning of a spelling.
-PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
+PHRASES: Sequence[tuple[str, Type, str, Callable[..., Term]]] = (
     (r"rotation to (?P<F>\w) from (?P<G>\w)", TENSOR, "FG", lambda f, F, G: _rotation(f, F, G)),
     (r"angular velocity of (?P<G>\w) in (?P<F>\w)", VECTOR, "FG", lambda f, F, G: f.angular_velocity(G, F)),
     (

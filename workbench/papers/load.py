@@ -59,7 +59,7 @@ def load_part(path: Path) -> Paper:
     if (name := name_of(path)) is None:
         return load_paper(path)
     paper, place = load_installed(name), path.resolve()
-    own = tuple(claim for claim in paper.claims if claim.file.resolve() == place)
+    own = tuple(claim for claim in paper.claims if claim.file and claim.file.resolve() == place)
     return replace(paper, claims=own) if own else paper  # the claims of a model stand in its text
 
 
@@ -68,7 +68,7 @@ def load_notation(path: Path | str) -> Notation:
     PaperError."""
     toml, faults = TomlFile(Path(path)), Faults()
     faults.past(lambda: toml.allow_keys((), _PAPER_KEYS))
-    notation = faults.past(lambda: _notation_of(notation_chain(toml)))
+    notation = faults.need(lambda: _notation_of(notation_chain(toml)))
     faults.stop()
     return notation
 
@@ -159,11 +159,10 @@ def merge(
     if not found:
         _read_ahead([file for file in files if file.before is None], theorems, kept, meanwhile)
     for file in files:
-        file.notation = file.before.notation if file.before else found.past(partial(_notation_of, file.chain))
-        if file.notation is None:
-            found.stop()
-    below = next((file.chain[:-1] for file in files if len(file.chain) > 1 and len(files) > 1), None)
-    shared = below and found.past(lambda: kept.once("notation", below, lambda: _notation_of(below)))
+        known = file.before.notation if file.before else None
+        file.notation = known or found.need(partial(_notation_of, file.chain))
+    below = next((file.chain[:-1] for file in files if len(file.chain) > 1 and len(files) > 1), ())
+    shared = found.past(lambda: kept.once("notation", below, lambda: _notation_of(below))) if below else None
     is_usable = not found
     claims: list[Claim] = []
     owners: dict[str, str] = {}
@@ -196,7 +195,7 @@ def merge(
         first.title,
         first.doi,
         tuple(paths),
-        shared or first.notation,
+        shared or first.known_notation,
         tuple(claims),
         dict(theorems),
         budget,
@@ -249,17 +248,16 @@ class _PaperFile:
         past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
         citation = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
         chain = past(lambda: notation_chain(toml)) or [toml]
-        title, doi, budget = (
-            past(partial(nearest, chain, read))
-            for read in (lambda file: file.text(("title",)), lambda file: file.text(("doi",)), budget_of)
-        )
+        title = past(lambda: nearest(chain, lambda file: file.text(("title",))))
+        doi = past(lambda: nearest(chain, lambda file: file.text(("doi",))))
+        budget = past(partial(nearest, chain, budget_of))
         if title is None:
             faults.tell(toml.error_at_key((), ModelCode.MISSING_KEY(key="title")))
         section, key = past(lambda: toml.text(("section",))), kept.key("claims", chain)
         sections = past(lambda: _section_names(toml)) or {}
         before: _Read | None = kept.get(key)
         return _PaperFile(
-            toml, title, doi, section, chain, budget, citation, sections, claims or (), key, before
+            toml, title or "", doi, section, chain, budget, citation, sections, claims or (), key, before
         )
 
     def read(
@@ -277,16 +275,23 @@ class _PaperFile:
         from workbench.papers.claim_tables import ClaimTable
 
         claims: list[Claim] = []
+        notation = self.known_notation
         for index, claim in enumerate(self.claims):
-            table = ClaimTable(self.toml, ("claim", index), self.notation, self.section, owners, theorems)
+            table = ClaimTable(self.toml, ("claim", index), notation, self.section, owners, theorems)
             made = faults.past(table.claims, whole=True)
             claims += made or ()
             if made is None and isinstance(name := claim.get("id"), str):
                 skipped.append(name)
         if not faults:
             own = {claim.id: owners[claim.id] for claim in claims}
-            self.keep(kept, _Read(self.notation, tuple(claims), own))
+            self.keep(kept, _Read(notation, tuple(claims), own))
         return claims
+
+    @property
+    def known_notation(self) -> Notation:
+        """The notation of a file that is read."""
+        assert self.notation is not None, f"{self.toml.path} is not read"
+        return self.notation
 
     def keep(self, kept: Kept, read: _Read) -> None:
         if read.notation.robot is None:  # the file of a robot may change
@@ -294,13 +299,14 @@ class _PaperFile:
 
     def read_alone(self, theorems: Mapping[str, Proven]) -> _Read | None:
         """Returns the content of the file; None if it has a fault."""
-        faults, owners = Faults(), {}
+        faults = Faults()
+        owners: dict[str, str] = {}
         try:
-            self.notation = _notation_of(self.chain)
+            notation = self.notation = _notation_of(self.chain)
             claims = self.read(owners, theorems, [], faults, Kept(None))
         except PaperError:
             return None
-        return None if faults else _Read(self.notation, tuple(claims), owners)
+        return None if faults else _Read(notation, tuple(claims), owners)
 
     @staticmethod
     def _is_as_before(before: _Read, owners: Mapping[str, str], theorems: Mapping[str, Proven]) -> bool:

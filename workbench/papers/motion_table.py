@@ -18,19 +18,19 @@ from workbench.drake.bindings import Bound, alternatives
 from workbench.drake.special_motions import NAMES
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.source.toml.toml_file import TomlFile
+from workbench.source.toml.toml_file import TomlTable, present_text
 
 ROBOT, CLAIMS = "robot", "claims"
 _ON_MOTIONS = key_names("motion claim")
 
 
-def bindings(file: TomlFile, table: SymbolTable, keys: Sequence[str]) -> Iterator[tuple[Symbol, str]]:
+def bindings(file: TomlTable, table: SymbolTable, keys: Sequence[str]) -> Iterator[tuple[Symbol, str]]:
     """Yields the symbols of the file's [motion] and the quantities they are bound to. Raises PaperError."""
     for key in keys:
-        yield _binding(file, key, file.text(("motion", key)), table)
+        yield _binding(file, key, present_text(file, ("motion", key)), table)
 
 
-def robot(file: TomlFile) -> Robot | None:
+def robot(file: TomlTable) -> Robot | None:
     """Returns the table [motion.robot]: a URDF file, relative to the paper's file, and a body of it."""
     path = ("motion", ROBOT)
     if ROBOT not in file.value(("motion",), dict, {}):
@@ -47,7 +47,7 @@ def robot(file: TomlFile) -> Robot | None:
     return Robot(place, body)
 
 
-def formulas(file: TomlFile, notation: Notation) -> Iterator[tuple[str, OnMotions]]:
+def formulas(file: TomlTable, notation: Notation) -> Iterator[tuple[str, OnMotions]]:
     """Yields the entries of [motion.claims]: for a claim, a formula that holds and one that is false as
     printed, or why there is none.
 
@@ -73,7 +73,7 @@ def formulas(file: TomlFile, notation: Notation) -> Iterator[tuple[str, OnMotion
         yield claim, OnMotions(holds, printed, orders, on, none)
 
 
-def _formula(file: TomlFile, path: KeyPath, notation: Notation, orders: Orders | None) -> Formula | None:
+def _formula(file: TomlTable, path: KeyPath, notation: Notation, orders: Orders | None) -> Formula | None:
     text = file.text(path)
     if text is None:
         return None
@@ -83,7 +83,7 @@ def _formula(file: TomlFile, path: KeyPath, notation: Notation, orders: Orders |
         raise file.error_in_string(path, error.line, error.column, f"motion: {error.message}") from None
 
 
-def _binding(file: TomlFile, key: str, text: str, table: SymbolTable) -> tuple[Symbol, str]:
+def _binding(file: TomlTable, key: str, text: str, table: SymbolTable) -> tuple[Symbol, str]:
     path = ("motion", key)
     try:
         choices = alternatives(text)

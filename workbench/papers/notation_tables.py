@@ -28,20 +28,20 @@ from workbench.papers.declared_properties import Promise, require_kept, without_
 from workbench.papers.motion_table import CLAIMS, ROBOT, bindings, formulas, robot
 from workbench.papers.paper_frames import frame_labels, framed, require_rotations
 from workbench.source.rewriting.formulas_in_models import or_respelled
-from workbench.source.toml.toml_file import TomlFile
+from workbench.source.toml.toml_file import TomlFile, TomlTable, present_text
 
 HAMILTON = "hamilton, scalar first"
 #: The allowed values of each convention.
 CONVENTIONS = choices("conventions")
 #: (file, key, body) of a definition.
-_Entry: TypeAlias = tuple[TomlFile, str, str]
+_Entry: TypeAlias = tuple[TomlTable, str, str]
 _GROUPS = re.compile(r"[\s{}]")
 _DOTS = re.compile(r"^\s*\\d{1,4}ot(?![A-Za-z])")
 #: The functions that a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 
 
-def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> Notation:
+def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlTable] = ()) -> Notation:
     """Returns the notation that the files give together, the first one first.
 
     Each of the scopes redeclares the symbols that it names, and removes their definitions. Raises PaperError.
@@ -59,14 +59,14 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     table, definitions, turns = framed([*files, *scopes], table)
     made_by_frames = frozenset(definition.declaration.name for definition in definitions)
     entries = _in_order(list(_in_scope(files, scopes)), table) if scopes else list(_in_scope(files, scopes))
-    found, table = _definitions(entries, scopes, table)
-    definitions += found
+    written, table = _definitions(entries, scopes, table)
+    definitions += written
     if made_by_frames:
-        _refuse_circle(entries, found, Definitions(definitions))
+        _refuse_circle(entries, written, Definitions(definitions))
     bound: dict[Symbol, str] = {}
     for file, keys in _keys(files, "motion"):
         bound |= bindings(file, table, [key for key in keys if key not in (ROBOT, CLAIMS)])
-    robots = [found for file in files if (found := robot(file)) is not None]
+    robots = [each for file in files if (each := robot(file)) is not None]
     tied = ties(bound, Definitions(definitions))
     known = Definitions([*definitions, *tied])
     require_rotations(turns, known)
@@ -155,7 +155,7 @@ def _uses(definition: Definition, key: str) -> bool:
 
 
 def _definitions(
-    entries: list[_Entry], scopes: Sequence[TomlFile], table: SymbolTable
+    entries: list[_Entry], scopes: Sequence[TomlTable], table: SymbolTable
 ) -> tuple[list[Definition], SymbolTable]:
     """Returns the definitions in their order, and the symbols.
 
@@ -201,7 +201,7 @@ def _refuse_circle(entries: Sequence[_Entry], found: Sequence[Definition], known
 def _spellings(files: Sequence[TomlFile], table: SymbolTable) -> SymbolTable:
     """Returns the table with the spellings that [notation] explains."""
     specs: dict[str, Any] = {}
-    owners: dict[str, TomlFile] = {}
+    owners: dict[str, TomlTable] = {}
     for file in files:
         entries = file.data.get("notation")
         for key, spec in entries.items() if isinstance(entries, dict) else ():
@@ -225,9 +225,9 @@ def with_definitions(notation: Notation, entries: Mapping[str, str]) -> Notation
     return replace(notation, symbols=symbols, definitions=Definitions([*notation.definitions, *more]))
 
 
-def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> tuple[SymbolTable, list[Promise]]:
+def _table(files: Sequence[TomlTable], scopes: Sequence[TomlTable]) -> tuple[SymbolTable, list[Promise]]:
     specs: dict[str, Any] = {}
-    owners: dict[str, TomlFile] = {}
+    owners: dict[str, TomlTable] = {}
     hamilton = any([_says_hamilton(file) for file in files])
     for file in (*files, *scopes):
         for key, spec in file.value(("symbols",), dict, {}).items():
@@ -246,7 +246,7 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> tuple[Symbo
         raise owners[error.key].error_at_key(("symbols", error.key), error.reason) from None
 
 
-def _says_hamilton(file: TomlFile) -> bool:
+def _says_hamilton(file: TomlTable) -> bool:
     for key in file.value(("conventions",), dict, {}):
         if key in ("arguments", "functions") or file.text(("conventions", key)) in CONVENTIONS.get(key, ()):
             continue
@@ -256,7 +256,7 @@ def _says_hamilton(file: TomlFile) -> bool:
     return "quaternion" in file.value(("conventions",), dict, {})
 
 
-def _arguments(files: Sequence[TomlFile]) -> frozenset[Name]:
+def _arguments(files: Sequence[TomlTable]) -> frozenset[Name]:
     """Returns the arguments that only state a dependence; with q, its rates are included."""
     found = set()
     for file in files:
@@ -269,7 +269,7 @@ def _arguments(files: Sequence[TomlFile]) -> frozenset[Name]:
     return frozenset(found)
 
 
-def _words(files: Sequence[TomlFile]) -> frozenset[str]:
+def _words(files: Sequence[TomlTable]) -> frozenset[str]:
     r"""Returns the functions that a text writes as letters: cos for \cos."""
     found = set()
     for file in files:
@@ -281,13 +281,13 @@ def _words(files: Sequence[TomlFile]) -> frozenset[str]:
     return frozenset(found)
 
 
-def _convention(files: Sequence[TomlFile], key: str) -> str | None:
+def _convention(files: Sequence[TomlTable], key: str) -> str | None:
     """Returns the value of a convention; the last file that has one counts."""
     found = [text for file in files if (text := file.text(("conventions", key))) is not None]
     return found[-1] if found else None
 
 
-def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator[_Entry]:
+def _in_scope(files: Sequence[TomlTable], scopes: Sequence[TomlTable]) -> Iterator[_Entry]:
     """Yields the definitions; those of the last scope replace others of the same key."""
     found = {key: (file, key, body) for file, key, body in _entries(files, "definitions")}
     for scope in scopes:
@@ -297,14 +297,14 @@ def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator
     yield from found.values()
 
 
-def _entries(files: Sequence[TomlFile], table: str) -> Iterator[_Entry]:
+def _entries(files: Sequence[TomlTable], table: str) -> Iterator[_Entry]:
     for file, keys in _keys(files, table):
         for key in keys:
-            yield file, key, file.text((table, key))
+            yield file, key, present_text(file, (table, key))
 
 
-def _keys(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, list[str]]]:
-    owners: dict[str, TomlFile] = {}
+def _keys(files: Sequence[TomlTable], table: str) -> Iterator[tuple[TomlTable, list[str]]]:
+    owners: dict[str, TomlTable] = {}
     for file in files:
         keys = list(file.value((table,), dict, {}))
         for key in keys:
@@ -315,7 +315,7 @@ def _keys(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, lis
         yield file, keys
 
 
-def _definition(file: TomlFile, key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
+def _definition(file: TomlTable, key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
     path = ("definitions", key)
     try:
         return _read(key, body, table)

@@ -91,10 +91,10 @@ def _families(table: SymbolTable) -> Iterator[tuple[Declaration, Callable[[tuple
         if index and not (each.indices or each.parameters or each.of or family in table.symbols):
             found.setdefault(family, {})[index] = each
     for family, several in found.items():
-        types = {each.type for each in several.values()}
+        types = [*{each.type for each in several.values()}]
         if len(several) > 1 and len(types) == 1:
             members = {index: symbol(each) for index, each in several.items()}
-            yield Declaration(family, *types, None, indices=family.indices), members.__getitem__
+            yield Declaration(family, types[0], indices=family.indices), members.__getitem__
     if not table.has_letter(_KRONECKER.name.letter):
         yield _KRONECKER, lambda index: number(1) if len({*index}) == 1 else zero()
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -24,8 +23,8 @@ from workbench.language.naming.spelling import Spelling, in_bracket, spell_label
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
 from workbench.papers.declared_properties import unseen
-from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, plus, turned
-from workbench.source.toml.toml_file import TomlFile
+from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, plus, turned
+from workbench.source.toml.toml_file import TomlTable
 
 _FRAME_KEYS = key_names("frames")
 #: The meanings of {}^F\dot{x} of a resolved vector.
@@ -40,7 +39,7 @@ _RESOLVED = re.compile(r",? resolved in (?P<R>\w)$")
 class Turn(NamedTuple):
     """A matrix that a file gives for the orientation of a frame."""
 
-    file: TomlFile
+    file: TomlTable
     frame: str
     matrix: Term
 
@@ -53,14 +52,16 @@ def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
             raise turn.file.error_at_key(("frames", "orientation"), message)
 
 
-def frame_labels(files: Sequence[TomlFile]) -> frozenset[str]:
+def frame_labels(files: Sequence[TomlTable]) -> frozenset[str]:
     """Returns the labels of frames and points in [frames] and [points], if these are lists of texts."""
     found = [file.value((table, "names"), list, []) for file in files for table in ("frames", "points")]
     bases = [file.value(("frames", "base"), str, "") for file in files]
     return frozenset(label for labels in (*found, bases) for label in labels if isinstance(label, str))
 
 
-def framed(files: Sequence[TomlFile], table: SymbolTable) -> tuple[SymbolTable, list[Definition], list[Turn]]:
+def framed(
+    files: Sequence[TomlTable], table: SymbolTable
+) -> tuple[SymbolTable, list[Definition], list[Turn]]:
     """Returns the table with the declarations of [frames] and [points], its definitions, and the
     orientations.
 
@@ -68,7 +69,7 @@ def framed(files: Sequence[TomlFile], table: SymbolTable) -> tuple[SymbolTable, 
         PaperError: An entry cannot be used.
     """
     entries: dict[str, dict[str, Any]] = {"frames": {}, "points": {}}
-    owners: dict[tuple[str, str], TomlFile] = {}
+    owners: dict[tuple[str, str], TomlTable] = {}
     for file in files:
         for table_name, found in entries.items():
             found |= file.value((table_name,), dict, {})
@@ -78,8 +79,8 @@ def framed(files: Sequence[TomlFile], table: SymbolTable) -> tuple[SymbolTable, 
     try:
         reader = _Reader(entries["frames"], entries["points"], table)
         known, definitions = reader.read()
-        owner = owners.get(("frames", "orientation"))
-        return known, definitions, [Turn(owner, *turn) for turn in reader.turns.items()]
+        turns = [Turn(owners["frames", "orientation"], *turn) for turn in reader.turns.items()]
+        return known, definitions, turns
     except SpecError as error:
         place = next(
             ((name, error.key) for name in entries if (name, error.key) in owners), next(iter(owners))
@@ -138,7 +139,7 @@ class _Reader:
             self.axes(label(frame), axes)
         for at, (point, said) in enumerate(placed.items()):
             later = {label(other) for other in list(placed)[at:]}
-            frames.define(frames.place(label(point)), self.placed(said, later))
+            frames.define(label(point), self.placed(said, later))
         turns = {} if has_components else {frame: frames.orientation(frame) for frame in frames.labels}
         for declaration in frames.declarations.values():
             if self.table.symbols.get(declaration.name) is declaration:
@@ -255,32 +256,30 @@ class _Reader:
         resolved = _RESOLVED.search(text)
         what = _RESOLVED.sub("", text)
         phrases = ((re.fullmatch(entry[0], what), *entry[1:]) for entry in PHRASES)
-        match, type_, in_frames, make = next(
-            (entry for entry in phrases if entry[0]), (None, VECTOR, "", minus)
-        )
+        found = next((entry for entry in phrases if entry[0] is not None), None)
+        match, type_, in_frames, make = found or (None, VECTOR, "", None)
+        vector = None
         if match is None:
             vector = self.vector(what) if resolved else None
             if vector is None:
                 known = "; ".join(re.sub(r"\(\?P<(\w)>\\w\)", r"\1", pattern) for pattern, *_ in PHRASES)
                 said = f"{phrase!r}; expected derivative, or one of: {known}; [, resolved in F]"
                 raise SpecError(f"{said}; or a vector resolved in F", key)
-            make = partial(_as_it_is, vector)
-        else:
-            vector = None
         if resolved is not None and type_ is not VECTOR:
             raise SpecError("only a vector is resolved in a frame", key)
         letters = {match[role]: role for role in match.groupdict()} if match else {}
         texts, named = _spelled(key)
-        where = resolved["R"] if resolved else match["F"] if text.startswith(RESOLVED_IN_F) else None
+        where = resolved["R"] if resolved else None
+        if match is not None and resolved is None and text.startswith(RESOLVED_IN_F):
+            where = match["F"]
         names = [*letters, *([where] if where and where not in letters else [])]
         choices = []
         for letter in names:
-            known = (
-                self.frames.labels if letters.get(letter, "R") in (*in_frames, "R") else self.frames.points
-            )
-            if letter not in texts and letter not in known:
+            is_frame = letters.get(letter, "R") in (*in_frames, "R")
+            labels = self.frames.labels if is_frame else self.frames.points
+            if letter not in texts and letter not in labels:
                 raise SpecError(f"{letter} does not stand in it", key)
-            choices.append(known if letter in texts else (letter,))  # ω in "ω of B in A"
+            choices.append(labels if letter in texts else (letter,))  # ω in "ω of B in A"
         for chosen in product(*choices):
             given = dict(zip(names, chosen, strict=True))
             arguments = {role: given[letter] for letter, role in letters.items()}
@@ -288,7 +287,9 @@ class _Reader:
             if is_zero and type_ is not VECTOR:
                 continue
             name = named(given)
-            body = zero(VECTOR) if is_zero else make(self.frames, **arguments)
+            body = vector or zero(VECTOR)
+            if make is not None and not is_zero:
+                body = make(self.frames, **arguments)
             if where is not None and not is_zero:
                 body = self.frames.resolved(given[where], body)
                 if vector is not None:
@@ -320,10 +321,6 @@ class _Reader:
             else:
                 self.frames.declarations[name] = declared
                 self.frames.definitions.append(Definition(declared, (), (), body))
-
-
-def _as_it_is(vector: Term, _: Frames) -> Term:
-    return vector
 
 
 def _names(entries: Mapping[str, Any]) -> list[str]:

@@ -13,7 +13,7 @@ import resource
 import signal
 import sys
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from itertools import groupby
 from multiprocessing import connection, current_process, get_all_start_methods, get_context
 from multiprocessing.connection import Connection
@@ -71,7 +71,7 @@ class Workers:
         items: Iterable[Any],
         seconds: float | None = None,
         meanwhile: Callable[[], None] = lambda: None,
-    ) -> Iterator[Any]:
+    ) -> Generator[Any]:
         """Yields function(item) for each item, in order; an OutOfBudget stands for a call that was ended.
 
         Raises the exceptions of the function. meanwhile: called once, when all processes are busy.

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 import threading
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -89,7 +89,7 @@ class Cluster:
 
     def map(
         self, items: Iterable[tuple[Bundle, str, str, str]], budget: Budget
-    ) -> Iterator[Verdict | OutOfBudget]:
+    ) -> Generator[Verdict | OutOfBudget]:
         """Yields the verdict on each (paper, claim, form, key), in order; all are submitted at once."""
         bundles: dict[str, Any] = {}
         tasks = []
@@ -118,7 +118,7 @@ class PaperOnCluster:
         self._cluster, self._judge, self._bundle = cluster, judge, Bundle.of(judge.paper, name)
         self._claims = {claim.id: claim for claim in judge.paper.claims}
 
-    def map(self, items: Sequence[tuple[str, str]]) -> Iterator[Verdict | OutOfBudget]:
+    def map(self, items: Sequence[tuple[str, str]]) -> Generator[Verdict | OutOfBudget]:
         far = [item for item in items if self._is_judged(*item)]
         answers = self._cluster.map(
             ((self._bundle, name, form, self._judge.key(self._claims[name], form)) for name, form in far),
@@ -152,6 +152,7 @@ def judged_by_worker(
             call = [sys.executable, "-m", "workbench.app.pipeline.dask_workers"]
             _SERVER[:] = [subprocess.Popen(call, stdin=subprocess.PIPE, stdout=subprocess.PIPE)]
         server = _SERVER[-1]
+        assert server.stdin is not None and server.stdout is not None, "both are pipes"
         pickle.dump((bundle, name, form, key, dict(options), budget), server.stdin)
         server.stdin.flush()
         return pickle.load(server.stdout)

@@ -6,11 +6,11 @@ A claim passes if these verdicts are those that its keys expect.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, TypedDict, Unpack
 
 from workbench.app.pipeline.motion_witnesses import Witnesses
 from workbench.app.pipeline.verdict_keys import Keys, Memory
@@ -45,11 +45,25 @@ _DEFECTS = (ArithmeticError, AssertionError, AttributeError, LookupError, TypeEr
 class Pool(Protocol):
     """A pool that judges forms: local processes, or a cluster."""
 
-    def map(self, items: Sequence[tuple[str, str]]) -> Iterator[Verdict | OutOfBudget]:
+    def map(self, items: Sequence[tuple[str, str]]) -> Generator[Verdict | OutOfBudget]:
         """Yields the verdict on each form of a claim, in order."""
 
     def close(self) -> None:
         """Ends the pool."""
+
+
+class EngineOptions(TypedDict, total=False):
+    """Which engines and witnesses a judge of claims asks."""
+
+    second_engine: bool
+    motions: bool
+
+
+class JudgeOptions(EngineOptions, total=False):
+    """What a judge of claims can be given, as `ClaimJudge` has it."""
+
+    budget: Budget | None
+    memory: Memory | None
 
 
 class ClaimJudge:
@@ -71,15 +85,16 @@ class ClaimJudge:
         memory: Memory | None = None,
     ) -> None:
         self._theorems = theorems
-        self.options = {"second_engine": second_engine}
+        self._second_engine = second_engine
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[tuple[int, int], Judge] = {}
-        self._explainer = Explainer(self._judge, self.options)
+        self._explainer = Explainer(self._judge, second_engine)
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
-        self._keys = Keys(theorems, {**self.options, "motions": motions, "budget": self.budget})
+        seen = {"second_engine": second_engine, "motions": motions, "budget": self.budget}
+        self._keys = Keys(theorems, seen)
         self._witnesses = Witnesses(memory, self._keys) if motions else None
 
     def result(self, claim: Claim) -> ClaimResult:
@@ -110,7 +125,7 @@ class ClaimJudge:
         claims: Sequence[Claim],
         known: Mapping[str, dict[str, Verdict | None]],
         workers: Pool,
-        verdicts: Iterator[Verdict | OutOfBudget],
+        verdicts: Generator[Verdict | OutOfBudget],
     ) -> Iterator[ClaimResult]:
         try:
             for claim in claims:
@@ -118,7 +133,9 @@ class ClaimJudge:
                 for form in found:
                     if found[form] is None:
                         found[form] = self._remember(claim, form, next(verdicts))
-                yield ClaimResult(claim, *map(found.get, FORMS))
+                printed = found["printed"]
+                assert printed is not None, f"{claim.id} is not judged as printed"
+                yield ClaimResult(claim, printed, found.get("reading"), found.get("corrected"))
         finally:
             verdicts.close()
             if workers is not self._workers:
@@ -219,9 +236,9 @@ class ClaimJudge:
         try:
             verdict = undisturbed(
                 lambda: judge.judge(
-                    formula.statement,
+                    formula.parsed,
                     assume=claim.supposed,
-                    hypothesis=hypothesis and hypothesis.statement,
+                    hypothesis=None if hypothesis is None else hypothesis.statement,
                     orders=claim.orders,
                 )
             )
@@ -247,7 +264,7 @@ class ClaimJudge:
             self._judges[key] = Judge(
                 notation.definitions,
                 bound=frozenset(s.declaration.name for s in notation.motion),
-                **self.options,
+                second_engine=self._second_engine,
             )
         return self._judges[key]
 
@@ -257,7 +274,8 @@ def _placed(error: PaperError, claim: Claim) -> PaperError:
     if error.file is not None:
         return error
     if error.path:  # an entry of another table of the file
-        return PaperError(claim.file, None, None, f"{'.'.join(error.path)}: {claim.id}: {error.message}")
+        table = ".".join(map(str, error.path))
+        return PaperError(claim.file, None, None, f"{table}: {claim.id}: {error.message}")
     return PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
 
 
@@ -273,8 +291,9 @@ def _as_given(verdict: Verdict, claim: Claim) -> Verdict:
 class PaperJudge(ClaimJudge):
     """The judges of a paper, with the given limits, the paper's, or the standard ones."""
 
-    def __init__(self, paper: Paper, budget: Budget | None = None, **options: bool | Memory | None) -> None:
-        super().__init__(paper.claims, paper.theorems, budget=budget or paper.budget, **options)
+    def __init__(self, paper: Paper, **options: Unpack[JudgeOptions]) -> None:
+        options["budget"] = options.get("budget") or paper.budget
+        super().__init__(paper.claims, paper.theorems, **options)
         self.paper = paper
 
 
@@ -283,7 +302,7 @@ def judge_paper(
     select: Sequence[str] = (),
     progress: Callable[[ClaimResult], None] = lambda result: None,
     jobs: int | None = None,
-    **options: bool | Budget | Memory | None,
+    **options: Unpack[JudgeOptions],
 ) -> list[ClaimResult]:
     """Returns the results of the selected claims, in reading order.
 
@@ -293,7 +312,7 @@ def judge_paper(
     return _judged(PaperJudge(paper, **options), select_claims(paper.claims, select), progress, jobs)
 
 
-def judge_claims(claims: Sequence[Claim], **options: bool | Budget | Memory | None) -> list[ClaimResult]:
+def judge_claims(claims: Sequence[Claim], **options: Unpack[JudgeOptions]) -> list[ClaimResult]:
     """Returns the results of claims outside of a paper. options: those of ClaimJudge."""
     return _judged(ClaimJudge(claims, **options), claims)
 

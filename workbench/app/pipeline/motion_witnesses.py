@@ -14,14 +14,16 @@ from workbench.core.paper_errors import PaperError
 from workbench.core.reasons import Reason, code_of
 from workbench.core.terms import Relation, Statement
 from workbench.core.verdict import Outcome, Verdict
+from workbench.language.goals.goals import Goal
 from workbench.papers.bound_symbols import names_behind
 from workbench.prover.explain.judged_parts import JudgedParts
 from workbench.prover.results.motion_summary import METHOD
 
 if TYPE_CHECKING:
     from workbench.app.pipeline.verdict_keys import Keys, Memory
+    from workbench.drake.bound_jets import Motion
     from workbench.prover.motions.motion_check import Ranges, Witness
-    from workbench.prover.motions.motion_source import Bindings, Motion
+    from workbench.prover.motions.motion_source import Bindings
 
 #: (statement, premises, ranges of its integers).
 Saying: TypeAlias = "tuple[Statement, tuple[Statement, ...], Ranges | None]"
@@ -59,17 +61,12 @@ class Witnesses:
         if not claim.notation.motion:
             return replace(verdict, no_motion=MotionCode.ALGEBRA())
         found = self._witness(claim, list(_sayings(claim, form, under)), claim.corrected is not None)
+        on_motions = () if found.evidence is None else (found.evidence,)
+        seen = (*verdict.evidence, *on_motions)
         if found.vetoed and verdict.outcome in _TRUE:
-            return Verdict(
-                Outcome.UNCHECKED,
-                reason=VerdictCode.MOTIONS_CONTRADICT(),
-                evidence=(*verdict.evidence, found.evidence),
-            )
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.MOTIONS_CONTRADICT(), evidence=seen)
         if verdict.outcome == Outcome.REFUTED and _only_tied(form, claim, found):
-            return Verdict(
-                Outcome.UNCHECKED, reason=VerdictCode.TIED_ON_MOTIONS(), evidence=(found.evidence,)
-            )
-        seen = verdict.evidence if found.evidence is None else (*verdict.evidence, found.evidence)
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.TIED_ON_MOTIONS(), evidence=on_motions)
         ours = claim.notation.on_motions.get(claim.id)
         if ours is None or (form is not claim.printed and form is not claim.reading):
             return replace(verdict, evidence=seen, no_motion=found.reason)
@@ -85,7 +82,7 @@ class Witnesses:
         for form in (ours.printed, ours.holds):
             if form is None:
                 continue
-            saying = (form.statement, (), ours.orders)
+            saying = (form.parsed, (), ours.orders)
             found = self._witness(claim, [saying], ours.printed is not None, ours.on)
             if found.evidence is None:
                 raise PaperError(None, None, None, str(found.reason), path=("motion", "claims"))
@@ -110,7 +107,8 @@ class Witnesses:
             motions = (_special(on),)
         known = claim.notation.definitions
         found = witness(*(Subject(*saying, known, bindings, motions) for saying in sayings), course=course)
-        if claim.goal is not None and code_of(found.reason) is MotionCode.ALGEBRA and _of_motion(claim):
+        is_algebra = code_of(found.reason) is MotionCode.ALGEBRA
+        if is_algebra and claim.goal is not None and _of_motion(claim.goal.goal, claim.notation):
             return Witness(None, MotionCode.EXISTENCE())
         return found
 
@@ -141,7 +139,7 @@ class Witnesses:
         choices = bindings_of(notation.motion)
         try:
             motions = _motions(notation)
-            key = self._keys.of_bindings(notation) if self._memory else ""
+            key = self._keys.of_bindings(notation) if self._memory and self._keys else ""
             if not (self._memory and self._memory.knows(key)):
                 for motion in motions:
                     _require_agreement(motion)
@@ -188,14 +186,14 @@ def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Say
         yield form.statement, supposed, claim.orders
 
 
-def _of_motion(claim: Claim) -> bool:
-    """True if the claim's goal contains bound symbols."""
+def _of_motion(goal: Goal, notation: Notation) -> bool:
+    """True if the goal contains bound symbols."""
     from workbench.language.goals.goals import atoms
     from workbench.prover.motions.motion_check import relations
 
-    sides = [side for s in atoms(claim.goal.goal) for r in relations(s) for side in (r.left, r.right)]
-    bound = {symbol.declaration.name for symbol in claim.notation.motion}
-    return not bound.isdisjoint(names_behind(sides, claim.notation.definitions))
+    sides = [side for s in atoms(goal) for r in relations(s) for side in (r.left, r.right)]
+    bound = {symbol.declaration.name for symbol in notation.motion}
+    return not bound.isdisjoint(names_behind(sides, notation.definitions))
 
 
 def _only_tied(form: Formula, claim: Claim, found: Witness) -> bool:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from workbench.app.pipeline.verdict_keys import Keys, Memory
 from workbench.core.verdict import Outcome
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
+from workbench.prover.results.proposed_form import Proposed
 from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of
 from workbench.repair.propose.parallel_repairs import repair_claims
 from workbench.repair.propose.repair import Repair
@@ -31,11 +32,17 @@ def with_proposals(
     memory: the cache of earlier proposals, including those of searches that ran out of time.
     beside_right: whether also to search if a proved right form is given.
     """
-    claims = [r.claim for r in results if limits and _asks(r, beside_right)]
+    if limits is None:
+        return [replace(result, proposed=()) for result in results]
+    claims = [result.claim for result in results if _asks(result, beside_right)]
     keys = Keys({}, {"proposals": limits})
     beside = neighbours_of([result.claim for result in results])
     kept = {c.id: keys.of_proposals(c, beside.get(c.id, ALONE).key) for c in claims} if memory else {}
-    proposed = {name: found for name, key in kept.items() if (found := memory.proposals(key)) is not None}
+    proposed: dict[str, tuple[Proposed, ...]] = {}
+    if memory:
+        proposed |= {
+            name: found for name, key in kept.items() if (found := memory.proposals(key)) is not None
+        }
 
     new = {claim.id: claim for claim in claims if claim.id not in proposed}
 

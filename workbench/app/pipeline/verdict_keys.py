@@ -70,7 +70,7 @@ class Keys:
         self._proofs = {name: digest(repr(proof)) for name, proof in theorems.items()}
         self._ground = digest(repr((ground(["workbench"], _ENGINES), sorted(options.items()))))
         self.parts = JudgedParts()
-        self._notations: dict[int, tuple[Notation, str]] = {}
+        self._notations: dict[tuple[int, ...], tuple[Notation, str]] = {}
         self._last: tuple[Claim, str] | None = None  # a claim's forms are requested one after the other
 
     def of(self, claim: Claim, form: str) -> str:

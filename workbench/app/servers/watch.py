@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 from time import monotonic
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
 from workbench.app.commands.options import memory_of_verdicts
 
 if TYPE_CHECKING:
+    from workbench.app.pipeline.judge_claims import EngineOptions
     from workbench.papers import Paper
 
 #: Milliseconds to wait for an editor to finish writing a file.
@@ -27,7 +28,7 @@ def watch_files(
     seconds: float | None = None,
     megabytes: float | None = None,
     cache: bool = True,
-    **engines: bool,
+    **engines: Unpack[EngineOptions],
 ) -> None:
     """Judges the files, and again what changes in them or in what they include, until interrupted."""
     from watchfiles import watch
@@ -75,7 +76,7 @@ def _judged(
     jobs: int | None,
     budget: Any,
     memory: Any,
-    engines: dict[str, bool],
+    engines: EngineOptions,
 ) -> list[Path]:
     """Judges a file, and returns the paths that it depends on."""
     from workbench.app.commands.judging_options import print_faults

@@ -20,7 +20,7 @@ from workbench.papers.texts.text_model import (
 from workbench.papers.texts.text_paper import TextPaper, text_paper
 from workbench.source.documents import Text, read_text
 from workbench.source.documents.titles import own_title
-from workbench.source.toml.toml_file import TomlFile
+from workbench.source.toml.toml_file import TomlFile, present_text
 
 
 def load_text(path: Path) -> TextPaper:
@@ -38,9 +38,8 @@ def load_text(path: Path) -> TextPaper:
 def load_model(toml: TomlFile) -> TextPaper:
     """Returns a model with the text that it names. Raises PaperError."""
     path, faults = _beside(toml, "source"), Faults()
-    text = faults.past(lambda: _with_macros(toml, path))
-    if text is None:
-        faults.stop()
+    assert path is not None, "a model names its text"
+    text = faults.need(partial(_with_macros, toml, path))
     model, past = model_of(toml, text, faults), faults.past
     title, doi = past(lambda: toml.text(("title",))), past(lambda: toml.text(("doi",)))
     past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
@@ -56,8 +55,8 @@ def load_model(toml: TomlFile) -> TextPaper:
 def _with_macros(toml: TomlFile, path: Path) -> Text:
     if not isinstance(toml.data.get("macros"), dict):
         return read_text(path, _beside(toml, "macros"))
-    bodies = {name: toml.text(("macros", name)) for name in toml.value(("macros",), dict)}
-    bodies.pop("from", None)
+    names = [name for name in toml.value(("macros",), dict) if name != "from"]
+    bodies = {name: present_text(toml, ("macros", name)) for name in names}
     return read_text(path, _beside(toml, "macros", "from"), bodies=bodies)
 
 
@@ -69,6 +68,7 @@ def model_of(toml: TomlFile, text: Text, faults: Faults) -> TextModel:
     guessed = faults.past(lambda: toml.texts(("guessed",)))
     if chain is None:
         faults.stop()
+    assert chain is not None, "no files, and no fault is told"
     model = TextModel(chain, guessed=guessed or (), faults=faults)
     read_scopes(toml, text, model)
     read_directives(text.directives, text.displays, model)

@@ -20,7 +20,7 @@ from workbench.papers.collected_errors import Faults
 from workbench.papers.notation_tables import notation_of
 from workbench.source.documents import Directive, Display, Text
 from workbench.source.documents.surrounding_words import headings
-from workbench.source.toml.toml_file import TomlFile
+from workbench.source.toml.toml_file import TomlFile, present_text
 
 MODEL_KEYS = key_names("model")
 CLAIM_KEYS = key_names("claim of a model")
@@ -106,8 +106,9 @@ class TextModel:
             start = self.scopes[count - 1][0] if count else 0
             tables = [table for _, table, _ in self.scopes[:count]]
             notation = self.faults.past(partial(notation_of, self.chain, tables))
-            made.append((start, notation and self._with_places(notation, count)))
-        if any(notation is None for _, notation in made):
+            if notation is not None:
+                made.append((start, self._with_places(notation, count)))
+        if len(made) <= len(self.scopes):
             self.faults.stop()
         return made
 
@@ -136,7 +137,7 @@ def _places(toml: TomlFile, path: KeyPath) -> Sequence[str]:
     at = toml.value(path, dict).get("at")
     if at is None:
         raise toml.error_at_key(path, ModelCode.MISSING_PLACE(key="at"))
-    places = toml.texts((*path, "at")) if isinstance(at, list) else (toml.text((*path, "at")),)
+    places = toml.texts((*path, "at")) if isinstance(at, list) else (present_text(toml, (*path, "at")),)
     if not places:
         raise toml.error_at_value((*path, "at"), "at: expected a place, or a list of places, got none")
     return places

@@ -32,7 +32,7 @@ from workbench.language.reader import unclaimed
 from workbench.papers.corrections import MEND_KEYS, fault_of, mend_of
 from workbench.papers.numbered_symbols import written_out
 from workbench.papers.texts.model_assignments import Placed, assigned, means, unknown_ids
-from workbench.papers.texts.text_model import Entry, TextModel
+from workbench.papers.texts.text_model import Entry, Table, TextModel
 from workbench.source.documents import Display, Text, Token, spelled
 from workbench.source.rows.chains import Step, steps_of
 from workbench.source.rows.display_vocabulary import RELATIONS
@@ -139,7 +139,7 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
 
 
 def _refuse_other_meaning(
-    table: TomlFile, at: str, statement: Statement, there: Notation, here: Notation
+    table: Table, at: str, statement: Statement, there: Notation, here: Notation
 ) -> None:
     """Raises PaperError for a formula with a symbol that a later scope redeclares."""
     if (name := declared_anew(names_in(statement), there, here)) is not None:
@@ -270,31 +270,43 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
     return claim
 
 
-def _with_keys(claim: Claim, table) -> Claim:
+def _with_keys(claim: Claim, table: Table) -> Claim:
+    """The claim with what the keys of one table of the model say of it."""
     reader = FormulaReader(table, (), claim.notation, claim.orders)
-    changes: dict[str, object] = {}
-    for key in ("reading", "corrected", "hypothesis"):
-        if (text := table.text((key,))) is not None:
-            if key != "hypothesis":
-                changes[key] = reader.intended(key)
-            else:
-                changes[key] = Formula(text) if WORDS.fullmatch(text) else reader.hypothesis(claim.printed)
-    assume = reader.conditions(claim.printed)
-    if assume:
-        changes["assume"] = (*claim.assume, *assume)
-    for key in ("skip", "unread", "note"):
-        if (text := table.text((key,))) is not None:
-            changes[key] = text
-    if fault := fault_of(table, ()):
-        changes |= {"fault": fault, "mend": mend_of(table, (), claim.printed.latex)}
+    printed, fault, mend = claim.printed, claim.fault, claim.mend
+    reading, corrected = reader.intended("reading"), reader.intended("corrected")
+    hypothesis = _hypothesis(table, reader, printed)
+    assume = reader.conditions(printed)
+    notes = {key: table.text((key,)) for key in ("skip", "unread", "note")}
+    if found := fault_of(table, ()):
+        fault, mend = found, mend_of(table, (), printed.latex)
     elif any(key in table.value((), dict) for key in MEND_KEYS):
         mend_of(table, (), "")
-    if inherits := table.texts(("inherits",)):
-        changes["inherits"] = inherits
-    if "reading" in changes and claim.printed.unread is not None:
-        unread = claim.printed.unread
-        changes["printed"] = replace(claim.printed, unread=None, ill_formed=_unreadable(unread))
-    return replace(claim, **changes)
+    inherits = table.texts(("inherits",))
+    if reading is not None and printed.unread is not None:
+        printed = replace(printed, unread=None, ill_formed=_unreadable(printed.unread))
+    return replace(
+        claim,
+        printed=printed,
+        reading=reading or claim.reading,
+        corrected=corrected or claim.corrected,
+        hypothesis=hypothesis or claim.hypothesis,
+        assume=(*claim.assume, *assume),
+        skip=notes["skip"] or claim.skip,
+        unread=notes["unread"] or claim.unread,
+        note=notes["note"] or claim.note,
+        fault=fault,
+        mend=mend,
+        inherits=inherits or claim.inherits,
+    )
+
+
+def _hypothesis(table: Table, reader: FormulaReader, printed: Formula) -> Formula | None:
+    """What the model supposes that the text does not: a formula, or words."""
+    text = table.text(("hypothesis",))
+    if text is not None and WORDS.fullmatch(text):
+        return Formula(text)
+    return reader.hypothesis(printed)
 
 
 def _used(printed: Formula, tokens: Sequence[Token], guessed: Sequence[str]) -> tuple[str, ...]:

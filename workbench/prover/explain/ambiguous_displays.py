@@ -121,11 +121,11 @@ def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, judged
     counterexample."""
     if refuted.counterexample is None:
         return False
-    said = [formula.statement for formula in conditions]
+    said = [formula.parsed for formula in conditions]
     definitions = claim.notation.definitions
     with suppress(ReadError, IllFormedAt, NotExact, ValueError):
         point = tuple(_point(refuted.counterexample.values, claim))
-        together = Conjunction(tuple(lasting(said, claim.printed.statement, definitions)))
+        together = Conjunction(tuple(lasting(said, claim.printed.parsed, definitions)))
         there = replace(claim, printed=Formula("", together), assume=point, given=(), orders=None)
         return judged(there).outcome is Outcome.PROVED
     return False

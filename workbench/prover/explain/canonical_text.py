@@ -27,12 +27,13 @@ class Told(NamedTuple):
     names: frozenset[Name]
 
 
-_NONE = frozenset()
+_NONE: frozenset[Name] = frozenset()
 
 
 def told(part: Any) -> Told:
     """Returns the canonical text of the part. Raises TypeError for an unknown type."""
-    return _teller(type(part))(part)
+    kind: type = type(part)
+    return _teller(kind)(part)
 
 
 @cache

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -47,11 +47,13 @@ class OutOfDecisions(Exception):
 
 
 class Decider:
-    """Decides one claim under sets of facts, each set once. options: those of a judge."""
+    """Decides one claim under sets of facts, each set once.
 
-    def __init__(self, claim: Claim, judge_of: JudgeOf, options: Mapping[str, bool]) -> None:
+    second_engine: whether its judges ask both engines."""
+
+    def __init__(self, claim: Claim, judge_of: JudgeOf, second_engine: bool) -> None:
         assert claim.printed.statement is not None
-        self.claim, self._judge_of, self._options = claim, judge_of, dict(options)
+        self.claim, self._judge_of, self._second_engine = claim, judge_of, second_engine
         self._statement: Statement = claim.printed.statement
         self._known: dict[tuple[object, ...], Verdict] = {}
         self._count = 0
@@ -119,7 +121,7 @@ class Decider:
         given = [replace(each, body=put_in(each.body)) for each in claim.notation.definitions]
         new = [replace(each, body=put_in(each.body)) for each in put.definitions]
         known = Definitions([*given, *new]) if put.terms or new else claim.notation.definitions
-        goal = put.in_statement(statement, {"=": "≈"} if approximately else {})
+        goal = put.in_statement(statement, approximately)
         base = [put.in_statement(each) for each in claim.supposed]
         always = [put.in_statement(each) for each in put.always]
         lasts = lasting(always, goal, known) if always else []
@@ -142,7 +144,8 @@ class Decider:
         notation = self.claim.notation
         if known is notation.definitions:
             return self._judge_of(notation)
-        return Judge(known, bound=frozenset(s.declaration.name for s in notation.motion), **self._options)
+        bound = frozenset(symbol.declaration.name for symbol in notation.motion)
+        return Judge(known, second_engine=self._second_engine, bound=bound)
 
     def _fails_at_random(self, judge: Judge, goal: Statement, supposed: Sequence[Statement]) -> bool:
         """True for an equation whose residual is not 0 at a random point modulo a prime."""
@@ -196,13 +199,15 @@ class _Put:
             return replace(term, index=own.index)
         return term
 
-    def in_statement(self, statement: Statement, signs: Mapping[str, str] | None = None) -> Statement:
-        if not (self.terms or signs):
+    def in_statement(self, statement: Statement, approximately: bool = False) -> Statement:
+        """Returns the statement with the terms put in; approximately: with ≈ for each =."""
+        if not (self.terms or approximately):
             return statement
 
         def put(said: Relation) -> Relation:
-            sign = (signs or {}).get(said.operator, said.operator)
-            return relation(sign, self.meaning(said.left), self.meaning(said.right))
+            is_weakened = approximately and said.operator == "="
+            operator = "≈" if is_weakened else said.operator
+            return relation(operator, self.meaning(said.left), self.meaning(said.right))
 
         return mapped(statement, put)
 

@@ -7,7 +7,7 @@ refuted.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.context.claims import Claim
@@ -35,10 +35,10 @@ _NAMED = 2
 
 
 class Explainer:
-    """judge_of: the judge of a notation.   options: those of a judge."""
+    """judge_of: the judge of a notation.   second_engine: whether the judges ask both engines."""
 
-    def __init__(self, judge_of: JudgeOf, options: Mapping[str, bool]) -> None:
-        self._judge_of, self._options = judge_of, options
+    def __init__(self, judge_of: JudgeOf, second_engine: bool) -> None:
+        self._judge_of, self._second_engine = judge_of, second_engine
 
     def verdict(self, claim: Claim, base: Verdict) -> Verdict:
         """Returns the verdict on a claim in its context; base: the verdict under the declarations."""
@@ -59,7 +59,7 @@ class Explainer:
             act = Act.ASSERT
         if act is Act.ASSIGN:
             return _only_said(base, act, own)
-        decider = Decider(claim, self._judge_of, self._options)
+        decider = Decider(claim, self._judge_of, self._second_engine)
         subject = subject_of(claim)
         may_be = base.outcome is Outcome.REFUTED and act in _TESTED
         if may_be and not subject.conditioned and decider.is_impossible(()):

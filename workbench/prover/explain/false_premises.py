@@ -19,13 +19,13 @@ def under_premises(
 ) -> Verdict:
     """Returns the verdict; `conditional` on a premise that contradicts the definitions of its symbols, or on
     a given formula that is reported as false. explained: the verdict on a refuted claim."""
-    bare = {"given": (), "assume": (), "orders": None, "hypothesis": None, "facts": ()}
     for premise, is_given in _premises(claim):
         contradicts = says_of_defined(premise, claim.notation.definitions)
         if not contradicts and (not is_given or constrains(premise, claim.notation.definitions)):
             continue
         formula = Formula(to_latex(premise), premise)
-        alone = replace(claim, **bare, printed=formula, act=act_of(formula, claim.notation))
+        bare = replace(claim, given=(), assume=(), orders=None, hypothesis=None, facts=())
+        alone = replace(bare, printed=formula, act=act_of(formula, claim.notation))
         judged = judged_alone(alone, judge_of)
         if judged.outcome is Outcome.REFUTED and not contradicts:
             judged = explained(alone, judged)

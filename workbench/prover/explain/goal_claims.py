@@ -29,6 +29,7 @@ class TheoremJudge:
 
         An argued claim is joined to its goal by prose only.
         """
+        assert claim.goal is not None, f"{claim.id} has no goal"
         proven = Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
         if claim.theorem is not None:
             proven = self._theorems[claim.theorem]
@@ -59,20 +60,20 @@ class TheoremJudge:
         The proof is the one that the claim names, or the judge of formulas alone.
         """
         least = None if claim.orders is None else _least(claim.orders)
-        if least is None or not _is_equations(form.statement):
+        if least is None or not _is_equations(form.parsed):
             return seen
-        goal: Goal = Atom(form.statement)
+        goal: Goal = Atom(form.parsed)
         for name, value in reversed(least.items()):
             goal = AllFrom(name, value, goal)
         for supposed in reversed(claim.supposed):
             goal = Implies(Atom(supposed), goal)
-        named = claim.every_n is not None and form is claim.right
-        if not named and not _is_total(form.statement, claim.notation):
+        named = claim.every_n if form is claim.right else None
+        if named is None and not _is_total(form.parsed, claim.notation):
             return seen  # each member of a formula with divisions would be judged again
-        proven = self._theorems[claim.every_n] if named else Proven(Kernel())
+        proven = Proven(Kernel()) if named is None else self._theorems[named]
         shown = self._shown(claim, goal, proven)
         if shown.outcome is not Outcome.PROVED:
-            return shown if named else seen
+            return seen if named is None else shown
         return replace(shown, read_back=seen.read_back, evidence=(*seen.evidence, *shown.evidence))
 
 

@@ -18,8 +18,8 @@ def on_guessed_kinds(claim: Claim, verdict: Verdict) -> Verdict:
     if not claim.guessed:
         return verdict
     if "[[scope]]" in claim.guessed and verdict.outcome in _FALSE:  # the meaning of its symbols is unknown
-        reason = ContextCode.SCOPE_UNKNOWN(outcome=verdict.outcome)
-        return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
+        unknown = ContextCode.SCOPE_UNKNOWN(outcome=verdict.outcome)
+        return Verdict(Outcome.UNCHECKED, reason=unknown, read_back=verdict.read_back)
     reason, unless = verdict.reason, verdict.unless
     if verdict.outcome in _FALSE or verdict.outcome is Outcome.CONDITIONAL:
         code = ContextCode.FALSE_IF_KINDS if verdict.outcome in _FALSE else ContextCode.HOLDS_IF_KINDS

@@ -27,8 +27,8 @@ def laws_of(claim: Claim, followed: bool = True) -> list[Fact]:
     highest rate of a rotation.
     """
     definitions = claim.notation.definitions
-    reached = dict(_inventory(claim.printed.statement, definitions).orders)
-    known = [(law, law.content, _rates(law.content, definitions)) for law in _before(claim)]
+    reached = dict(_inventory(claim.printed.parsed, definitions).orders)
+    known = [(law, said, _rates(said, definitions)) for law, said in _before(claim)]
     known.sort(key=lambda each: not _stands_alone(each[1], each[2], definitions))
     found: list[Fact] = []
     lowest = _given(claim)
@@ -46,14 +46,14 @@ def laws_of(claim: Claim, followed: bool = True) -> list[Fact]:
     return found
 
 
-def _before(claim: Claim) -> Iterator[Fact]:
-    """Yields the laws before the claim, in formulas and in its sentence."""
+def _before(claim: Claim) -> Iterator[tuple[Fact, Relation]]:
+    """Yields the laws before the claim, in formulas and in its sentence, each with its equation."""
     for fact in claim.facts:
         is_law = fact.origin.provider is Provider.LAW and fact.earlier
         if is_law or fact.origin.provider is Provider.CONDITION:
             said = fact.content
             if isinstance(said, Relation) and said not in claim.supposed and not _inverts(said):
-                yield fact
+                yield fact, said
 
 
 def _given(claim: Claim) -> dict[Symbol, int]:
@@ -77,9 +77,7 @@ def is_all_given(claim: Claim) -> bool:
     """True if the given formulas contain every free symbol of the claim, so that they determine it."""
     definitions = claim.notation.definitions
     given = [term for law in claim.given if law.statement for term in terms_of(law.statement)]
-    return bool(given) and free_in(terms_of(claim.printed.statement), definitions) <= free_in(
-        given, definitions
-    )
+    return bool(given) and free_in(terms_of(claim.printed.parsed), definitions) <= free_in(given, definitions)
 
 
 def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:

@@ -6,6 +6,7 @@ import re
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
+from typing import TypeGuard
 
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
@@ -95,7 +96,7 @@ def _is_of_pi(claim: Claim) -> bool:
 def _has_known_turns(term: Term, definitions: Definitions) -> bool:
     """True if π occurs only in sines and the like of multiples of its half, and multiplies no other angle."""
 
-    def is_pi(part: Term) -> bool:
+    def is_pi(part: Term) -> TypeGuard[Symbol]:
         return isinstance(part, Symbol) and definitions.is_pi(part.declaration)
 
     if not all(only_turns(term, part) for part in term.walk() if is_pi(part)):
@@ -134,5 +135,6 @@ def _holds_for_quaternions(claim: Claim, decider: Decider) -> bool:
 def _of_quaternions(term: Term) -> Term:
     """Returns the term with x² = −x·x for each square of a vector."""
     made = rebuild(term, [_of_quaternions(child) for child in term.children]) if term.children else term
-    is_square = isinstance(term, Power) and term.base.type.kind == "vector" and term.exponent.is_number
-    return apply("neg", made) if is_square and term.exponent.constant % 4 == 2 else made
+    if isinstance(term, Power) and term.base.type.kind == "vector" and term.exponent.is_number:
+        return apply("neg", made) if term.exponent.constant % 4 == 2 else made
+    return made

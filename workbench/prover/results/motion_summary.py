@@ -58,7 +58,8 @@ def witnessed(verdicts: Verdicts) -> Witnessed:
     error = _cost(verdicts)
     if found:
         return Witnessed("Drake", None, error, _line(found, error))
-    reason = next((v.no_motion for v in reversed(verdicts.values()) if v.no_motion), MotionCode.NOT_JUDGED())
+    reasons = [verdict.no_motion for verdict in verdicts.values() if verdict.no_motion]
+    reason = reasons[-1] if reasons else MotionCode.NOT_JUDGED()
     return Witnessed(ALGEBRA if reason.code is MotionCode.ALGEBRA else "none", reason, error, reason)
 
 

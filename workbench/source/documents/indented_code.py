@@ -33,6 +33,7 @@ class IndentedCode:
         """True if the line is code; it must not be called for lines within fences."""
         written = line.rstrip("\n").expandtabs(_WIDTH)
         quoted = _QUOTES.match(written)
+        assert quoted is not None, "the pattern takes the empty text, too"
         self._in_quotes(quoted[0].count(">"))
         rest = written[quoted.end() :]
         if not rest.strip():

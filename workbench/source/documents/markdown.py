@@ -68,8 +68,9 @@ def _all(view: View) -> Iterator[tuple[Found, int]]:
             environment = "\\["
         if in_paragraph and searched.startswith("$$", start) and _stands_in_a_line(searched, start, end):
             environment = "$"
-        label = _LABEL.match(searched, end)
-        yield replace(_unmarked(found, escaped), environment=environment).named(label and label[1]), start
+        match = _LABEL.match(searched, end)
+        labelled = _unmarked(found, escaped).named(match[1] if match else None)
+        yield replace(labelled, environment=environment), start
 
 
 def _has_escaped_brackets(text: str) -> bool:

@@ -107,7 +107,8 @@ def _directive(
 def _body(view: View, spans: list[tuple[int, int]], parted: set[int]) -> View:
     """Returns the lines without their indentation, joined by line feeds; an empty line separates rows, as in
     Sphinx."""
-    text, at = "", []
+    text = ""
+    at: list[int] = []
     for place, (start, end) in enumerate(spans):
         text += view.text[start:end]
         at += view.at[start:end]

@@ -75,8 +75,8 @@ def applied(source: str, edits: Iterable[SourceEdit | Replacement]) -> str:
 def patch_of(before: str, after: str, name: str) -> str:
     """Returns a unified diff of a file for `patch`, with lines split at newlines only; "" if nothing
     differs."""
-    lines = [StringIO(text, newline="\n").readlines() for text in (before, after)]
-    pieces = difflib.unified_diff(*lines, f"a/{name}", f"b/{name}", n=1)
+    old, new = (StringIO(text, newline="\n").readlines() for text in (before, after))
+    pieces = difflib.unified_diff(old, new, f"a/{name}", f"b/{name}", n=1)
     end = "\n\\ No newline at end of file\n"
     return "".join(piece if piece.endswith("\n") else piece + end for piece in pieces)
 

@@ -183,8 +183,8 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             continue
         elif word in _TEXTS and (blank := _blank(tokens, place)) is not None:
             place = blank
-        elif word in _TEXTS and (inner := _formula_in(tokens, place)) is not None:
-            is_bold, inner, place = inner
+        elif word in _TEXTS and (formula := _formula_in(tokens, place)) is not None:
+            is_bold, inner, place = formula
             if is_bold:
                 yield token.standing_for("\\boldsymbol")
             yield token.standing_for("{")
@@ -194,9 +194,9 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield token.standing_for("\\mathbf" if word == "textbf" else "\\mathrm")
         elif word in _TEXTS and _is_function(tokens, place):
             yield token.standing_for("\\operatorname")
-        elif word in _OVER and (sign := _noted_sign(tokens, place)) is not None:
-            yield tokens[sign[0]]
-            place = sign[1]
+        elif word in _OVER and (noted := _noted_sign(tokens, place)) is not None:
+            at, place = noted
+            yield tokens[at]
         elif word in _DROPPED_WITH_ARGUMENT:
             _, place = argument(tokens, _past(tokens, place, "*"))
         elif word in _WIDE:

@@ -82,6 +82,7 @@ class _Chain:
                 continue
             number, labels = self._row(span.end)
             ranges = [piece for each in self._beside(Role.RANGE, at) for piece in self._ranges(each, tokens)]
+            otherwise, question = self._doubts(span)
             flat = [token for piece in ranges for token in (piece[0].standing_for(","), *piece)]
             yield Step(
                 (*tokens, *flat),
@@ -89,8 +90,11 @@ class _Chain:
                 number,
                 labels,
                 ranges=tuple(map(tuple, ranges)),
-                **self._sides(at, tokens),
-                **self._doubts(span),
+                assumed=self._sides(Role.CONDITION, at, tokens),
+                reasons=self._sides(Role.REASON, at, tokens),
+                perhaps=self._sides(Role.PERHAPS, at, tokens),
+                otherwise=otherwise,
+                question=question,
                 serves=self._served(),
                 limits=self._limits(),
                 denied=words_of(self._statement.denied) if self._statement.denied else None,
@@ -129,24 +133,23 @@ class _Chain:
     def _beside(self, role: Role, at: int) -> list[Beside]:
         return [each for each in self._statement.beside if each.role is role and each.first <= at]
 
-    def _sides(self, at: int, tokens: list[Token]) -> dict[str, tuple[tuple[Token, ...], ...]]:
-        """Returns the conditions and reasons of a step, without those that repeat it."""
-        found: dict[str, tuple[tuple[Token, ...], ...]] = {}
-        for key, role in (("assumed", Role.CONDITION), ("reasons", Role.REASON), ("perhaps", Role.PERHAPS)):
-            sides = [tuple(self._respelled(bare(each.nodes))) for each in self._beside(role, at)]
-            found[key] = tuple(side for side in sides if _flat(side) != _flat(tokens))
-        return found
+    def _sides(self, role: Role, at: int, tokens: list[Token]) -> tuple[tuple[Token, ...], ...]:
+        """Returns the formulas of a role beside a step, such as its conditions, without those that
+        repeat it."""
+        sides = (tuple(self._respelled(bare(each.nodes))) for each in self._beside(role, at))
+        return tuple(side for side in sides if _flat(side) != _flat(tokens))
 
-    def _doubts(self, span: _Span) -> dict[str, object]:
-        """Returns the formula of the step in the other reading, which splits the statement at its doubts."""
+    def _doubts(self, span: _Span) -> tuple[tuple[tuple[Token, ...], ...], str | None]:
+        """Returns the formula of the step in the other reading, which splits the statement at its doubts, and
+        the question that names both readings."""
         doubts = [each for each in self._statement.doubts if span.start < each.at < span.end]
         if not doubts or self._statement.whole:
-            return {}
+            return (), None
         own = self._places[0] if not span.own and self._places else span.own
         before = max((each.at for each in doubts if each.at <= own), default=span.start)
         behind = min((each.at for each in doubts if each.at > own), default=span.end)
         other = tuple(self._formula(before, behind))
-        return {"otherwise": (other,), "question": f"{doubts[0].question}: {joined(other)}"}
+        return (other,), f"{doubts[0].question}: {joined(other)}"
 
     def _served(self) -> tuple[tuple[Token, ...], ...]:
         """Returns the steps of the statements that this one may be a condition of."""

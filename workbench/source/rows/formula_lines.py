@@ -186,9 +186,9 @@ class _Lines:
                 [*trimmed(self._rows[above]), *self._rows[at]], len(trimmed(self._rows[above]))
             ):
                 self._put_comma(self._rows[at][0])
-        first, *rest = [node for node in self._behind or () if node.kind not in _NARROW][:2] or [None]
-        if first is not None and first.kind is Kind.WIDE and rest and rest[0].kind is not Kind.WORDS:
-            self._put_comma(first)
+        match [node for node in self._behind or () if node.kind not in _NARROW]:
+            case [first, second, *_] if first.kind is Kind.WIDE and second.kind is not Kind.WORDS:
+                self._put_comma(first)
 
     def _hide(self, nodes: Iterable[Node]) -> None:
         for token in (token for node in nodes for token in node.tokens):

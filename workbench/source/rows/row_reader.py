@@ -127,7 +127,7 @@ class RowReader(RowStatements):
 
     def _place(self, piece: Piece, rest: Sequence[Piece]) -> bool:
         """Adds the piece to its statement; True if its separator was added, too."""
-        if self._goes_on_beside(piece, rest):
+        if self._last is not None and self._goes_on_beside(self._last, piece, rest):
             self._last.nodes += [*piece.separator, *piece.kept]
             return True
         self._last = None
@@ -137,7 +137,7 @@ class RowReader(RowStatements):
         if goes_on or (self._is_quantified and Apart.WIDE in piece.apart):
             self._pending = None
         if self._pending is not None and not self._begins_definition(piece):
-            self._behind_words(piece, rest)
+            self._behind_words(self._pending, piece, rest)
             return False
         if self._pending is not None:  # “where R = …” defines R, or is a condition
             self._pending = None
@@ -159,14 +159,12 @@ class RowReader(RowStatements):
             action = Action.PERHAPS
         return self._act(action, question, target, piece, above is not None)
 
-    def _goes_on_beside(self, piece: Piece, rest: Sequence[Piece]) -> bool:
+    def _goes_on_beside(self, last: Beside, piece: Piece, rest: Sequence[Piece]) -> bool:
         """True if the piece continues the formula added next to a statement: i = 1, 2, 3, or a, b \\in V."""
-        if self._last is None:
-            return False
         if not piece.relations:
             return Apart.COMMA in piece.apart and piece.lead not in (Kind.SIGN, Kind.INFIX)
         is_statement = self._here is None and not any(each.relations for each in rest)
-        if relation_places(self._last.nodes) or Apart.WIDE in piece.apart or is_statement:
+        if relation_places(last.nodes) or Apart.WIDE in piece.apart or is_statement:
             return False
         is_side = is_symbol(piece.kept[: piece.relations[0]]) and is_range(piece.kept, rest)
         return Apart.COMMA in piece.apart and is_side
@@ -191,7 +189,7 @@ class RowReader(RowStatements):
         statement.serves = served
         return statement
 
-    def _behind_words(self, piece: Piece, rest: Sequence[Piece]) -> None:
+    def _behind_words(self, role: Role, piece: Piece, rest: Sequence[Piece]) -> None:
         self._is_quantified = not piece.relations
         if not piece.relations:  # for all a, b
             self._state.leave(Leftover.NO_RELATION, piece.kept)
@@ -199,8 +197,8 @@ class RowReader(RowStatements):
                 symbols = joined([token for node in piece.kept for token in node.tokens])
                 self._limit(f"{self._pending_words} {symbols}")
             return
-        is_side = self._pending is Role.CONDITION and is_range(piece.kept, rest)
-        self._put_beside(Role.RANGE if is_side else self._pending, piece.kept)
+        is_side = role is Role.CONDITION and is_range(piece.kept, rest)
+        self._put_beside(Role.RANGE if is_side else role, piece.kept)
 
     def _act(self, action: Action, question: str, target: Statement, piece: Piece, is_below: bool) -> bool:
         match action:
@@ -231,7 +229,7 @@ class RowReader(RowStatements):
         self._are_unknown = role is WordRole.REMARK
         self._names_what = says_what_is(words) or (self._names_what and words == "and")
         self._last = None
-        if self._is_in_a_formula(role, rest):
+        if self._here is not None and self._is_in_a_formula(self._here, role, rest):
             self._here.nodes.append(node)
             self._pending = None
             return
@@ -259,17 +257,15 @@ class RowReader(RowStatements):
         if not (role is WordRole.JOIN and words == "and"):
             self._pending = None
 
-    def _is_in_a_formula(self, role: WordRole, rest: Sequence[Piece]) -> bool:
+    def _is_in_a_formula(self, here: Statement, role: WordRole, rest: Sequence[Piece]) -> bool:
         """True if the formula cannot be read without these words: x is parallel to y."""
         behind_it = next((piece for piece in rest if piece.kept), None)
-        if self._here is None:
-            return False
         if behind_it is None:  # f is smooth
-            return role is WordRole.REMARK and not relation_places(self._here.nodes)
+            return role is WordRole.REMARK and not relation_places(here.nodes)
         if behind_it.is_words or Apart.MARK in behind_it.apart:
             return False
         goes_on = behind_it.lead in (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
-        is_open = not relation_places(self._here.nodes)
+        is_open = not relation_places(here.nodes)
         if role is WordRole.JOIN:
             return is_open and not goes_on
         return role is WordRole.REMARK and not goes_on and (is_open or not behind_it.relations)

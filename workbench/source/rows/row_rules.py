@@ -130,9 +130,9 @@ def _without_relation(target: Statement, piece: Piece, layout: Layout, rest: Seq
     has_relation = bool(relation_places(target.nodes))
     if Apart.WORDS in piece.apart and has_relation and piece.lead is not Kind.SIGN and not _is_joined(target):
         return Action.NEW
-    ahead = next((at for at, each in enumerate(rest) if each.relations), None)
+    ahead = next((at for at, each in enumerate(rest) if each.relations), len(rest))
     is_beside = is_symbol(piece.kept) and has_relation and bool(piece.apart & {Apart.COMMA, Apart.WIDE})
-    is_listed = is_beside and ahead is not None and Apart.COMMA in rest[ahead].apart
+    is_listed = is_beside and ahead < len(rest) and Apart.COMMA in rest[ahead].apart
     if is_listed and is_range(rest[ahead].kept, rest[ahead + 1 :]):  # …, m, n \in N
         return Action.RANGE
     if Apart.MARK in piece.apart and has_relation and layout.is_cases:

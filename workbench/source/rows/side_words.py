@@ -139,6 +139,13 @@ def is_name(cell: Sequence[Node], at: int) -> bool:
     return _is_in_a_term(cell, at, raw)
 
 
+def _opens_arguments(node: Node, next_one: Node) -> bool:
+    """Whether the node opens the arguments of a word; next_one: what stands right behind the word."""
+    is_close = next_one is node or node.kind is Kind.GROUP
+    is_bracket = node.kind in (Kind.OPEN, Kind.GROUP, Kind.SCRIPT)
+    return is_close and (is_bracket or node.text.lower().startswith("\\big"))
+
+
 def _is_in_a_term(cell: Sequence[Node], at: int, raw: str) -> bool:
     """True if single words are a side, an operand, a function or a unit."""
     blank = (Kind.GAP, Kind.MARK)
@@ -150,9 +157,7 @@ def _is_in_a_term(cell: Sequence[Node], at: int, raw: str) -> bool:
     opened = (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.OPEN)
     if is_word and behind is not None and before is not None and before.kind in opened:
         return True
-    is_close = behind is not None and (cell[at + 1] is behind or behind.kind is Kind.GROUP)
-    brackets = (Kind.OPEN, Kind.GROUP, Kind.SCRIPT)
-    is_call = is_word and is_close and (behind.kind in brackets or behind.text.lower().startswith("\\big"))
+    is_call = is_word and behind is not None and _opens_arguments(behind, cell[at + 1])
     ends = behind is None or behind.kind in (Kind.STOP, Kind.COMMA)
     is_value = ends and before is not None and before.kind is Kind.RELATION
     is_unit = " " not in raw and at > 0 and before is cell[at - 1] and before.text.strip()[-1:].isdigit()

@@ -7,7 +7,7 @@ import re
 import tomllib
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from workbench.core.formula_errors import place
 from workbench.core.paper_errors import KeyPath, PaperError
@@ -27,6 +27,34 @@ _TYPE_NAMES = {
     list: "a list",
     dict: "a table",
 }
+
+
+class TomlTable(Protocol):
+    """A TOML file, or a table in one that is read as if it were a file."""
+
+    @property
+    def path(self) -> Path: ...
+
+    def value(self, path: KeyPath, expected: type, default: Any = None) -> Any: ...
+
+    def text(self, path: KeyPath) -> str | None: ...
+
+    def texts(self, path: KeyPath) -> tuple[str, ...]: ...
+
+    def error_at_key(self, path: KeyPath, message: str) -> PaperError: ...
+
+    def error_at_value(self, path: KeyPath, message: str) -> PaperError: ...
+
+    def error_in_string(self, path: KeyPath, line: int, column: int, message: str) -> PaperError: ...
+
+    def error_in_key(self, path: KeyPath, line: int, column: int, message: str) -> PaperError: ...
+
+
+def present_text(table: TomlTable, path: KeyPath) -> str:
+    """The text at a path that the table has."""
+    text = table.text(path)
+    assert text is not None, f"{'.'.join(map(str, path))} is not there"
+    return text
 
 
 class TomlFile:
@@ -56,11 +84,14 @@ class TomlFile:
         """Returns the value at `path`, which must have the expected type; `default` if the key is missing."""
         node: Any = self.data
         for depth, part in enumerate(path):
-            if not isinstance(node, dict | list):
+            if isinstance(node, list) and isinstance(part, int):
+                node = node[part]
+            elif not isinstance(node, dict):
                 raise self._wrong_kind(path[:depth], dict, node)
-            if isinstance(node, dict) and part not in node:
+            elif part in node:
+                node = node[part]
+            else:
                 return default
-            node = node[part]
         if type(node) is not expected:
             raise self._wrong_kind(path, expected, node)
         return node

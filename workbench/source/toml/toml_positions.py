@@ -106,6 +106,13 @@ def characters(text: str, start: int) -> Iterator[tuple[int, str]]:
         position += length
 
 
+def _end_of(pattern: re.Pattern[str], text: str, start: int) -> int:
+    """Returns the offset just behind what matches at `start`, in a text that is valid TOML."""
+    match = pattern.match(text, start)
+    assert match is not None, f"{pattern.pattern} at {start}"
+    return match.end()
+
+
 def string_end(text: str, start: int) -> int:
     """Returns the offset after the closing quotes of the TOML string that opens at `start`."""
     quote = text[start]
@@ -115,7 +122,7 @@ def string_end(text: str, start: int) -> int:
     if quote == "'":
         position = text.index(closing, position)
     else:
-        while not text.startswith(closing, position := _PLAIN.match(text, position).end()):
+        while not text.startswith(closing, position := _end_of(_PLAIN, text, position)):
             position += 2 if text[position] == "\\" else 1
     position += len(closing)
     if long:  # up to two quotes before the closing ones belong to the text
@@ -162,7 +169,7 @@ class _Scanner:
         self._value(path)
 
     def _dotted_key(self) -> list[tuple[str, int]]:
-        parts = []
+        parts: list[tuple[str, int]] = []
         while True:
             start = self._skip_blank()
             if len(parts) > MOST_DEEP:
@@ -171,7 +178,7 @@ class _Scanner:
                 self.at = string_end(self.text, start)
                 name = self._quoted(start)
             else:
-                self.at = _BARE_KEY.match(self.text, start).end()
+                self.at = _end_of(_BARE_KEY, self.text, start)
                 name = self.text[start : self.at]
             parts.append((name, start))
             if self.text[self._skip_blank()] != ".":
@@ -196,7 +203,7 @@ class _Scanner:
         elif opening == "{":
             self._items("}", lambda index: self._key_value(path))
         else:
-            self.at = _BARE_VALUE.match(self.text, start).end()
+            self.at = _end_of(_BARE_VALUE, self.text, start)
 
     def _items(self, closing: str, item: Callable[[int], None]) -> None:
         self.at += 1
@@ -209,5 +216,5 @@ class _Scanner:
         self.at += 1
 
     def _skip_blank(self) -> int:
-        self.at = _BLANK.match(self.text, self.at).end()
+        self.at = _end_of(_BLANK, self.text, self.at)
         return self.at

@@ -342,7 +342,8 @@ class _Body:
 def _eqno(reader: DisplayReader, closing: str) -> str:
     taken: list[Token] = []
     while (token := reader.peek()) is not None and token.text not in ("$", closing, "\\\\"):
-        taken.append(reader.pop())
+        reader.pop()
+        taken.append(token)
     return reader.counters.text(joined(taken)).strip("() ")
 
 

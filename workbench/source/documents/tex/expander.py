@@ -137,7 +137,7 @@ class Expander(State):
 
     def expand(self, token: Token, macro: Macro) -> bool:
         """Expands a macro; False for a macro that is left unexpanded."""
-        name = token.word
+        name = _named(token)
         if macro.keeps:
             (kept,) = macro.body
             call = _call(token, macro)
@@ -153,13 +153,13 @@ class Expander(State):
     def _can_expand(self, token: Token, macro: Macro) -> bool:
         if (token.call is not None and token.call.depth >= DEEPEST) or self.pushed > MOST_PUSHED:
             self.warn(token, f"{token.text} calls itself without end; it is left as it stands")
-            self.opaque.add(token.word)
+            self.opaque.add(_named(token))
             return False
         if (cause := undecidable(self, macro)) is not None:
             if not self.in_formula:  # discard its settings, keep its declarations
                 return any(part.word in DECLARATIONS for part in macro.body)
             if (fence := fence_of(macro)) is not None:
-                self.fences[token.word] = fence
+                self.fences[_named(token)] = fence
             self.warn(
                 token, f"{token.text} needs {cause}, which only TeX can follow; it is left as it stands"
             )
@@ -196,6 +196,12 @@ class Expander(State):
 def _stays(macro: Macro) -> bool:
     """True if \\edef leaves the macro unexpanded, as it does with one that looks for a star or a bracket."""
     return macro.keeps or macro.protected or any(p.kind not in ("braces", "until") for p in macro.parameters)
+
+
+def _named(token: Token) -> str:
+    """The name of a macro's token."""
+    assert token.word is not None, f"{token.text} is no command"
+    return token.word
 
 
 def _call(token: Token, macro: Macro) -> Call:

@@ -37,7 +37,8 @@ class TokenStream:
                 return token
             if self.contained:
                 return None
-            self.close(self.waiting.pop())
+            self.waiting.pop()
+            self.close(top)
         return None
 
     def close(self, lexer: Lexer) -> None:

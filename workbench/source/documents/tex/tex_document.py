@@ -130,7 +130,7 @@ class TexReader(FileReader):
             self.counters.end()
         elif word in SECTIONS:
             self._section(word)
-        elif (command := _COMMANDS.get(word)) is not None:  # also if a class redefines it
+        elif word and (command := _COMMANDS.get(word)):  # also if a class redefines it
             command(self, token)
         else:
             self.step(token)
@@ -214,7 +214,7 @@ class TexReader(FileReader):
         """Executes \\addchap and \\addsec."""
         outer = self.counters.values["secnumdepth"]
         self.counters.values["secnumdepth"] = -9
-        self._section({"addchap": "chapter", "addsec": "section"}[token.word])
+        self._section("chapter" if token.word == "addchap" else "section")
         self.counters.values["secnumdepth"] = outer
 
     def number_within(self, token: Token) -> None:

@@ -151,7 +151,8 @@ class FileReader(DisplayReader):
             return joined(self.fully_expanded(self.argument()))
         taken = []
         while (near := self.peek()) is not None and near.text not in (" ", "\\par", "}") and not near.word:
-            taken.append(self.pop())
+            self.pop()
+            taken.append(near)
         return joined(taken)
 
     def _find(self, name: str, endings: Iterable[str]) -> Path | None:

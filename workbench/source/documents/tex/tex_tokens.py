@@ -78,6 +78,7 @@ class Lexer:
     def next(self) -> Token | None:
         while self.position < len(self.text):
             match = _TOKEN.match(self.text, self.position)
+            assert match is not None, "the pattern takes every character"
             self.position = match.end()
             match match.lastgroup:
                 case "word" | "gap":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
@@ -29,7 +29,7 @@ from workbench.core.codes.verdict_codes import WAITS_FOR_ITS_AUTHOR
 from workbench.core.reasons import Code
 
 if TYPE_CHECKING:
-    from lsprotocol.types import CodeAction, Diagnostic, Range
+    from lsprotocol.types import CodeAction, Diagnostic, Hover, Position, Range
     from pygls.lsp.server import LanguageServer
 
     from workbench.core.spans import Span
@@ -75,11 +75,8 @@ def server_for(motions: bool) -> LanguageServer:
     newest: dict[str, int] = {}
     answers: dict[Path, list[Answer]] = {}
 
-    def path_of(uri: str) -> Path:
-        return Path(server.workspace.get_text_document(uri).path)
-
     async def judge(uri: str, is_saved: bool = False) -> None:
-        path = path_of(uri)
+        path = _path_of(server, uri)
         if path.suffix.lower() != ".toml" or _is_paper(path):
             buffers = _buffers(server)
             if is_saved:
@@ -106,38 +103,53 @@ def server_for(motions: bool) -> LanguageServer:
     def stopped(params: None) -> None:
         desk.close()
 
+    _add_queries(server, known)
+
+    @server.command(ANSWER)
+    async def answered(*given: Any) -> None:
+        if (answer := answer_of(list(given))) is not None:
+            uri = given[0]
+            own = answers.setdefault(_path_of(server, uri), [])
+            own[:] = [each for each in own if (each.table, each.key) != (answer.table, answer.key)]
+            own.append(answer)
+            await judge(uri)
+
+    @server.command(WRITE_MODEL)
+    async def model_written(uri: str) -> None:
+        own = known.get(_path_of(server, uri))
+        if own is not None and own.judged.draft is not None:
+            message = lsp_types.ShowMessageParams(lsp_types.MessageType.Info, write_model(own.judged))
+            server.window_show_message(message)
+            answers.pop(_path_of(server, uri), None)
+            await judge(uri)
+
+    return server
+
+
+def _path_of(server: LanguageServer, uri: str) -> Path:
+    return Path(server.workspace.get_text_document(uri).path)
+
+
+def _add_queries(server: LanguageServer, known: Mapping[Path, Known]) -> None:
+    """Adds the features that answer from what is known: hover, corrections, lenses and completion."""
+    from lsprotocol import types as lsp_types
+
     @server.feature(lsp_types.TEXT_DOCUMENT_HOVER)
     def hover(params: lsp_types.HoverParams) -> lsp_types.Hover | None:
-        path = path_of(params.text_document.uri)
-        for result in (result for each in known.values() for result in each.judged.results):
-            where = _range(server, _whole(result))
-            if _whole(result).file.resolve() == path.resolve() and _holds(where, params.position):
-                content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, _told(result))
-                return lsp_types.Hover(content, where)
-        return None
+        return _hover(server, known.values(), _path_of(server, params.text_document.uri), params.position)
 
     options = lsp_types.CodeActionOptions([lsp_types.CodeActionKind.QuickFix])
 
     @server.feature(lsp_types.TEXT_DOCUMENT_CODE_ACTION, options)
     def actions(params: lsp_types.CodeActionParams) -> list[CodeAction]:
-        found = []
-        for diagnostic in params.context.diagnostics:
-            data = diagnostic.data if isinstance(diagnostic.data, dict) else {}
-            if "edits" not in data:
-                continue
-            changes: dict[str, list[Any]] = {}
-            for uri, *places, new in data["edits"]:
-                where = lsp_types.Range(lsp_types.Position(*places[:2]), lsp_types.Position(*places[2:]))
-                changes.setdefault(uri, []).append(lsp_types.TextEdit(where, new))
-            kind, edit = lsp_types.CodeActionKind.QuickFix, lsp_types.WorkspaceEdit(changes)
-            found.append(lsp_types.CodeAction(data["title"], kind, [diagnostic], edit=edit))
+        found = [*_correction_actions(params.context.diagnostics)]
         uri = params.text_document.uri
-        own = known.get(path_of(uri))
+        own = known.get(_path_of(server, uri))
         return found if own is None else [*found, *answer_actions(uri, own.judged, params.range)]
 
     @server.feature(lsp_types.TEXT_DOCUMENT_CODE_LENS)
     def code_lenses(params: lsp_types.CodeLensParams) -> list[lsp_types.CodeLens]:
-        own = known.get(path_of(params.text_document.uri))
+        own = known.get(_path_of(server, params.text_document.uri))
         return [] if own is None else list(lenses(params.text_document.uri, own.judged))
 
     triggers = lsp_types.CompletionOptions(trigger_characters=["{", '"'])
@@ -151,25 +163,33 @@ def server_for(motions: bool) -> LanguageServer:
         found = completions(lines, place.line, place.character)
         return [lsp_types.CompletionItem(name, kind=kind, documentation=meaning) for name, meaning in found]
 
-    @server.command(ANSWER)
-    async def answered(*given: Any) -> None:
-        if (answer := answer_of(list(given))) is not None:
-            uri = given[0]
-            own = answers.setdefault(path_of(uri), [])
-            own[:] = [each for each in own if (each.table, each.key) != (answer.table, answer.key)]
-            own.append(answer)
-            await judge(uri)
 
-    @server.command(WRITE_MODEL)
-    async def model_written(uri: str) -> None:
-        own = known.get(path_of(uri))
-        if own is not None and own.judged.draft is not None:
-            message = lsp_types.ShowMessageParams(lsp_types.MessageType.Info, write_model(own.judged))
-            server.window_show_message(message)
-            answers.pop(path_of(uri), None)
-            await judge(uri)
+def _hover(server: LanguageServer, known: Iterable[Known], path: Path, position: Position) -> Hover | None:
+    """Returns the verdict on the formula at a position of a file."""
+    from lsprotocol import types as lsp_types
 
-    return server
+    for result in (result for each in known for result in each.judged.results):
+        where = _range(server, _whole(result))
+        if _whole(result).file.resolve() == path.resolve() and _holds(where, position):
+            content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, _told(result))
+            return lsp_types.Hover(content, where)
+    return None
+
+
+def _correction_actions(diagnostics: Iterable[Diagnostic]) -> Iterator[CodeAction]:
+    """Yields the corrections that the diagnostics carry."""
+    from lsprotocol import types as lsp_types
+
+    for diagnostic in diagnostics:
+        data = diagnostic.data if isinstance(diagnostic.data, dict) else {}
+        if "edits" not in data:
+            continue
+        changes: dict[str, list[Any]] = {}
+        for uri, *places, new in data["edits"]:
+            where = lsp_types.Range(lsp_types.Position(*places[:2]), lsp_types.Position(*places[2:]))
+            changes.setdefault(uri, []).append(lsp_types.TextEdit(where, new))
+        kind, edit = lsp_types.CodeActionKind.QuickFix, lsp_types.WorkspaceEdit(changes)
+        yield lsp_types.CodeAction(data["title"], kind, [diagnostic], edit=edit)
 
 
 def _is_paper(path: Path) -> bool:

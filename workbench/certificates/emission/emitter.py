@@ -73,19 +73,8 @@ class Emitter(Collector):
         if term.type.kind not in KINDS:
             raise NotCertified(emitted_nodes.named(term.type.kind))
         match term:
-            case Number():
-                return emitted_nodes.number(term.value)
-            case Integer(value=value) if value.is_number:
-                return emitted_nodes.number(int(value))
-            case Integer(value=value):
-                return self.whole(f"whole {emitted_families.numeral(self, value)}")
-            case Counting(name=name, arguments=arguments):
-                if _numeric(term):
-                    return self.term(count(name, arguments))
-                if name != "binomial":
-                    raise NotCertified(f"a {name} that depends on n")
-                numbers = " ".join(emitted_families.numeral(self, a) for a in arguments)
-                return self.whole(f"whole (choose {numbers})")
+            case Number() | Integer() | Counting():
+                return self._number(term)
             case BigSum():
                 return emitted_sums.of_sum(self, term)
             case Zero():
@@ -97,14 +86,7 @@ class Emitter(Collector):
             case Symbol():
                 return self.symbol(term)
             case Derivative():
-                if not term.order.is_number:
-                    return emitted_sums.of_symbolic_order(self, term)
-                body = self.term(term.body)
-                if any(h.head == "norm" for h in self.helpers if isinstance(h, Apply)):
-                    full = expand(term.body, self.definitions)
-                    if any(isinstance(p, Apply) and p.head == "norm" for p in full.walk()):
-                        raise NotCertified("the derivative of a norm")
-                return emitted_nodes.derivative(body, int(term.order))
+                return self._derivative(term)
             case Power():
                 if not term.exponent.is_number:
                     raise NotCertified("a power of symbolic exponent")
@@ -114,6 +96,32 @@ class Emitter(Collector):
             case Apply():
                 return self._apply(term)
         raise NotCertified(type(term).__name__)
+
+    def _number(self, term: Number | Integer | Counting) -> Node:
+        """A number, or one that depends on n."""
+        match term:
+            case Number():
+                return emitted_nodes.number(term.value)
+            case Integer(value=value) if value.is_number:
+                return emitted_nodes.number(int(value))
+            case Integer(value=value):
+                return self.whole(f"whole {emitted_families.numeral(self, value)}")
+        if _numeric(term):
+            return self.term(count(term.name, term.arguments))
+        if term.name != "binomial":
+            raise NotCertified(f"a {term.name} that depends on n")
+        numbers = " ".join(emitted_families.numeral(self, a) for a in term.arguments)
+        return self.whole(f"whole (choose {numbers})")
+
+    def _derivative(self, term: Derivative) -> Node:
+        if not term.order.is_number:
+            return emitted_sums.of_symbolic_order(self, term)
+        body = self.term(term.body)
+        if any(h.head == "norm" for h in self.helpers if isinstance(h, Apply)):
+            full = expand(term.body, self.definitions)
+            if any(isinstance(p, Apply) and p.head == "norm" for p in full.walk()):
+                raise NotCertified("the derivative of a norm")
+        return emitted_nodes.derivative(body, int(term.order))
 
     def whole(self, text: str) -> Node:
         """Returns a number that depends on n."""

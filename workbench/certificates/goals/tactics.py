@@ -19,7 +19,7 @@ from workbench.certificates.theorem import theorem_for_all
 from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.core.construct import apply, power, relation, symbol, zero
 from workbench.core.integer_expressions import Linear
-from workbench.core.terms import BigSum, Relation, Zero
+from workbench.core.terms import BigSum, Relation, Statement, Zero
 from workbench.core.types import SCALAR, VECTOR, Declaration
 from workbench.language.definitions import expand
 from workbench.language.goals.goal_reader import read_goal
@@ -59,6 +59,10 @@ from workbench.prover.goals.sequents import kind_of, relations_of
 from workbench.prover.goals.substitution import at_integer
 
 
+def _no_rule(goal: Goal, proof: Proof) -> NotCertified:
+    return NotCertified(f"the rule {type(proof).__name__} for {kind_of(goal)}")
+
+
 class Joiner(Following):
     """Writes the proof of a goal, by the rules of proofs in the prover."""
 
@@ -74,6 +78,22 @@ class Joiner(Following):
                 self.show(at.given(lemma, shown, at.lasts), then)
             case _, Cases(text, equal_, unequal):
                 self._cases(at, text, equal_, unequal)
+            case Atom(statement), _:
+                self._show_statement(at, statement, proof)
+            case AtLeast(left, right), Squares((latex,)):
+                term = at.scope.term(latex)
+                if term.type != VECTOR:
+                    raise NotCertified("a sum of squares")
+                self.tell(f"apply (by_square now) with (u := {self.text(term)}).")
+                self._prove(at, relation("=", left, apply("add", right, power(term, 2))), ())
+            case All() | AllFrom() | Exists(), _:
+                self._show_quantified(at, proof)
+            case _:
+                self._show_connected(at, proof)
+
+    def _show_quantified(self, at: Place, proof: Proof) -> None:
+        """The proof of a goal for all, or of one for some."""
+        match at.goal, proof:
             case All(variables, body), _:
                 names = [self._letter(v) for v in variables]
                 self.tell(f"intros {' '.join([*names, *self._supposed(variables, names)])}.")
@@ -87,6 +107,18 @@ class Joiner(Following):
                 self._introduce(name, integer)
                 inner = replace(at, goal=body, scope=at.scope.with_integer(integer, least))
                 self.show(inner, proof)
+            case Exists(variables, body, False), Witness(members, then):
+                place, made = self._valued(at, variables, members)
+                self._offer(made)
+                self.show(place.of(body), then)
+            case Exists(variables, body, True), Unique():
+                self._unique(at, variables, body, proof)
+            case goal, _:
+                raise _no_rule(goal, proof)
+
+    def _show_connected(self, at: Place, proof: Proof) -> None:
+        """The proof of an implication, an equivalence or of several goals together."""
+        match at.goal, proof:
             case Implies(premise, conclusion, lasting), _:
                 name = self.fresh("premise")
                 self.tell(f"intros {name}.")
@@ -104,38 +136,32 @@ class Joiner(Following):
                 self._each([(at.of(part), own) for part, own in zip(parts, proofs, strict=True)])
             case Both(parts), Kernel():
                 self._each([(at.of(part), proof) for part in parts])
-            case Exists(variables, body, False), Witness(members, then):
-                place, made = self._valued(at, variables, members)
-                self._offer(made)
-                self.show(place.of(body), then)
-            case Exists(variables, body, True), Unique():
-                self._unique(at, variables, body, proof)
-            case Atom(statement), Follows():
+            case goal, _:
+                raise _no_rule(goal, proof)
+
+    def _show_statement(self, at: Place, statement: Statement, proof: Proof) -> None:
+        """The proof of what one formula says."""
+        match statement, proof:
+            case _, Follows():
                 self._follows(at, one_of(statement), proof)
-            case Atom(statement), Pointwise(letter, then):
+            case _, Pointwise(letter, then):
                 self._pointwise(at, one_of(statement), letter, then)
-            case Atom(Relation("=", left, Zero())), ByLength(then) if left.type in (SCALAR, VECTOR):
+            case Relation("=", left, Zero()), ByLength(then) if left.type in (SCALAR, VECTOR):
                 self.tell(f"apply {'by_length' if left.type == VECTOR else 'by_scalar_length'}.")
                 self.show(at.of(Atom(relation("=", power(left, 2), zero(SCALAR)))), then)
-            case Atom(Relation("≠", left, right)), Contradicts(place, then):
+            case Relation("≠", left, right), Contradicts(place, then):
                 denied = at.known[place]
                 inner = at.given(Atom(relation("=", left, right)), name := self.fresh("if_so"))
                 self.tell(f"intros {name}. apply {denied.proof}.")
                 one = relation_of(denied.goal)
                 self.show(inner.of(Atom(relation("=", one.left, one.right))), then)
-            case Atom(statement), Each(proofs):
+            case _, Each(proofs):
                 said_ = list(equations(statement))
                 self._each([(at.of(Atom(one)), own) for one, own in zip(said_, proofs, strict=True)])
-            case Atom(statement), Kernel(using):
+            case _, Kernel(using):
                 self._each([(at.of(Atom(one)), using) for one in equations(statement)], self._kernel)
-            case AtLeast(left, right), Squares((latex,)):
-                term = at.scope.term(latex)
-                if term.type != VECTOR:
-                    raise NotCertified("a sum of squares")
-                self.tell(f"apply (by_square now) with (u := {self.text(term)}).")
-                self._prove(at, relation("=", left, apply("add", right, power(term, 2))), ())
-            case goal, _:
-                raise NotCertified(f"the rule {type(proof).__name__} for {kind_of(goal)}")
+            case _:
+                raise _no_rule(at.goal, proof)
 
     def _each(self, parts: Sequence[tuple[Place, object]], show=None) -> None:
         show = show or self.show

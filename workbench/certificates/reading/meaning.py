@@ -6,7 +6,7 @@ the embedding of real quantities in dual ones, a scalar's position in a product,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -54,6 +54,8 @@ _UNARY = {
     "neg_op": "neg",
     "mneg": "neg",
 }
+#: What a value is put into, and stays what it is.
+_TRANSPARENT = frozenset({"embed", "cell", "times", "scale"})
 _CONSTANTS = {"zero": "zero", "void": "zero", "ident": "one", "eps": "eps", "D": "D", "unit_op": "one"}
 _BINARY = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "mul", "@": "mul", "•": "mul", "⊚": "mul"}
 
@@ -109,49 +111,40 @@ class OfText:
 
     def _call(self, function: Expression, *arguments: Expression) -> Any:
         name = function.head
-        made: Callable[[], list[Any]] = lambda: [self(a) for a in arguments]  # noqa: E731
+        if name in _TRANSPARENT:
+            return self(arguments[0])
+        for read in (self._number_call, self._derivative_call, self._product_call, self._function_call):
+            if (found := read(name, arguments)) is not None:
+                return found
+        if name in self.families:
+            places = tuple(Linear() + self.index(a) for a in arguments)
+            return ("symbol", symbol(self.families[name], places))
+        if name in _UNARY:
+            return (_UNARY[name], *map(self, arguments))
+        if len(arguments) == 1:  # an operator on a value
+            return applied(self(function), self(arguments[0]))
+        raise Unread(f"the function {name}")
+
+    def _number_call(self, name: str, arguments: Sequence[Expression]) -> Any:
+        """A number, or one that depends on n; None for another function."""
         match name:
             case "number":
                 return ("number", number(arguments[0]))
-            case "embed" | "cell" | "times" | "scale":
-                return self(arguments[0])
+            case "whole":
+                return ("whole", *self._number(arguments[0]))
+            case "sum_from":
+                return self._sum(*arguments)
+        return None
+
+    def _derivative_call(self, name: str, arguments: Sequence[Expression]) -> Any:
+        """A derivative by the time or by the place; None for another function."""
+        match name:
             case "D":
                 return ("der", 1, self(arguments[0]))
             case "mdot":
                 return differentiated(self(arguments[0]), 1)
             case "der":
                 return ("der", self.index(arguments[0]), self(arguments[1]))
-            case "sum_from":
-                return self._sum(*arguments)
-            case "whole":
-                return ("whole", *self._number(arguments[0]))
-            case "square":
-                return ("square", self(arguments[0]))
-            case "tpower" | "spower" | "power_op":
-                return ("power", self(arguments[0]), int(arguments[1].head))
-            case "triple":
-                return ("triple", *made())
-            case "V":
-                first, second, third = made()
-                return ("above", 1, first, ("above", 1, second, third))
-            case "mplus":
-                return added(made())
-            case "mprod" | "beside" | "above":
-                size = [] if name == "mprod" else [int(arguments[0].head)]
-                return ({"mprod": "mul"}.get(name, name), *size, *map(self, arguments[1:]))
-            case "mscale":
-                return ("mul", *made())
-            case "over" | "length" | "cosine_of" | "sine_of" if arguments[0].head == "now":
-                word = {"length": "norm", "cosine_of": "cos", "sine_of": "sin"}.get(name, name)
-                return (word, self(arguments[1]))
-            case "dual_over" | "dual_length":
-                return self._by_its_real_part(name, *made())
-            case "dual_cos" | "dual_sin":
-                return (name[5:], self(arguments[0]))
-            case "rodrigues":
-                return ("exp", self(arguments[0])[1], self(arguments[2]))
-            case "exp_eps":
-                return ("exp", ("mul", ("eps",), self(arguments[0])))
             case "divergence" | "curl":
                 variable, body = arguments[0].arguments
                 place = self(arguments[1])
@@ -159,14 +152,44 @@ class OfText:
                 inner = self(body)
                 self.bound = {}
                 return (name, inner)
-        if name in self.families:
-            places = tuple(Linear() + self.index(a) for a in arguments)
-            return ("symbol", symbol(self.families[name], places))
-        if name in _UNARY:
-            return (_UNARY[name], *made())
-        if len(arguments) == 1:  # an operator applied to a value
-            return applied(self(function), self(arguments[0]))
-        raise Unread(f"the function {name}")
+        return None
+
+    def _product_call(self, name: str, arguments: Sequence[Expression]) -> Any:
+        """A product, a power, or a block of values; None for another function."""
+        match name:
+            case "square":
+                return ("square", self(arguments[0]))
+            case "tpower" | "spower" | "power_op":
+                return ("power", self(arguments[0]), int(arguments[1].head))
+            case "triple":
+                return ("triple", *map(self, arguments))
+            case "V":
+                first, second, third = map(self, arguments)
+                return ("above", 1, first, ("above", 1, second, third))
+            case "mplus":
+                return added([self(a) for a in arguments])
+            case "mprod" | "beside" | "above":
+                size = [] if name == "mprod" else [int(arguments[0].head)]
+                return ({"mprod": "mul"}.get(name, name), *size, *map(self, arguments[1:]))
+            case "mscale":
+                return ("mul", *map(self, arguments))
+        return None
+
+    def _function_call(self, name: str, arguments: Sequence[Expression]) -> Any:
+        """A reciprocal, a norm, a cosine, a sine or an exponential; None for another function."""
+        match name:
+            case "over" | "length" | "cosine_of" | "sine_of" if arguments[0].head == "now":
+                word = {"length": "norm", "cosine_of": "cos", "sine_of": "sin"}.get(name, name)
+                return (word, self(arguments[1]))
+            case "dual_over" | "dual_length":
+                return self._by_its_real_part(name, *map(self, arguments))
+            case "dual_cos" | "dual_sin":
+                return (name[5:], self(arguments[0]))
+            case "rodrigues":
+                return ("exp", self(arguments[0])[1], self(arguments[2]))
+            case "exp_eps":
+                return ("exp", ("mul", ("eps",), self(arguments[0])))
+        return None
 
     def index(self, e: Expression) -> Linear | int:
         """Returns a natural number of Coq; one without variables is an int."""
@@ -267,11 +290,7 @@ class OfTerm:
                 body = self.written_out(t)
                 return ("symbol", t) if body is None else self(body)
             case Derivative(body=body, order=order):
-                if order.is_number:
-                    return ("der", int(order), self(body))
-                more = max(order.constant, 0)
-                free = ("der", order - more, self(body))
-                return ("der", more, free) if more else free
+                return self._derivative(body, order)
             case BigSum(variables=(variable,), lower=Linear() as lower, upper=upper, body=body):
                 self.depth += 1
                 inner = self(instantiate(body, {variable: Linear.variable(bound(self.depth - 1))}))
@@ -284,6 +303,13 @@ class OfTerm:
             case Apply():
                 return self._apply(t)
         raise Unread(type(t).__name__)
+
+    def _derivative(self, body: Term, order: Linear) -> Any:
+        if order.is_number:
+            return ("der", int(order), self(body))
+        more = max(order.constant, 0)
+        free = ("der", order - more, self(body))
+        return ("der", more, free) if more else free
 
     def _power(self, base: Term, exponent: int) -> Any:
         if base.type.kind == "vector":

@@ -235,27 +235,12 @@ class JetEngine:
             return product_of(np.multiply, half, self.value(arguments[0], depth).map(DOUBLED[head]))
         match head:
             case "add":
-                total = self.value(arguments[0], depth)
-                for argument in arguments[1:]:
-                    total = add(total, self.value(argument, depth))
-                return total
+                return reduce(add, (self.value(argument, depth) for argument in arguments))
             case "triple":
                 a, b, c = (self.value(x, depth) for x in arguments)
                 return product_of(dot, a, product_of(cross, b, c))
-            case "adjugate":
-                return self._algebra.adjugate(self.value(arguments[0], depth))
-            case "det":
-                return self._algebra.det(self.value(arguments[0], depth))
-            case "inverse":
-                known = inverted(arguments[0], self._definitions, turned_back(self._definitions))
-                if known is not None:
-                    return self.value(known, depth)
-                value = self.value(arguments[0], depth)
-                if term.type.kind == "quaternion":
-                    return self._algebra.quaternion_inverse(value)
-                return self._algebra.inverse(value)
-            case "conjugate":
-                return self.value(arguments[0], depth).map(conjugated)
+            case "adjugate" | "det" | "inverse" | "conjugate":
+                return self._of_matrix(term, depth)
             case "div":
                 return self._algebra.divide(*(self.value(a, depth) for a in arguments))
             case "re":
@@ -263,25 +248,47 @@ class JetEngine:
             case "du":
                 value = self.value(arguments[0], depth)
                 return Value([0 * x for x in value.re] if value.du is None else value.du)
-            case "root":
-                return self._algebra.root(self.value(arguments[0], depth))
-            case "norm":
-                return self._algebra.norm(self.value(arguments[0], depth))
-            case "cos":
-                return self._turns.circle(arguments[0], depth)[0]
-            case "sin":
-                return self._turns.circle(arguments[0], depth)[1]
-            case "exp":
-                return self._turns.exp(arguments[0], depth)
+            case "root" | "norm" | "cos" | "sin" | "exp":
+                return self._of_function(head, arguments[0], depth)
             case "partial" | "total":
                 return self._partial(arguments[0], arguments[1], depth)
-            case "divergence":
-                gradient = self._gradient(arguments[0], depth)
-                return add(add(entry(gradient[0], 0), entry(gradient[1], 1)), entry(gradient[2], 2))
-            case "curl":
-                gradient = self._gradient(arguments[0], depth)
-                return stack([self._curl_component(gradient, i) for i in range(3)])
+            case "divergence" | "curl":
+                return self._of_field(head, arguments[0], depth)
         raise NotExact(f"no value for the operation {head}")
+
+    def _of_field(self, head: str, field: Term, depth: int) -> Value:
+        """The divergence or the curl."""
+        gradient = self._gradient(field, depth)
+        if head == "curl":
+            return stack([self._curl_component(gradient, i) for i in range(3)])
+        return add(add(entry(gradient[0], 0), entry(gradient[1], 1)), entry(gradient[2], 2))
+
+    def _of_matrix(self, term: Apply, depth: int) -> Value:
+        """The adjugate, determinant or inverse of a matrix; the inverse or conjugate of a quaternion."""
+        argument = term.arguments[0]
+        if term.head == "inverse":
+            known = inverted(argument, self._definitions, turned_back(self._definitions))
+            if known is not None:
+                return self.value(known, depth)
+        value = self.value(argument, depth)
+        if term.head == "conjugate":
+            return value.map(conjugated)
+        if term.head == "inverse":
+            is_quaternion = term.type.kind == "quaternion"
+            return self._algebra.quaternion_inverse(value) if is_quaternion else self._algebra.inverse(value)
+        return self._algebra.det(value) if term.head == "det" else self._algebra.adjugate(value)
+
+    def _of_function(self, head: str, argument: Term, depth: int) -> Value:
+        """A root, a norm, a cosine, a sine or an exponential."""
+        match head:
+            case "root":
+                return self._algebra.root(self.value(argument, depth))
+            case "norm":
+                return self._algebra.norm(self.value(argument, depth))
+            case "exp":
+                return self._turns.exp(argument, depth)
+        cosine, sine = self._turns.circle(argument, depth)
+        return cosine if head == "cos" else sine
 
     def _juxtaposition(self, left: Term, right: Term, depth: int) -> Value:
         if left.type.kind == "operator":

@@ -47,30 +47,39 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     while isinstance(function, Derivative):
         function = function.body
     if isinstance(function, Symbol) and function.declaration.of:
-        if all(
-            is_argument(scope, part) or scope.term(part) in function.declaration.of for part in bracket.parts
-        ):
-            _require_all_once(scope, bracket, function)
-            return True
-        if _is_no_place(scope, bracket, function):
-            return False  # u (∇·v)
-        raise Fault(SyntaxCode.FUNCTION_AT_ANOTHER_PLACE(), bracket.at)
+        return _has_declared_arguments(scope, bracket, function)
     if (
         scope.allows(Relaxation.ARGUMENTS_IN_BRACKET)
         and bracket.parts
         and is_accented_symbol(_without_sup(term))
     ):
         return all(_is_name(part) or _is_symbol_or_quaternion(scope.term(part)) for part in bracket.parts)
-    if len(bracket.parts) > 1:
-        only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
-        if only_says:
-            _take_place(scope, bracket, term)
-        elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
-            raise Fault(_both_readings(term, bracket), bracket.at)
-        return only_says
-    if not bracket.parts:
-        return False
-    (part,) = bracket.parts
+    match bracket.parts:
+        case ():
+            return False
+        case (part,):
+            return _is_single_variable(scope, bracket, part, term, function)
+    only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
+    if only_says:
+        _take_place(scope, bracket, term)
+    elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
+        raise Fault(_both_readings(term, bracket), bracket.at)
+    return only_says
+
+
+def _has_declared_arguments(scope: Scope, bracket: Bracket, function: Symbol) -> bool:
+    """Whether a symbol that is declared to be a function has its arguments in the bracket."""
+    own = function.declaration.of
+    if all(is_argument(scope, part) or scope.term(part) in own for part in bracket.parts):
+        _require_all_once(scope, bracket, function)
+        return True
+    if _is_no_place(scope, bracket, function):
+        return False  # u (∇·v)
+    raise Fault(SyntaxCode.FUNCTION_AT_ANOTHER_PLACE(), bracket.at)
+
+
+def _is_single_variable(scope: Scope, bracket: Bracket, part: Node, term: Term, function: Term) -> bool:
+    """The same for a bracket with one part; function: the term without its derivatives."""
     if term.type.kind == "operator":
         return isinstance(part, Styled) and isinstance(scope.term(part), TimeOperator)
     if scope.is_time(part):

@@ -73,7 +73,7 @@ class Elaborator(Scope):
                 return product(self, node.items)
             case Leaf(kind="NUMBER"):
                 return self.number(node)
-            case Leaf(kind="FUNCTION") | Styled() | Scripted() | Summation():
+            case Leaf(kind="FUNCTION") | Styled() | Scripted() | Summation() | Fraction():
                 return product(self, (node,))
             case Leaf() if as_del(node) is not None:
                 return product(self, (node,))
@@ -81,30 +81,23 @@ class Elaborator(Scope):
                 return named(self, node)
             case Group(parts=(part,)):
                 return self.term(part)
-            case Group():
-                raise Fault(SyntaxCode.EXPECTED_ONE_EXPRESSION_BRACES(), node.at)
             case Bracket():
                 return self.bracket(node)
-            case Fraction():
-                return product(self, (node,))
             case Known():
                 return node.term
             case Binomial():
                 return self.combinations(node.top, node.bottom)
-            case Extremal():
-                raise Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_STANDS(), node.at)
             case Matrix():
-                rows = self.build(node.at, entries_of, self, node)
-                is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
-                if is_row and self.allows(Relaxation.ROW_FOR_COLUMN):
-                    rows = [[entry] for entry in rows[0]]
-                loosely = self.allows(Relaxation.UNIT_TENSOR) and len({len(row) for row in rows}) == 1
-                return self.build(node.at, construct.block, with_scaled_units(rows) if loosely else rows)
-            case Chain(relations=((sign, at), *_)):
-                raise Fault(SyntaxCode.RELATION_INSIDE_EXPRESSION(sign=sign), at)
-            case Chain() | Conditional() | Lines():
-                raise Fault(SyntaxCode.EXPECTED_EXPRESSION_NOT_STATEMENT(), node.at)
-        raise Fault(SyntaxCode.SIGN_WITHOUT_OPERANDS(), node.at)
+                return self.matrix(node)
+        raise _fault_of(node)
+
+    def matrix(self, node: Matrix) -> Term:
+        rows = self.build(node.at, entries_of, self, node)
+        is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
+        if is_row and self.allows(Relaxation.ROW_FOR_COLUMN):
+            rows = [[entry] for entry in rows[0]]
+        loosely = self.allows(Relaxation.UNIT_TENSOR) and len({len(row) for row in rows}) == 1
+        return self.build(node.at, construct.block, with_scaled_units(rows) if loosely else rows)
 
     def number(self, node: Leaf) -> Term:
         if len(node.text) > _LONGEST_NUMBER:
@@ -222,3 +215,17 @@ def _first_that_differs(addends: Sequence[Term]) -> int:
         except IllFormed:
             return count - 1
     return 0
+
+
+def _fault_of(node: Node) -> Fault:
+    """Why a node is no term, and where."""
+    match node:
+        case Group():
+            return Fault(SyntaxCode.EXPECTED_ONE_EXPRESSION_BRACES(), node.at)
+        case Extremal():
+            return Fault(SyntaxCode.MINIMUM_OR_MAXIMUM_STANDS(), node.at)
+        case Chain(relations=((sign, at), *_)):
+            return Fault(SyntaxCode.RELATION_INSIDE_EXPRESSION(sign=sign), at)
+        case Chain() | Conditional() | Lines():
+            return Fault(SyntaxCode.EXPECTED_EXPRESSION_NOT_STATEMENT(), node.at)
+    return Fault(SyntaxCode.SIGN_WITHOUT_OPERANDS(), node.at)

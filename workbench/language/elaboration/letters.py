@@ -84,14 +84,8 @@ class _Lettering:
         match node:
             case Leaf(kind="LETTER" | "MARK"):
                 return self.symbol(node, styles, scripts)
-            case Leaf(kind="NUMBER") if styles and (
-                found := constant(self.scope.table, Name.styled(styles, node.text), scripts)
-            ):
-                return self.meant(found, node, scripts), found.sup
-            case Leaf(kind="NUMBER") if styles and (sized := self.sized_sign(node, styles, scripts)):
-                return sized, scripts.sup
-            case Leaf(kind="NUMBER", text="0") if styles or scripts.sub is not None:
-                return self.zero(scripts, node.at), scripts.sup
+            case Leaf(kind="NUMBER") if (figure := self.figure(node, scripts, styles)) is not None:
+                return figure
             case Styled() if self.scope.table.notations.accents(node.style):
                 return self.accented_by_the_paper(node, scripts, styles)
             case Styled():
@@ -99,14 +93,7 @@ class _Lettering:
             case Accented(accent="~") if (tilde := self.own_tilde(node, scripts, styles)) is not None:
                 return tilde
             case Accented():
-                over_all = scripts.sup if _is_braced(node.body) else None  # \widetilde{x + y}^T
-                term, sup = self.read(
-                    node.body, scripts if over_all is None else scripts.without_sup(), styles
-                )
-                self.refuse_primed(node, scripts)
-                is_left = scripts.left_sub is not None or scripts.left_sup is not None
-                dotted = self.resolved_rate(node, term) if is_left else None
-                return dotted or self.accent(node, term), sup if over_all is None else over_all
+                return self.accented(node, scripts, styles)
             case Scripted(factorial=True):
                 return self.factorial(node), scripts.sup
             case Scripted():
@@ -123,6 +110,29 @@ class _Lettering:
             if scripts != Scripts(sup=scripts.sup):
                 raise Fault(SyntaxCode.SCRIPT_AT_MORE_THAN(styles=styles[-1]), node.at)
             return self.of_a_pair(node, styles), scripts.sup
+        return self.expression(node, scripts)
+
+    def figure(self, node: Leaf, scripts: Scripts, styles: tuple[str, ...]) -> Lettered | None:
+        """A figure in a typeface, or a 0 with a subscript, that stands for a constant; None for a number."""
+        if styles and (found := constant(self.scope.table, Name.styled(styles, node.text), scripts)):
+            return self.meant(found, node, scripts), found.sup
+        if styles and (sized := self.sized_sign(node, styles, scripts)):
+            return sized, scripts.sup
+        if node.text == "0" and (styles or scripts.sub is not None):
+            return self.zero(scripts, node.at), scripts.sup
+        return None
+
+    def accented(self, node: Accented, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
+        """The symbol under an accent, which takes the scripts, and the accent applied to it."""
+        over_all = scripts.sup if _is_braced(node.body) else None  # \widetilde{x + y}^T
+        term, sup = self.read(node.body, scripts if over_all is None else scripts.without_sup(), styles)
+        self.refuse_primed(node, scripts)
+        is_left = scripts.left_sub is not None or scripts.left_sup is not None
+        dotted = self.resolved_rate(node, term) if is_left else None
+        return dotted or self.accent(node, term), sup if over_all is None else over_all
+
+    def expression(self, node: Node, scripts: Scripts) -> Lettered:
+        """A term that is no symbol, with the scripts that stand on it."""
         only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None
         if only is not None and (norm := subscripted_norm(self.scope, node, only)) is not None:
             return norm, scripts.sup

@@ -135,11 +135,8 @@ class Tokenizer:
                 self.emit("RELATION", "=", at)
             case "ring":
                 self.command("mathring", at)
-            case "prose":
-                if self.out and not self.ends("BREAK", "BEGIN_LINES"):
-                    raise Fault(SyntaxCode.WORDS_IN_FORMULA(text=text), at)
-            case "said":
-                raise Fault(words_in_a_formula(text), at)
+            case "prose" | "said":
+                self.prose(text, at, is_heading=kind == "prose")
             case "words":
                 self.words(text, match["words"], at)
             case "name":
@@ -156,18 +153,29 @@ class Tokenizer:
             case "number":
                 self.emit("NUMBER", text, at)
             case "letters":
-                if self.ends("SUB", "SUP"):
-                    self.emit("LETTER", text[0], at)  # k_Re is k_R e
-                    at, text = at + 1, text[1:]
-                if text in FUNCTIONS:
-                    self.emit("FUNCTION", text, at)
-                elif text in NAMES and not self.in_script():
-                    self.words(text, text, at)
-                else:
-                    for i, letter in enumerate(text):
-                        self.emit("LETTER", letter, at + i)
+                self.letters(text, at)
             case _:
                 self.character(text, at)
+
+    def prose(self, text: str, at: int, is_heading: bool) -> None:
+        """Words that are no formula: nothing where they begin a line of it, and a fault elsewhere."""
+        if not is_heading:
+            raise Fault(words_in_a_formula(text), at)
+        if self.out and not self.ends("BREAK", "BEGIN_LINES"):
+            raise Fault(SyntaxCode.WORDS_IN_FORMULA(text=text), at)
+
+    def letters(self, text: str, at: int) -> None:
+        """Letters in a row: a function, a word that joins formulas, or a symbol each."""
+        if self.ends("SUB", "SUP"):
+            self.emit("LETTER", text[0], at)  # k_Re is k_R e
+            at, text = at + 1, text[1:]
+        if text in FUNCTIONS:
+            self.emit("FUNCTION", text, at)
+        elif text in NAMES and not self.in_script():
+            self.words(text, text, at)
+        else:
+            for i, letter in enumerate(text):
+                self.emit("LETTER", letter, at + i)
 
     def is_bracket(self, match: re.Match[str]) -> bool:
         return match[0] in BRACKETS or match[0] == "."
@@ -254,28 +262,10 @@ class Tokenizer:
     def character(self, text: str, at: int) -> None:
         if text in CHARACTERS:
             self.emit(*CHARACTERS[text], at)
-        elif text == "{":
-            if any(script.below for script in self.script_here()):
-                self.emit("SUB", "_", at)
-            self.push(text, at, "script" * self.ends("SUB", "SUP"))
-            self.emit("LBRACE", text, at)
-        elif text == "}":
-            self.pop("{", text, at)
-            is_script = bool(self.script_here())
-            if is_script and self.ends("LBRACE"):
-                del self.out[-2:]  # an empty script
-            else:
-                self.emit("RBRACE", text, at)
-            if is_script:
-                self.scripts.pop()
+        elif text in ("{", "}"):
+            self.brace(text, at)
         elif text == "&":
-            if self.inside("cases") and not _RELATES.match(self.text, at + 1):
-                self.joining("GIVEN", text, at)  # the value, and after the mark its condition
-            elif self.inside("matrix"):
-                doubled = self.text[at - 1 : at] == "&"  # && may leave space between two columns
-                self.emit("CELL", "&&" if doubled else text, at)
-            elif not self.inside("lines", "cases"):
-                raise Fault(SyntaxCode.ALIGNMENT_MARK(), at)
+            self.alignment_mark(text, at)
         elif text == "." and self.size:
             self.null_delimiter(at)
         elif text == "…" or self.text.startswith("...", at):
@@ -292,6 +282,32 @@ class Tokenizer:
             self.emit("MARK" if self.in_script() else "INFIX", text, at)  # r^{P/O}
         else:
             raise Fault(SyntaxCode.UNEXPECTED_CHARACTER(text=repr(text), ord=f"{ord(text):04X}"), at)
+
+    def brace(self, text: str, at: int) -> None:
+        """A brace that groups; one of \\prescript begins or ends a script."""
+        if text == "{":
+            if any(script.below for script in self.script_here()):
+                self.emit("SUB", "_", at)
+            self.push(text, at, "script" * self.ends("SUB", "SUP"))
+            self.emit("LBRACE", text, at)
+            return
+        self.pop("{", text, at)
+        is_script = bool(self.script_here())
+        if is_script and self.ends("LBRACE"):
+            del self.out[-2:]  # a script that is empty
+        else:
+            self.emit("RBRACE", text, at)
+        if is_script:
+            self.scripts.pop()
+
+    def alignment_mark(self, text: str, at: int) -> None:
+        if self.inside("cases") and not _RELATES.match(self.text, at + 1):
+            self.joining("GIVEN", text, at)  # the value, and behind the mark its condition
+        elif self.inside("matrix"):
+            doubled = self.text[at - 1 : at] == "&"  # && may leave room between two columns
+            self.emit("CELL", "&&" if doubled else text, at)
+        elif not self.inside("lines", "cases"):
+            raise Fault(SyntaxCode.ALIGNMENT_MARK(), at)
 
     def script_here(self) -> list[_Script]:
         """Returns the \\prescript whose argument a brace at this position begins; [] if there is none."""

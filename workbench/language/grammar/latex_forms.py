@@ -65,34 +65,12 @@ def matrix(rows: Iterable[Sequence[str]]) -> str:
 def latex_of(node: Node) -> str:
     """Returns the tree as LaTeX in its original spelling."""
     match node:
-        case Leaf(kind="FUNCTION", text=head):
-            return command_of(head)
-        case Leaf(kind="MARK", text=text):
-            return text if text == "T" else written("MARK", written("INFIX", text))
-        case Leaf(text=text):
-            return text
-        case Group(parts=(Styled() | Leaf() | Group() as inner,)):
-            return latex_of(inner)
-        case Group(parts=parts):
-            return f"{{{_listed(parts)}}}"
-        case Bracket(kind="[", parts=(Matrix() as inner,)):
-            return latex_of(inner)
-        case Bracket(kind=kind, parts=parts):
-            inside = _listed(parts)
-            if any(tall in inside for tall in _TALL):
-                return f"\\left{kind} {inside} \\right{CLOSING[kind]}"
-            return f"{kind} {inside} {CLOSING[kind]}" if kind[1:] else f"{kind}{inside}{CLOSING[kind]}"
-        case Styled(style=style, body=body):
-            return f"{style}{{{_inside(body)}}}"
-        case Accented(accent="~", body=body):
-            letter = core(body)
-            accent = "\\widetilde" if isinstance(letter, Product | Sum | Bracket) else "\\tilde"
-            return f"{accent}{{{_inside(body)}}}"
-        case Accented(accent=accent, body=body):
-            return f"{written('ACCENT', accent)}{{{_inside(body)}}}"
-        case Scripted(nucleus=nucleus, sub=sub, sup=sup, primes=primes, factorial=factorial):
-            marked = scripted(latex_of(nucleus), _inside(sub)) + "'" * primes
-            return scripted(marked, sup=_inside(sup)) + "!" * factorial
+        case Leaf():
+            return _leaf(node)
+        case Group() | Bracket():
+            return _grouped(node)
+        case Styled() | Accented() | Scripted():
+            return _decorated(node)
         case Fraction(numerator=top, denominator=bottom):
             return fraction(_inside(top) or "", _inside(bottom) or "")
         case Binomial(top=top, bottom=bottom):
@@ -110,6 +88,53 @@ def latex_of(node: Node) -> str:
             return extremal(least, _inside(over))
         case Matrix(rows=rows):
             return matrix([list(map(latex_of, row)) for row in rows])
+        case Chain() | Conditional() | Joined() | Given() | Lines():
+            return _stated(node)
+    raise TypeError(f"no LaTeX for {type(node).__name__}")
+
+
+def _leaf(node: Leaf) -> str:
+    if node.kind == "FUNCTION":
+        return command_of(node.text)
+    if node.kind == "MARK" and node.text != "T":
+        return written("MARK", written("INFIX", node.text))
+    return node.text
+
+
+def _grouped(node: Group | Bracket) -> str:
+    """A group in braces, or in brackets that print."""
+    match node:
+        case Group(parts=(Styled() | Leaf() | Group() as inner,)):
+            return latex_of(inner)
+        case Group(parts=parts):
+            return f"{{{_listed(parts)}}}"
+        case Bracket(kind="[", parts=(Matrix() as inner,)):
+            return latex_of(inner)
+    opening, closing, inside = node.kind, CLOSING[node.kind], _listed(node.parts)
+    if any(tall in inside for tall in _TALL):
+        return f"\\left{opening} {inside} \\right{closing}"
+    return f"{opening} {inside} {closing}" if opening[1:] else f"{opening}{inside}{closing}"
+
+
+def _decorated(node: Styled | Accented | Scripted) -> str:
+    """A node in a typeface, under an accent, or with scripts."""
+    match node:
+        case Styled(style=style, body=body):
+            return f"{style}{{{_inside(body)}}}"
+        case Accented(accent="~", body=body):
+            letter = core(body)
+            accent = "\\widetilde" if isinstance(letter, Product | Sum | Bracket) else "\\tilde"
+            return f"{accent}{{{_inside(body)}}}"
+        case Accented(accent=accent, body=body):
+            return f"{written('ACCENT', accent)}{{{_inside(body)}}}"
+        case Scripted(nucleus=nucleus, sub=sub, sup=sup, primes=primes, factorial=factorial):
+            marked = scripted(latex_of(nucleus), _inside(sub)) + "'" * primes
+            return scripted(marked, sup=_inside(sup)) + "!" * factorial
+
+
+def _stated(node: Chain | Conditional | Joined | Given | Lines) -> str:
+    """A statement, a condition, or several lines of them."""
+    match node:
         case Chain(relations=relations, sides=sides):
             signed = (
                 f" {written('RELATION', sign)} {latex_of(side)}"
@@ -130,7 +155,6 @@ def latex_of(node: Node) -> str:
             texts = [BESIDE.join(map(latex_of, line)).replace(BESIDE.rstrip() + FOR, FOR) for line in lines]
             inside = " \\\\ ".join(texts)
             return texts[0] if len(texts) == 1 else f"\\begin{{aligned}} {inside} \\end{{aligned}}"
-    raise TypeError(f"no LaTeX for {type(node).__name__}")
 
 
 def _listed(parts: Iterable[Node]) -> str:

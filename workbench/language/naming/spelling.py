@@ -375,19 +375,27 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
                     return None
                 text += sign + "".join(map(str, pieces))
             return [text]
-        case Scripted(sub=None, sup=None, primes=primes, factorial=False):
-            inner = _spell_script(node.nucleus, ())
-            return None if inner is None else [*inner, "'" * primes]
-        case Scripted(sup=None, sub=Node() as sub, primes=0, factorial=False):
-            inner = _spell_list((node.nucleus, sub), "_{", variables)
-            return None if inner is None else [*inner, "}"]
-        case Scripted(sub=None, sup=Node() as sup, primes=0, factorial=False):  # the star of B^* next to B
-            inner = _spell_list((node.nucleus, sup), "^{", ())
-            return None if inner is None or linear_or_none(node.nucleus, variables) else [*inner, "}"]
+        case Scripted(factorial=False):
+            return _spell_scripted(node, variables)
         case Infix(operator=operator):
             return [written("INFIX", operator)]
         case Chain(sides=sides, relations=(("→", _),)):  # from a frame to another
             return _spell_list(sides, "\\to ", ())
+    return None
+
+
+def _spell_scripted(node: Scripted, variables: Collection[str]) -> list[Piece] | None:
+    """A script that has primes, or a script of its own."""
+    match node:
+        case Scripted(sub=None, sup=None, primes=primes):
+            inner = _spell_script(node.nucleus, ())
+            return None if inner is None else [*inner, "'" * primes]
+        case Scripted(sup=None, sub=Node() as sub, primes=0):
+            inner = _spell_list((node.nucleus, sub), "_{", variables)
+            return None if inner is None else [*inner, "}"]
+        case Scripted(sub=None, sup=Node() as sup, primes=0):  # the star of B^* next to B
+            inner = _spell_list((node.nucleus, sup), "^{", ())
+            return None if inner is None or linear_or_none(node.nucleus, variables) else [*inner, "}"]
     return None
 
 

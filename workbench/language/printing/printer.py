@@ -269,9 +269,8 @@ def _big_sum(term: BigSum) -> Text:
     if term.lower is None:
         sign = latex_forms.scripted("\\sum", f"{'+'.join(term.variables)}={_integer(term.upper)}")
     else:
-        sign = latex_forms.scripted(
-            "\\sum", f"{term.variables[0]}={_integer(term.lower)}", _integer(term.upper)
-        )
+        below = f"{term.variables[0]}={_integer(term.lower)}"
+        sign = latex_forms.scripted("\\sum", below, _integer(term.upper))
     return Text(f"{sign} {_print(term.body).at_least(INFIX)}", PRODUCT, "sum")
 
 
@@ -286,10 +285,7 @@ def _apply(term: Apply) -> Text:
             base = Text(bracket(base.text), ATOM)
         return _raised(base, operator.superscript)
     if operator.sign:
-        left, right = map(_print, arguments)
-        if left.end == "function" and (arguments[1].type.dual or _ends_in_gradient(arguments[0])):
-            left = Text(bracket(left.text), ATOM)
-        return _infix(written("INFIX", operator.sign), left, right)
+        return _product_with(operator.sign, *arguments)
     match head:
         case "add":
             return _add(arguments)
@@ -318,6 +314,13 @@ def _apply(term: Apply) -> Text:
             over = _under_accents(term)
             return over or Text(f"\\widetilde{{{_print(arguments[0]).text}}}", ATOM)
     return _function(head, arguments[0])
+
+
+def _product_with(sign: str, left: Term, right: Term) -> Text:
+    before = _print(left)
+    if before.end == "function" and (right.type.dual or _ends_in_gradient(left)):
+        before = Text(bracket(before.text), ATOM)
+    return _infix(written("INFIX", sign), before, _print(right))
 
 
 def _is_column(term: Term) -> bool:

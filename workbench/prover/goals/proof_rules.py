@@ -77,18 +77,36 @@ from workbench.prover.goals.sum_rules import pascal, termwise
 
 def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
     """Yields the obligations of a proof. Raises NotShown if the proof does not match the goal."""
-    goal, scope = sequent.goal, sequent.scope
-    match goal, proof:
-        case _, Given(then) if not isinstance(goal, All | AllFrom | Implies):
+    match sequent.goal, proof:
+        case goal, Given(then) if not isinstance(goal, All | AllFrom | Implies):
             yield from obligations(sequent, then)
         case _, Have(text, by, then):
-            lemma = read_goal(text, scope)
+            lemma = read_goal(text, sequent.scope)
             yield from obligations(sequent.of(lemma), by)
             yield from obligations(sequent.given(lemma, sequent.lasts), then)
         case _, Obtain(place, then):
             yield from obligations(_obtained(sequent, place), then)
         case _, Cases(text, equal, unequal):
             yield from _cases(sequent, text, equal, unequal)
+        case All() | AllFrom() as goal, _:
+            yield from _for_all(sequent, goal, proof)
+        case Exists() as goal, _:
+            yield from _for_some(sequent, goal, proof)
+        case Atom(statement), _:
+            yield from _of_statement(sequent, statement, proof)
+        case AtLeast(left, right), Squares(terms):
+            yield from _squares(sequent, left, right, terms)
+        case _:
+            yield from _of_parts(sequent, proof)
+
+
+def _no_rule(sequent: Sequent, proof: Proof) -> NotShown:
+    return NotShown(f"{type(proof).__name__} is no rule for {kind_of(sequent.goal)}")
+
+
+def _for_all(sequent: Sequent, goal: All | AllFrom, proof: Proof) -> Iterator[Obligation]:
+    """The introduction of ∀, and the induction over the integers."""
+    match goal, proof:
         case AllFrom(integer, least, body), Induction():
             yield from _induction(sequent, integer, least, body, proof)
         case AllFrom(body=Atom()), Pascal():
@@ -98,8 +116,29 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             yield from obligations(sequent.with_integer(integer, least).of(body), proof)
         case All(variables, body), _:
             refuse_used(sequent, variables)
-            inner = replace(sequent, goal=body, scope=scope.with_variables(variables))
+            inner = replace(sequent, goal=body, scope=sequent.scope.with_variables(variables))
             yield from obligations(inner, proof)
+
+
+def _for_some(sequent: Sequent, goal: Exists, proof: Proof) -> Iterator[Obligation]:
+    """The introduction of ∃ and ∃! by a witness."""
+    match goal, proof:
+        case Exists(variables, body, False), Witness(members, then, using):
+            yield from members_belong("witness", sequent, variables, members, using)
+            yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
+        case Exists((variable,), body, False), OnCircle():
+            yield angle(sequent, variable, body)
+        case Exists((variable,), body, False), Jet():
+            yield jet(sequent, variable, body)
+        case Exists(variables, body, True), Unique():
+            yield from _unique(sequent, variables, body, proof)
+        case _:
+            raise _no_rule(sequent, proof)
+
+
+def _of_parts(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
+    """The introduction of ⇒, ⇔ and ∧."""
+    match sequent.goal, proof:
         case Implies(premise, conclusion, lasting), _:
             yield from obligations(sequent.given(premise, lasting).of(conclusion), proof)
         case Iff(left, right), _:
@@ -114,48 +153,49 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
         case Both(parts), Kernel():
             for part in parts:
                 yield from obligations(sequent.of(part), proof)
-        case Exists(variables, body, False), Witness(members, then, using):
-            yield from members_belong("witness", sequent, variables, members, using)
-            yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
-        case Exists((variable,), body, False), OnCircle():
-            yield angle(sequent, variable, body)
-        case Exists((variable,), body, False), Jet():
-            yield jet(sequent, variable, body)
-        case Exists(variables, body, True), Unique():
-            yield from _unique(sequent, variables, body, proof)
-        case Atom(statement), Follows():
+        case _:
+            raise _no_rule(sequent, proof)
+
+
+def _of_statement(sequent: Sequent, statement: Statement, proof: Proof) -> Iterator[Obligation]:
+    """The rules for what one formula says."""
+    match statement, proof:
+        case _, Follows():
             yield from _follows(sequent, statement, proof)
-        case Atom(Relation("=") as said), Termwise():
+        case Relation("=") as said, Termwise():
             for inner, own in termwise(sequent, said, proof):
                 yield from obligations(inner, own)
-        case Atom(statement), Pointwise(letter, then):
+        case _, Pointwise(letter, then):
             yield from _pointwise(sequent, statement, letter, then)
-        case Atom(Relation("=", left, Zero())), ByLength(then) if left.type in (SCALAR, VECTOR):
+        case Relation("=", left, Zero()), ByLength(then) if left.type in (SCALAR, VECTOR):
             square = relation("=", power(left, 2), zero(SCALAR))
             yield from obligations(sequent.of(Atom(square)), then)
-        case Atom(Relation("≠", left, right) as statement), Contradicts(place, then):
-            denied = _premise(sequent, place).goal
-            if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
-                raise NotShown(f"premise {place} is no inequation")
-            if denied.statement.operator != "≠":
-                raise NotShown(f"premise {place} denies nothing")
-            yield from _defined(sequent, statement)
-            inner = sequent.given(Atom(relation("=", left, right)), False)
-            absurd = relation("=", denied.statement.left, denied.statement.right)
-            yield from obligations(inner.of(Atom(absurd)), then)
-        case Atom(statement), Each(proofs):
+        case Relation("≠") as said, Contradicts(place, then):
+            yield from _contradicted(sequent, said, place, then)
+        case _, Each(proofs):
             every = list(equations(statement))
             if len(every) != len(proofs):
                 raise NotShown(f"expected {len(every)} proofs, one for each equation, got {len(proofs)}")
             for one, own in zip(every, proofs, strict=True):
                 yield from obligations(sequent.of(Atom(one)), own)
-        case Atom(statement), Kernel(using):
+        case _, Kernel(using):
             for alone in _separate(statement):
-                yield Obligation(FORMULA, alone, scope, tuple(supposed(sequent, using)))
-        case AtLeast(left, right), Squares(terms):
-            yield from _squares(sequent, left, right, terms)
+                yield Obligation(FORMULA, alone, sequent.scope, tuple(supposed(sequent, using)))
         case _:
-            raise NotShown(f"{type(proof).__name__} is no rule for {kind_of(goal)}")
+            raise _no_rule(sequent, proof)
+
+
+def _contradicted(sequent: Sequent, said: Relation, place: int, then: Proof) -> Iterator[Obligation]:
+    """left ≠ right, since left = right gives what a premise denies."""
+    denied = _premise(sequent, place).goal
+    if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
+        raise NotShown(f"premise {place} is no inequation")
+    if denied.statement.operator != "≠":
+        raise NotShown(f"premise {place} denies nothing")
+    yield from _defined(sequent, said)
+    inner = sequent.given(Atom(relation("=", said.left, said.right)), False)
+    absurd = relation("=", denied.statement.left, denied.statement.right)
+    yield from obligations(inner.of(Atom(absurd)), then)
 
 
 def _separate(statement: Statement) -> list[Statement]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 
 from workbench.core.construct import apply, derivative, dual_unit, identity, power
@@ -129,21 +129,9 @@ def _sum_is(left: Term, right: Term, weight: Weight) -> bool:
 def _basis(statement: Statement) -> Iterator[Term]:
     """Yields the symbols with up to one derivative more than occurs, vectors also as tensors, and other
     possible factors."""
-    highest: dict[Symbol, int] = {}
-    for atom in atoms_of(statement):
-        symbol, order = (atom.body, atom.order) if isinstance(atom, Derivative) else (atom, Linear(0))
-        if not isinstance(symbol, Symbol):
-            continue
-        highest.setdefault(symbol, 0)
-        if order.is_number:
-            highest[symbol] = max(highest[symbol], int(order))
-        else:
-            yield atom
-    for _, term in places(statement):
-        if isinstance(term, Derivative) and term.order.is_number:
-            for part in term.body.walk():
-                if isinstance(part, Symbol) and part in highest:
-                    highest[part] = max(highest[part], int(term.order))
+    atoms = [atom for atom in atoms_of(statement) if isinstance(_without_dots(atom), Symbol)]
+    yield from (atom for atom in atoms if isinstance(atom, Derivative) and not atom.order.is_number)
+    highest = _highest_orders(atoms, statement)
     for body, most in highest.items():
         is_still = body.declaration.constant or body.type.kind in ("operator", "matrix")
         moving = 0 if is_still else most + 1
@@ -152,21 +140,46 @@ def _basis(statement: Statement) -> Iterator[Term]:
             yield x
             if x.type.kind == "vector":
                 yield apply("skew", x)
-    heads = {term.head for _, term in places(statement) if isinstance(term, Apply)}
+    yield from _operations_beside([term for _, term in places(statement)], highest)
+
+
+def _without_dots(atom: Term) -> Term:
+    return atom.body if isinstance(atom, Derivative) else atom
+
+
+def _highest_orders(atoms: Iterable[Term], statement: Statement) -> dict[Symbol, int]:
+    """The highest order to which each symbol is differentiated, alone or in an expression."""
+    highest: dict[Symbol, int] = {}
+    for atom in atoms:
+        symbol, order = (atom.body, atom.order) if isinstance(atom, Derivative) else (atom, Linear(0))
+        if isinstance(symbol, Symbol):
+            highest[symbol] = max(highest.get(symbol, 0), int(order) if order.is_number else 0)
+    for _, term in places(statement):
+        if isinstance(term, Derivative) and term.order.is_number:
+            for part in term.body.walk():
+                if isinstance(part, Symbol) and part in highest:
+                    highest[part] = max(highest[part], int(term.order))
+    return highest
+
+
+def _operations_beside(terms: Sequence[Term], symbols: Iterable[Symbol]) -> Iterator[Term]:
+    """Operations that occur, on other symbols, and what stands in the statement that is no symbol."""
+    applied = [term for term in terms if isinstance(term, Apply)]
+    heads = {term.head for term in applied}
     for head in ("det", "trace", "adjugate"):
         if head in heads:
-            yield from (apply(head, body) for body in highest if body.type.kind == "tensor")
+            yield from (apply(head, body) for body in symbols if body.type.kind == "tensor")
     for head in ("sin", "cos"):
-        for _, term in places(statement):
-            if isinstance(term, Apply) and term.head == head:
-                yield apply(OPERATORS[head].partner, term.arguments[0])
-    for _, term in places(statement):
+        yield from (
+            apply(OPERATORS[head].partner, each.arguments[0]) for each in applied if each.head == head
+        )
+    for term in terms:
         is_derivative = isinstance(term, Derivative) and not isinstance(term.body, Symbol)
         if is_derivative or (isinstance(term, Apply) and term.head in OF_TENSORS):
             yield term
-    if any(term.type.kind in ("tensor", "operator") for _, term in places(statement)):
+    if any(term.type.kind in ("tensor", "operator") for term in terms):
         yield identity()
-    if any(term.type.dual for _, term in places(statement)):
+    if any(term.type.dual for term in terms):
         yield dual_unit()
 
 

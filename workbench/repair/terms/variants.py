@@ -222,14 +222,12 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
             yield from _tilde_moved(arguments[0])
         case "neg" if not is_addend:
             yield "sign", ("remove the minus sign before {}", arguments[0]), lambda: arguments[0]
-        case "transpose":
-            yield "transpose", ("remove the transpose of {}", arguments[0]), lambda: arguments[0]
-            said = ("replace the transpose of {} by its inverse", arguments[0])
-            yield "transpose", said, partial(apply, "inverse", arguments[0])
-        case "inverse":
-            yield "exponent", ("remove the inverse of {}", arguments[0]), lambda: arguments[0]
-            said = ("replace the inverse of {} by its transpose", arguments[0])
-            yield "transpose", said, partial(apply, "transpose", arguments[0])
+        case "transpose" | "inverse":
+            other = "inverse" if head == "transpose" else "transpose"
+            kind = "transpose" if head == "transpose" else "exponent"
+            yield kind, (f"remove the {head} of {{}}", arguments[0]), lambda: arguments[0]
+            said = (f"replace the {head} of {{}} by its {other}", arguments[0])
+            yield "transpose", said, partial(apply, other, arguments[0])
         case "adjugate" | "conjugate":
             yield "mark", ("remove the star of {}", arguments[0]), lambda: arguments[0]
         case "triple":
@@ -245,16 +243,21 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
         case "div":
             said = ("remove the denominator of {}", term)
             yield "coefficient", said, lambda: arguments[0]
-    if other := OPERATORS[head].partner:
-        yield "mark", ("replace {} by {} in {}", head, other, term), partial(apply, other, arguments[0])
+    if partner := OPERATORS[head].partner:
+        yield "mark", ("replace {} by {} in {}", head, partner, term), partial(apply, partner, arguments[0])
     if head in ("cross", "outer", "compose"):
         said = ("swap the factors of {}", term)
         yield "swap", said, partial(apply, head, *reversed(arguments))
-    if len(arguments) == 2 and all(a.type.kind == "vector" for a in arguments):
-        for other, sign in _PRODUCT_SIGNS.items():
-            if other != head and head in _PRODUCT_SIGNS:
-                said = ("replace {} by {} in {}", _PRODUCT_SIGNS[head], sign, term)
-                yield "product", said, partial(apply, other, *arguments)
+    if head in _PRODUCT_SIGNS and all(a.type.kind == "vector" for a in arguments):
+        yield from _other_products(term)
+
+
+def _other_products(term: Apply) -> Iterator[Variant]:
+    """Other products of the same two vectors."""
+    for head, sign in _PRODUCT_SIGNS.items():
+        if head != term.head:
+            said = ("replace {} by {} in {}", _PRODUCT_SIGNS[term.head], sign, term)
+            yield "product", said, partial(apply, head, *term.arguments)
 
 
 def _of_multiple(head: str, factor: Fraction, term: Term) -> Term:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
+from typing import TypeAlias
 
 from workbench.language.grammar.formula_tokens import MOST_CHARACTERS
 from workbench.language.grammar.vocabulary import WORDS
@@ -28,11 +29,11 @@ _WIDE_WITH_ARGUMENT = frozenset({"phantom", "hphantom"})
 _UNWRAPPED = frozenset((
     "mathclap", "mathrlap", "mathllap", "mathord", "mathrel", "mathbin", "mathop", "mathopen",
     "mathclose", "mathinner", "boxed", "fbox", "underbrace", "overbrace", "smash", "cancel",
-    "Aboxed", "bbox", "mathstrut", "substack", "displaylines",
+    "Aboxed", "bbox", "substack", "displaylines",
 ))  # fmt: skip
 _UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
 _LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
-_OPERATORS = frozenset({"operatorname", "mathop", "symup"})
+_OPERATORS = frozenset({"operatorname", "symup"})
 _TEXTS = frozenset({"mbox", "text", "hbox", "textrm"})
 _GROUPS = frozenset({"SO", "SE", "so", "se"})
 _OVER = frozenset({"overset", "stackrel", "underset"})
@@ -167,61 +168,78 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
     place = 0
     while place < len(tokens):
         token = tokens[place]
-        word = token.word
         place += 1
         if token.text in ("^", "_") and _is_empty(tokens, place) and not _is_empty(tokens, place - 3):
             place += 2
-        elif (
-            sign := _TYPED.get((token.text, "".join(each.text for each in tokens[place : place + 1])))
-        ) is not None:
+        elif place < len(tokens) and (sign := _TYPED.get((token.text, tokens[place].text))):
             following = tokens[place]
             yield Token(sign, token.source, token.start, max(token.end, following.end), token.call)
             place += 1
-        elif word is None:
+        elif token.word is None:
             yield token
-        elif word in _DROPPED or (word == "qty" and _opens(tokens, place)):
-            continue
-        elif word in _TEXTS and (blank := _blank(tokens, place)) is not None:
-            place = blank
-        elif word in _TEXTS and (formula := _formula_in(tokens, place)) is not None:
-            is_bold, inner, place = formula
-            if is_bold:
-                yield token.standing_for("\\boldsymbol")
-            yield token.standing_for("{")
-            yield from _respelled(inner)
-            yield token.standing_for("}")
-        elif word in _TEXTS | {"textbf"} and _is_name(tokens, place):
-            yield token.standing_for("\\mathbf" if word == "textbf" else "\\mathrm")
-        elif word in _TEXTS and _is_function(tokens, place):
-            yield token.standing_for("\\operatorname")
-        elif word in _OVER and (noted := _noted_sign(tokens, place)) is not None:
-            at, place = noted
-            yield tokens[at]
-        elif word in _DROPPED_WITH_ARGUMENT:
-            _, place = argument(tokens, _past(tokens, place, "*"))
-        elif word in _WIDE:
-            yield token.standing_for("\\quad")
-        elif word in _WIDE_WITH_ARGUMENT:
-            yield token.standing_for("\\quad")
-            _, place = argument(tokens, place)
-        elif word in _UNWRAPPED:
-            if word == "bbox" and _opens(tokens, place):
-                place = next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), place)
-            inner, place = argument(tokens, place)
-            yield from _respelled(inner)
-            if word in _LIMITS_ARE_NOTES:
-                place = _past_script(tokens, place)
-        elif word in _BLACKBOARD:
-            yield from (token.standing_for(text) for text in ("\\mathbb", "{", word, "}"))
-        elif word in _OPERATORS and (differential := _differential(tokens, place)) is not None:
-            yield token.standing_for("d")
-            place = differential
-        elif word in _UNWRAPPED_SECOND:
-            _, place = argument(tokens, place)
-            inner, place = argument(tokens, place)
-            yield from _respelled(inner)
         else:
-            yield token.standing_for(_RENAMED.get(word, token.text))
+            made = _text_box(tokens, place) or _unwrapped(tokens, place) or _renamed(tokens, place)
+            yield from made[0]
+            place = made[1]
+
+
+#: What a command gives, and the place behind it and its arguments.
+_Made: TypeAlias = "tuple[Sequence[Token], int]"
+
+
+def _text_box(tokens: Sequence[Token], place: int) -> _Made | None:
+    """What \\text and the like give before `place`, if that is no words; None for another command."""
+    token = tokens[place - 1]
+    if token.word == "textbf" and _is_name(tokens, place):
+        return [token.standing_for("\\mathbf")], place
+    if token.word not in _TEXTS:
+        return None
+    if (behind := _blank(tokens, place)) is not None:
+        return [], behind
+    if (formula := _formula_in(tokens, place)) is not None:
+        is_bold, inner, behind = formula
+        bold = [token.standing_for("\\boldsymbol")] if is_bold else []
+        opening, closing = token.standing_for("{"), token.standing_for("}")
+        return [*bold, opening, *_respelled(inner), closing], behind
+    if _is_name(tokens, place):
+        return [token.standing_for("\\mathrm")], place
+    return ([token.standing_for("\\operatorname")], place) if _is_function(tokens, place) else None
+
+
+def _unwrapped(tokens: Sequence[Token], place: int) -> _Made | None:
+    """What a command before `place` shows of its arguments, or leaves of them; None for another command."""
+    token = tokens[place - 1]
+    word = token.word or ""
+    if word in _OVER and (noted := _noted_sign(tokens, place)) is not None:
+        at, behind = noted
+        return [tokens[at]], behind
+    if word in _DROPPED_WITH_ARGUMENT:
+        return [], argument(tokens, _past(tokens, place, "*"))[1]
+    if word in _WIDE_WITH_ARGUMENT:
+        return [token.standing_for("\\quad")], argument(tokens, place)[1]
+    if word in _OPERATORS and (differential := _differential(tokens, place)) is not None:
+        return [token.standing_for("d")], differential
+    if word not in _UNWRAPPED | _UNWRAPPED_SECOND:
+        return None
+    if word == "bbox" and _opens(tokens, place):
+        place = next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), place)
+    if word in _UNWRAPPED_SECOND:
+        _, place = argument(tokens, place)
+    inner, place = argument(tokens, place)
+    return list(_respelled(inner)), _past_script(tokens, place) if word in _LIMITS_ARE_NOTES else place
+
+
+def _renamed(tokens: Sequence[Token], place: int) -> _Made:
+    """What any other command before `place` is called here; nothing for one that prints nothing."""
+    token = tokens[place - 1]
+    word = token.word or ""
+    if word in _DROPPED or (word == "qty" and _opens(tokens, place)):
+        return [], place
+    if word in _WIDE:
+        return [token.standing_for("\\quad")], place
+    if word in _BLACKBOARD:
+        return [token.standing_for(text) for text in ("\\mathbb", "{", word, "}")], place
+    return [token.standing_for(_RENAMED.get(word, token.text))], place
 
 
 def _opens(tokens: Sequence[Token], place: int) -> bool:

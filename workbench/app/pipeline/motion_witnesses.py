@@ -159,6 +159,8 @@ def course_on(motion: Motion, claim: Claim, form: Formula) -> tuple[list[float],
     from workbench.prover.motions.motion_check import Subject, witness
     from workbench.prover.motions.motion_source import bindings_of
 
+    if form.statement is None:
+        raise ValueError(f"{claim.id} on {motion.name}: the formula is not read")
     _require_agreement(motion)
     bindings = bindings_of(claim.notation.motion)
     subject = Subject(

@@ -55,7 +55,7 @@ class CheckedCell:
 
 
 def _row(result: ClaimResult) -> Markup:
-    """One step: its mark, the formula, what is wrong, and the counterexample."""
+    """Returns the table row of one step: its mark, the formula, the fault, and the counterexample."""
     from markupsafe import Markup, escape
 
     from workbench.app.commands.listing_text import MARKS
@@ -79,8 +79,10 @@ def _word(result: ClaimResult) -> str:
 
 
 def check_cell(line: str, cell: str) -> CheckedCell:
-    """Returns the verdicts on a cell. line: kinds of symbols, as in `-s a=vector`; those that are missing are
-    inferred. Raises ValueError for what cannot be used."""
+    """Returns the verdicts on a cell. Raises ValueError for unusable input.
+
+    line: kinds of symbols, as in `-s a=vector`; missing ones are inferred.
+    """
     from tempfile import TemporaryDirectory
 
     from workbench.app.servers.warm import judged_file, with_corrections
@@ -94,7 +96,7 @@ def check_cell(line: str, cell: str) -> CheckedCell:
 
 
 def _as_text(cell: str) -> tuple[str, str]:
-    """The cell as a text and the ending of such texts: TeX, Markdown, or the lines of one derivation."""
+    """Returns the cell as a text with its file suffix: TeX, Markdown, or the lines of one derivation."""
     if _IS_TEX.search(cell):
         return cell, ".tex"
     if "$" in cell:
@@ -115,7 +117,7 @@ def _kinds(line: str) -> Iterator[Answer]:
 
 
 def register(shell: InteractiveShell) -> None:
-    """Makes %%check known to a shell."""
+    """Registers %%check in a shell."""
     from IPython.core.error import UsageError
 
     def check(line: str, cell: str) -> CheckedCell:

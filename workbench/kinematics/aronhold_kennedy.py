@@ -74,7 +74,7 @@ class Configuration(StrEnum):
 
     @property
     def remark_7_holds(self) -> bool:
-        """Whether ω̲₁ × ω̲₂ has a line, which then is the one common perpendicular."""
+        """True if ω̲₁ × ω̲₂ has a line, which then is the unique common perpendicular."""
         return self.freedom == 0
 
 

@@ -22,13 +22,15 @@ def compiled_kernel(
     options: Mapping[str, Any],
     of: str = OF_KERNEL,
 ) -> Callable[..., bool]:
-    """Returns the function with the Numba signature `of`, kept on disk if there is a place for it. Numba
-    would not notice that what it calls, the `parts`, has changed since, so what is older than these files is
-    removed first.
+    """Returns the function compiled with the Numba signature `of`, cached on disk if possible.
 
-    It is called without Numba's look at the arguments' types, which takes 0.1 µs: nothing but what the
-    signature says may be given, arrays of native doubles with that many axes. The workspace is the end of the
-    plan: two calls cannot meet there, for Python's global lock is held throughout."""
+    Numba does not notice changes of the functions that it calls, the `parts`; a cache that is older than
+    their files is therefore removed first.
+
+    The function is called without Numba's check of the argument types, which takes 0.1 µs. Only arguments of
+    the signature may be passed: arrays of native doubles with that many axes. The workspace is the end of the
+    plan; two calls cannot meet there, because Python's global lock is held throughout.
+    """
     try:
         kernel = njit(cache=True, **options)(function)
         changed = max(Path(part.__file__).stat().st_mtime for part in parts if part.__file__)

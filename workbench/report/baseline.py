@@ -1,4 +1,4 @@
-"""Findings that were known before: told apart from new ones by what is displayed, not by lines."""
+"""Baselines: findings that are already known, identified by the displayed formula, not by its line."""
 
 from __future__ import annotations
 
@@ -22,7 +22,12 @@ _GRADES = (Grade.ERROR, Grade.WARNING)
 
 @dataclass(frozen=True, order=True)
 class Known:
-    """One finding. file: relative to the folder of the baseline.   formula: as printed but for blanks."""
+    """A known finding.
+
+    Attributes:
+        file: Relative to the folder of the baseline.
+        formula: As printed, without blanks.
+    """
 
     file: str
     formula: str
@@ -31,7 +36,7 @@ class Known:
 
 
 def known_of(result: ClaimResult, folder: Path) -> Known | None:
-    """Returns a result as a finding; None where nothing is wrong."""
+    """Returns a result as a finding; None if there is no fault."""
     if result.shown not in _GRADES:
         return None
     file = os.path.relpath(place_of(result).file.resolve(), folder.resolve())
@@ -39,17 +44,17 @@ def known_of(result: ClaimResult, folder: Path) -> Known | None:
 
 
 def content_of(result: ClaimResult) -> str:
-    """Returns what is displayed, but for its blanks."""
+    """Returns the displayed formula without blanks."""
     return " ".join((result.claim.shown or result.claim.id).split())
 
 
 def all_known(results: Iterable[ClaimResult], folder: Path) -> Counter[Known]:
-    """Returns what is wrong, each as often as it is there."""
+    """Returns the findings with their multiplicities."""
     return Counter(known for result in results if (known := known_of(result, folder)) is not None)
 
 
 def as_known(results: Sequence[ClaimResult], known: Counter[Known], folder: Path) -> list[ClaimResult]:
-    """Returns the results, those marked that are known; takes them from `known`."""
+    """Returns the results with known ones marked, and removes these from `known`."""
     made = []
     for result in results:
         own = known_of(result, folder)
@@ -61,13 +66,13 @@ def as_known(results: Sequence[ClaimResult], known: Counter[Known], folder: Path
 
 
 def baseline_text(known: Counter[Known]) -> str:
-    """Returns the content of a baseline: the same findings, the same bytes."""
+    """Returns the content of a baseline; equal findings give equal bytes."""
     entries = [asdict(each) for each in sorted(known.elements())]
     return json.dumps({"version": 1, "known": entries}, ensure_ascii=False, indent=2) + "\n"
 
 
 def read_baseline(path: Path) -> Counter[Known]:
-    """Returns what a baseline knows. Raises PaperError for what is none."""
+    """Returns the findings of a baseline file. Raises PaperError if it is none."""
     try:
         data = json.loads(file_bytes(path, _EXPECTED, _MOST_BYTES))
         names = {each.name for each in fields(Known)}

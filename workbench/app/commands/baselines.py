@@ -1,4 +1,4 @@
-"""check --baseline, --write-baseline and --since: which findings were known before."""
+"""check --baseline, --write-baseline and --since: marks findings that were known before."""
 
 from __future__ import annotations
 
@@ -21,8 +21,10 @@ if TYPE_CHECKING:
 def without_known(
     judged: Sequence[Judged], baseline: Path | None, written: Path | None, since: str | None
 ) -> list[Judged]:
-    """Returns the results, those marked that are known by a file or were wrong in a revision.   written: the
-    file into which all that is wrong is written, which makes it known, too."""
+    """Returns the results, with those marked that a file lists or that were wrong in a revision.
+
+    written: the file to which all findings are written, which makes them known.
+    """
     made = list(judged)
     if since is not None:
         made = [_since(each, since) for each in made]
@@ -41,7 +43,7 @@ def _by_file(judged: Sequence[Judged], path: Path) -> list[Judged]:
 
 
 def _tell_stale(judged: Sequence[Judged], rest: Counter[Known], path: Path) -> None:
-    """Tells which entries about the judged files are no longer wrong."""
+    """Prints the entries about the judged files that are no longer wrong."""
     from workbench.app.servers.watch import paths_of
 
     folder = path.resolve().parent
@@ -65,8 +67,10 @@ def _written(judged: Sequence[Judged], made: Sequence[Judged], path: Path) -> li
 
 
 def _since(judged: Judged, name: str) -> Judged:
-    """The results, those marked that were wrong in a revision, too: of an unchanged display, whatever stands
-    around it."""
+    """Returns the results, with those marked whose display was already wrong in a revision.
+
+    A display is identified by its content, independent of its surroundings.
+    """
     from workbench.app.commands.history import Repository
     from workbench.papers import PaperError
     from workbench.report.baseline import all_known

@@ -1,4 +1,4 @@
-"""Texts judged beside a loop that serves an editor or a page, which never waits for them."""
+"""Judging in threads for the event loop of an editor server or a page, which never waits."""
 
 from __future__ import annotations
 
@@ -22,21 +22,23 @@ _ALL_SECONDS = 60.0
 
 
 class Superseded(Exception):
-    """The text was changed, so that what is being found of it is of no use."""
+    """The text was changed, so that the running computation is obsolete."""
 
 
 class Desk:
-    """Judges and corrects texts, each in turns: a new turn ends the one before. Verdicts have a thread of
-    their own, so that they do not wait for a search for corrections."""
+    """Judges and corrects texts in turns; a new turn ends the previous one.
+
+    Verdicts have a separate thread, so that they do not wait for a search for corrections.
+    """
 
     def __init__(self, motions: bool = False, folder: Path | None = None) -> None:
-        """folder: outside of it no file is read; None for no limit."""
+        """folder: no file outside of it is read; None for no limit."""
         self._motions, self._folder = motions, folder
         self._turns: dict[Hashable, int] = {}
         self._judging, self._searching = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
 
     def prepare(self) -> None:
-        """Loads what judging needs, before anybody waits for it."""
+        """Loads the engines before the first request."""
         from workbench.prover.preload import load_engines
 
         self._judging.submit(load_engines)
@@ -47,7 +49,7 @@ class Desk:
         return Turn(self, text, self._turns[text])
 
     def close(self) -> None:
-        """Ends what is being found."""
+        """Ends all running computations."""
         self._turns.clear()
         for executor in (self._judging, self._searching):
             executor.shutdown(wait=False, cancel_futures=True)
@@ -57,7 +59,7 @@ class Desk:
 
 
 class Turn:
-    """One turn of a text at a desk. judged: how many of its claims are."""
+    """One turn of a text at a desk. judged: the number of judged claims."""
 
     def __init__(self, desk: Desk, text: Hashable, number: int) -> None:
         self._desk, self._text, self._number = desk, text, number
@@ -77,7 +79,7 @@ class Turn:
         return await self._run(desk._judging, judge)
 
     async def corrections(self, judged: Judged) -> Judged:
-        """Returns the verdicts with what a search proves, the shorter the more is wrong. Raises
+        """Returns the verdicts with proved corrections; the search is shorter for more faults. Raises
         Superseded."""
         wrong = sum(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results)
         seconds = max(1.0, min(SEARCH_SECONDS, _ALL_SECONDS / max(wrong, 1)))

@@ -1,4 +1,4 @@
-"""The keys of a model, or their values, that can stand at a place in a file: for completion in an editor."""
+"""Completion in an editor: the keys of a model, or their values, at a position in a file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _TABLES |= {"citation": "citation", "scope": "scope"}
 
 
 def completions(lines: Sequence[str], line: int, column: int) -> list[tuple[str, str]]:
-    """Returns what can be inserted at a place, counted from 0, each with its meaning."""
+    """Returns the possible insertions at a position, counted from 0, each with its meaning."""
     before = lines[line][:column] if line < len(lines) else ""
     if (directive := _DIRECTIVE.search(before)) is not None:
         return _within("directive", before[directive.end() :])
@@ -31,7 +31,7 @@ def completions(lines: Sequence[str], line: int, column: int) -> list[tuple[str,
 
 
 def _within(table: str, before: str) -> list[tuple[str, str]]:
-    """The keys of a table, or behind `key =` its values."""
+    """Returns the keys of a table, or the values after `key =`."""
     keys = SCHEMA[table]
     if (value := _VALUE.search(before)) is not None:
         known = {key.name: key for key in keys}
@@ -48,8 +48,10 @@ def _meaning(key: Key) -> str:
 
 
 def _table(lines: Sequence[str], line: int) -> str | None:
-    """The table of the schema that a line stands in; "symbols" and "notation" where the keys are the author's
-    own; None where none is known."""
+    """Returns the table of the schema that contains a line; None if it is unknown.
+
+    For keys of the author it is "symbols" or "notation".
+    """
     is_model = any(re.match(r"\s*source\s*=", each) for each in lines)
     header = next((found for each in reversed(lines[:line]) if (found := _HEADER.match(each))), None)
     if header is None:

@@ -1,4 +1,4 @@
-"""What an editor offers for a text without a model: the answers to its questions, and its model as a file."""
+"""Editor actions for a text without a model: answers to its questions, and writing its model to a file."""
 
 from __future__ import annotations
 
@@ -56,14 +56,14 @@ def lenses(uri: str, judged: Judged) -> Iterator[CodeLens]:
 
 
 def answer_of(given: list[Any]) -> Answer | None:
-    """Returns the answer that a command carries; None for something else."""
+    """Returns the answer in a command's arguments; None if there is none."""
     from workbench.papers.drafting.questions_to_author import Answer
 
     return Answer(*given[1:]) if len(given) == 4 and all(isinstance(each, str) for each in given) else None
 
 
 def write_model(judged: Judged) -> str:
-    """Writes the drafted model beside its text; returns what to tell."""
+    """Writes the drafted model next to its text; returns the message for the user."""
     from workbench.papers.drafting.model_file import model_text
 
     assert judged.draft is not None

@@ -1,4 +1,4 @@
-"""A Sphinx extension: the displayed formulas of each page are judged, and what is wrong is a warning.
+"""Sphinx extension: judges the displayed formulas of each page, and reports faults as warnings.
 
 `extensions = ["workbench.app.sphinx_ext"]`. A page is left out by `:workbench: off` among its fields, or
 `workbench: off` in its front matter.
@@ -35,7 +35,7 @@ _LEFT_OUT = frozenset({"off", "false", "no"})
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Connects the extension; what Sphinx calls."""
+    """Connects the extension; called by Sphinx."""
     app.add_config_value("workbench_marks", True, "env", bool)
     app.add_config_value("workbench_level", "warning", "env", str)
     app.connect("builder-inited", _add_style)
@@ -58,7 +58,7 @@ def _add_style(app: Sphinx) -> None:
 
 
 def _check_page(app: Sphinx, doctree: nodes.document) -> None:
-    """Judges the formulas of the page that was read, and marks them."""
+    """Judges the formulas of a page after it was read, and marks them."""
     from workbench.app.servers.warm import judged_file
     from workbench.papers import PaperError
     from workbench.papers.texts.text_paper import TextPaper
@@ -90,12 +90,12 @@ def _check_page(app: Sphinx, doctree: nodes.document) -> None:
 
 
 def _is_of_docstring(node: nodes.math_block) -> bool:
-    """Whether a formula stands in Python code, and not in the file of the page."""
+    """True if a formula comes from a docstring, not from the file of the page."""
     return "docstring of" in (node.source or "")
 
 
 def _warnings(judged: Judged, levels: Sequence[str]) -> dict[str, list[str]]:
-    """Tells what is wrong as warnings of Sphinx; returns the messages by claim."""
+    """Reports faults as warnings of Sphinx, and returns the messages by claim."""
     from workbench.report.findings import findings
 
     told: dict[str, list[str]] = defaultdict(list)
@@ -113,7 +113,7 @@ def _mark(
     results: Sequence[ClaimResult],
     told: Mapping[str, Sequence[str]],
 ) -> None:
-    """Gives each formula a class for its grade, and says under it what is wrong."""
+    """Gives each formula a class for its grade, and adds its faults below it."""
     by_content: dict[str, list[ClaimResult]] = defaultdict(list)
     for display in paper.text.displays if paper.text else ():
         by_content[_content(display.latex)] += [each for each in results if _lies_in(each, display)]
@@ -137,7 +137,7 @@ def _lies_in(result: ClaimResult, display: Display) -> bool:
 
 
 def _content(latex: str) -> str:
-    """A formula but for its blanks, its environment and its label."""
+    """Returns a formula without blanks, environment and label."""
     return re.sub(r"\s+", "", _AROUND.sub("", latex))
 
 

@@ -28,7 +28,8 @@ GRAVITY = (0.0, 0.0, -9.81)
 
 
 class Inertia(NamedTuple):
-    """Of a body: mass in kg, centre of mass (3,) in m and inertia (3, 3) about it in kg m², in its frame."""
+    """The inertia of a body: mass in kg, centre of mass (3,) in m and inertia (3, 3) about it in kg m², in
+    its frame."""
 
     mass: float
     com: np.ndarray

@@ -1,4 +1,4 @@
-"""Trajectories in: what a robot can be moved along.
+"""Trajectories along which a robot can move.
 
 `workbench.drake.joint_paths` has the paths by formula: `JointPath` (coefficients), `SinePath`. Here are those
 by samples (`RecordedPath`, from arrays or a CSV file) and by Drake's Trajectory objects (`DrakePath`). Times

@@ -1,6 +1,7 @@
 """A frame's motion on any scalars: Drake's Expression and AutoDiffXd, CasADi's SX, JAX arrays.
 
-The recursion of `tree_kernel` once more, one state at a time, on whatever adds, multiplies and has a sine.
+This is the recursion of `tree_kernel`, one state at a time, on any scalars with addition, multiplication and
+sine.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The server behind the page: judges what stands in a browser, for one person on one machine."""
+"""The server of the page: judges the text in a browser, for one person on one machine."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ from workbench.papers.drafting.questions_to_author import Answer
 from workbench.report import ReportError
 from workbench.source.documents import SUFFIXES
 
-#: Seconds for one request; what takes longer is told, and given up.
+#: Seconds for one request, after which it is cancelled with a message.
 SECONDS = 120.0
-#: Of how many tabs the last verdicts are kept.
+#: The number of tabs whose last verdicts are kept.
 _MOST_TABS = 16
 #: How often a character may be written in JSON as six, and some for the rest.
 _MOST_BODY = 6 * MOST_BYTES + 100_000
@@ -47,7 +47,7 @@ _HEADERS = {
 
 
 class Refused(Exception):
-    """A request that is not answered. status: that of HTTP."""
+    """A request that is rejected. status: the HTTP status."""
 
     def __init__(self, status: int, message: str) -> None:
         super().__init__(message)
@@ -56,7 +56,7 @@ class Refused(Exception):
 
 @dataclass
 class Tab:
-    """What was judged last in one tab of a browser, and what is being judged."""
+    """The last verdicts of one browser tab, and its running turn."""
 
     turn: Turn
     count: int = 0
@@ -67,8 +67,12 @@ class Tab:
 
 
 class Page:
-    """The page of one start of the server. token: what each request must show.   file: the text on disk,
-    if the page was started with one."""
+    """The page of one start of the server.
+
+    Attributes:
+        token: Required in each request.
+        file: The text on disk, if the page was started with one.
+    """
 
     def __init__(self, port: int, file: PageFile | None = None, token: str | None = None) -> None:
         self.token, self.file = token or secrets.token_urlsafe(24), file
@@ -134,7 +138,7 @@ class Page:
     def _call(
         self, call: Callable[[dict[str, Any]], Awaitable[dict[str, Any]]]
     ) -> Callable[[Request], Awaitable[Response]]:
-        """A call of the page: its JSON in, JSON out, an error as a status and a message."""
+        """Returns a handler for a call of the page: JSON in, JSON out, errors as a status and a message."""
 
         async def answered(request: Request) -> Response:
             try:
@@ -162,7 +166,7 @@ class Page:
         return answered
 
     async def _text(self, data: dict[str, Any]) -> dict[str, Any]:
-        """The text on disk, if it is not the one that the page has; what tells a changed model."""
+        """Returns the text on disk if it differs from the page's, and a stamp of its model."""
         if self.file is None:
             return {"name": None}
         text, stamp = self.file.read()
@@ -171,7 +175,7 @@ class Page:
         return told if data.get("stamp") == stamp else {**told, "text": text}
 
     async def _check(self, data: dict[str, Any]) -> dict[str, Any]:
-        """The verdicts on what stands in a tab."""
+        """Returns the verdicts on the text of a tab."""
         path, desk = self._place(data)
         text, answers = _text_of(data), _answers_of(data)
         name = _string(data, "tab")
@@ -187,7 +191,7 @@ class Page:
         return page_view(tab.judged, path, text, answers)
 
     async def _corrections(self, data: dict[str, Any]) -> dict[str, Any]:
-        """The verdicts of the last check with the corrections that a search proves."""
+        """Returns the verdicts of the last check with proved corrections."""
         tab = self._judged_tab(data)
         assert tab.judged is not None
         tab.judged = await tab.turn.corrections(tab.judged)
@@ -204,7 +208,7 @@ class Page:
         return {"stamp": self.file.save(_text_of(data), _string(data, "stamp"))}
 
     async def _model(self, data: dict[str, Any]) -> dict[str, Any]:
-        """The drafted model with the answers; written beside the file if that is asked for."""
+        """Returns the drafted model with the answers, and writes it next to the file if requested."""
         from workbench.papers.drafting.model_file import model_text
 
         tab = self._judged_tab(data)
@@ -220,7 +224,7 @@ class Page:
         return {"name": name, "model": text}
 
     async def _report(self, data: dict[str, Any]) -> dict[str, Any]:
-        """The report of the last check as one page."""
+        """Returns the report of the last check as one page."""
         from workbench.report.render import page_of
 
         tab = self._judged_tab(data)
@@ -235,7 +239,7 @@ class Page:
         return tab
 
     def _place(self, data: dict[str, Any]) -> tuple[Path, Desk]:
-        """Where a text stands, or seems to, and where it is judged."""
+        """Returns the path of a text (real or assumed), and the desk that judges it."""
         if data.get("document") == "file":
             if self.file is None:
                 raise Refused(400, "there is no file; start `workbench serve FILE`")
@@ -247,7 +251,7 @@ class Page:
 
 
 async def _body(request: Request) -> dict[str, Any]:
-    """The JSON object of a request. Raises Refused."""
+    """Returns the JSON object of a request. Raises Refused."""
     body = bytearray()
     async for chunk in request.stream():
         body += chunk
@@ -281,7 +285,7 @@ def _text_of(data: dict[str, Any]) -> str:
 
 
 def _answers_of(data: dict[str, Any]) -> tuple[Answer, ...]:
-    """The answers of the author. Raises Refused for what is no entry of a model."""
+    """Returns the answers of the author. Raises Refused for an invalid entry of a model."""
     given = data.get("answers", [])
     if not isinstance(given, list) or len(given) > 500:
         raise Refused(400, "answers: expected a list of at most 500")

@@ -1,4 +1,4 @@
-"""The file that a page was started with: read, watched and saved, and its model beside it."""
+"""The file that a page was started with: reading, watching and saving it, and its model."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ MOST_BYTES = 1_000_000
 
 
 class Changed(Exception):
-    """A file is not what it was when it was read."""
+    """A file has changed since it was read."""
 
 
 class PageFile:
     """A text on disk. Line ends and a byte order mark stay as they are when it is saved."""
 
     def __init__(self, path: Path) -> None:
-        """Raises PaperError for what cannot be read."""
+        """Raises PaperError if the file cannot be read."""
         self.path = path.resolve()
         self.name = path.name
         self.read()
@@ -43,7 +43,7 @@ class PageFile:
 
     @property
     def model_stamp(self) -> str | None:
-        """What tells a changed model; None where there is none."""
+        """Returns a stamp that differs for a changed model; None if there is none."""
         try:
             return _stamp_of(self.model)
         except OSError:
@@ -61,7 +61,7 @@ class PageFile:
         return self._stamp()
 
     def save_model(self, text: str) -> None:
-        """Writes the model beside the text. Raises Changed if there is one, and OSError."""
+        """Writes the model next to the text. Raises Changed if there is one already, and OSError."""
         if self.model.exists():
             raise Changed(f"{self.model.name} is there already; nothing was written")
         _write(self.model, text.encode("utf-8"))

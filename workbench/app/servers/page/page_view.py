@@ -1,4 +1,4 @@
-"""What the page shows of a text: its displays with marks, corrections, questions and assumptions, as JSON."""
+"""JSON of a text for the page: its displays with marks, corrections, questions and assumptions."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ if TYPE_CHECKING:
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
 
-#: What a symbol of a drafted model can be, beside what was inferred.
+#: The kinds offered for a symbol of a drafted model, in addition to inferred ones.
 KINDS = ("scalar", "vector", "tensor", "rotation", "quaternion")
 
 
 class Places:
-    """Places of a text in the units in which a browser counts, those of UTF-16."""
+    """Converts positions of a text to the browser's units, UTF-16."""
 
     def __init__(self, text: str) -> None:
         self._starts, self._lines = [0], text.split("\n")
@@ -38,7 +38,7 @@ class Places:
             self._starts.append(self._starts[-1] + _units(line) + 1)
 
     def at(self, line: int, column: int) -> int:
-        """Returns the offset of a place that is counted from 1."""
+        """Returns the offset of a position that is counted from 1."""
         line = min(max(line, 1), len(self._lines))
         return self._starts[line - 1] + _units(self._lines[line - 1][: max(column - 1, 0)])
 
@@ -51,7 +51,7 @@ def _units(text: str) -> int:
 
 
 def page_view(judged: Judged, file: Path, text: str, answers: Sequence[Answer] = ()) -> dict[str, Any]:
-    """Returns what the page shows of a judged text. text: what stands in the editor."""
+    """Returns the JSON of a judged text. text: the content of the editor."""
     paper, results = judged.paper, judged.results
     assert isinstance(paper, TextPaper)
     places, own = Places(text), file.resolve()
@@ -73,7 +73,7 @@ def page_view(judged: Judged, file: Path, text: str, answers: Sequence[Answer] =
 
 
 def fault_view(faults: Sequence[object]) -> dict[str, Any]:
-    """Returns what the page shows of a text that cannot be judged."""
+    """Returns the JSON of a text that cannot be judged."""
     empty: dict[str, Any] = {"counts": {}, "displays": [], "findings": [], "questions": [], "assumptions": []}
     return {"summary": "", "faults": [str(fault) for fault in faults], "drafted": False, **empty}
 
@@ -114,7 +114,7 @@ def _item(item: Item, places: Places, own: Path) -> dict[str, Any]:
 
 
 def _changed_lines(edits: Sequence[SourceEdit]) -> list[dict[str, Any]]:
-    """The author's lines that are edited, each in pieces that stay, go and come."""
+    """Returns the edited lines of the author, each in pieces that are kept, removed or inserted."""
     made: list[dict[str, Any]] = []
     end = -1
     for edit in sorted(edits, key=lambda each: (str(each.span.file), each.start)):
@@ -172,7 +172,7 @@ def _questions(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[dict[st
 
 
 def _assumptions(draft: Draft, answers: Sequence[Answer]) -> Iterator[dict[str, Any]]:
-    """The kind of each symbol, guesses first, with what it rests on and what it could be instead."""
+    """Yields the kind of each symbol, guesses first, with its reason and alternatives."""
     from workbench.papers.drafting.model_file import string
 
     found = draft.ingested
@@ -199,5 +199,5 @@ def _math(latex: str) -> str:
 
 
 def _prose(words: str) -> str:
-    """Words of a verdict with their formulas typeset."""
+    """Returns the words of a verdict with their formulas typeset."""
     return str(Markup("").join(runs(runs_with_symbols(words)))) if words else ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from tests.planted import planted
 from workbench.context.claims import Claim, Formula, Mend, Paper
 from workbench.context.index_values import Orders
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
@@ -79,7 +80,7 @@ def _verdict(
 ) -> Verdict:
     if verdict == "proved":
         evidence = evidence or [EXACT]
-    return Verdict(Outcome(verdict), evidence=tuple(map(Evidence.from_dict, evidence)), **rest)
+    return planted(Outcome(verdict), evidence=tuple(map(Evidence.from_dict, evidence)), **rest)
 
 
 def report_of(

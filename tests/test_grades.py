@@ -10,6 +10,7 @@ from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.planted import planted
 from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome, Strength, Verdict, grade_of
@@ -69,8 +70,8 @@ def test_grade_of_what_is_true_is_never_a_fault() -> None:
 def test_verdict_comes_back_from_json_with_its_grade(
     outcome: Outcome, basis: Strength, unless: tuple[str, ...]
 ) -> None:
-    verdict = Verdict(outcome, basis=basis, unless=unless)
-    again = Verdict.from_dict(json.loads(json.dumps(verdict.to_dict())))
+    verdict = planted(outcome, basis=basis, unless=unless)
+    again = Verdict.from_dict(json.loads(json.dumps(verdict.to_dict())), verdict.proof)
     assert again == verdict and again.grade is verdict.grade
 
 
@@ -93,7 +94,7 @@ def test_level_of_a_finding_is_the_grade(tmp_path: Path, unless: tuple[str, ...]
 @pytest.mark.parametrize("outcome", Outcome)
 def test_finding_of_each_outcome_has_a_rule_of_sarif(tmp_path: Path, outcome: Outcome) -> None:
     paper, (result,) = judged(tmp_path, "Here $$f a = a f f$$ stands.")
-    result = replace(result, verdict=replace(result.verdict, outcome=outcome))
+    result = replace(result, verdict=planted(outcome, evidence=result.verdict.evidence))
     found = findings(paper, [result])
     run = sarif(found, "1")["runs"][0]
     assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == [each.code for each in found]

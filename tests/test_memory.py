@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from tests.planted import planted
 from workbench.app.commands.commands import main
 from workbench.app.pipeline import result_proposals
 from workbench.app.pipeline.judge_claims import PaperJudge, judge_paper
@@ -139,9 +140,11 @@ def test_a_damaged_file_is_not_believed(tmp_path, damage):
 def test_a_verdict_comes_back_as_it_was(outcome):
     evidence = (Evidence("m", "o", {"samples": 3, "bound": ["w_WB"], "scale": 0.1}),)
     against = Counterexample({"a": ("1", "1/2", "0")}, ("1",), ("2",))
-    whole = Verdict(outcome, "a", "all n", VerdictCode.FOR(values="n = 1"), "h", against, evidence)
-    for verdict in (whole, Verdict(outcome)):
-        assert Verdict.from_dict(verdict.to_dict()) == verdict
+    reason = VerdictCode.FOR(values="n = 1")
+    fields = {"read_back": "a", "reason": reason, "hypothesis": "h", "counterexample": against}
+    whole = planted(outcome, scope="all n", evidence=evidence, **fields)
+    for verdict in (whole, planted(outcome)):
+        assert Verdict.from_dict(verdict.to_dict(), verdict.proof) == verdict
 
 
 def test_keys_are_the_same_in_every_process() -> None:

@@ -7,6 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 from tests.certificates.emitted import JOINED, joined, one
+from tests.planted import planted
 from tests.proofs.tampering import made_false, with_a_changed_conclusion
 from workbench import check
 from workbench.app.commands.commands import main
@@ -18,7 +19,7 @@ from workbench.certificates.goals.goal_theorem import whole
 from workbench.certificates.refutation import not_empty
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
-from workbench.core.verdict import Outcome, Verdict
+from workbench.core.verdict import Outcome
 from workbench.language.goals.goals import Scope
 from workbench.papers import find_paper
 
@@ -210,7 +211,7 @@ def test_norms_are_roots_and_nothing_more(formula, accepted):
 def step_texts(name):
     paper = find_paper("chapter")
     (claim,) = [c for c in paper.claims if c.id == name]
-    result = ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)
+    result = ClaimResult(claim, planted(Outcome.PROVED), None, None, Outcome.PROVED, True)
     return [step.certificate.text for step in steps_of(result, paper.theorems).steps if step.certificate]
 
 

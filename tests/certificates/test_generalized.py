@@ -4,6 +4,7 @@ from contextlib import suppress
 
 import pytest
 
+from tests.planted import planted
 from workbench.app.pipeline.judge_claims import ClaimResult
 from workbench.certificates.emission.emitted_families import general
 from workbench.certificates.emission.emitted_nodes import NotCertified
@@ -15,7 +16,7 @@ from workbench.core.construct import apply, big_sum, derivative, integer, number
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.types import VECTOR, Declaration
-from workbench.core.verdict import Outcome, Verdict
+from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.papers import find_paper
 
@@ -83,7 +84,7 @@ def test_premises_are_used_and_disequations_rejected():
 def test_recurrences_and_values_of_operators_are_premises(name):
     paper = find_paper("chapter")
     (claim,) = [c for c in paper.claims if c.id == name]
-    result = ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)
+    result = ClaimResult(claim, planted(Outcome.PROVED), None, None, Outcome.PROVED, True)
     written = [step for step in steps_of(result, paper.theorems).steps if step.certificate]
     general = [step.certificate for step in written if " is " in step.certificate.title]
     assert general

@@ -4,6 +4,7 @@ import pytest
 from click.testing import CliRunner
 
 from tests.certificates.emitted import all_certificates, one
+from tests.planted import planted
 from workbench import check
 from workbench.app.commands.commands import main
 from workbench.certificates.certified_forms import certificate, forms_of
@@ -162,7 +163,7 @@ def test_quaternions_are_named_as_the_obstacle():
 def test_each_step_of_a_theorem_has_a_certificate_or_an_obstacle(claim_id):
     paper = find_paper("chapter")
     (claim,) = [c for c in paper.claims if c.id == claim_id]
-    result = ClaimResult(claim, Verdict(Outcome.PROVED))
+    result = ClaimResult(claim, planted(Outcome.PROVED))
     made = steps_of(result, paper.theorems)
     assert all((step.certificate is None) == bool(step.obstacle) for step in made.steps)
     assert [

@@ -8,6 +8,7 @@ import pytest
 from click.testing import CliRunner
 from judge.motion_papers import HEAD, MOTION, judged, motions, paper
 
+from tests.planted import PLANTED, planted
 from workbench.app.commands.commands import main
 from workbench.app.pipeline import motion_witnesses
 from workbench.app.pipeline.judge_claims import judge_paper
@@ -16,7 +17,7 @@ from workbench.core.codes.motion_codes import MotionCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.paper_errors import PaperError
 from workbench.core.reasons import code_of
-from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.core.verdict import Outcome, Verdict
 from workbench.drake.sampled_motions import six_revolute_motion
 from workbench.drake.special_motions import special_motion
 from workbench.language.goals.goal_reader import read_goal
@@ -74,7 +75,7 @@ def test_a_goal_is_evaluated_for_points_and_integers(tmp_path):
 def seen(folder, outcome: Outcome, goal: str) -> Verdict:
     """What becomes of a verdict, whatever an engine said."""
     (claim,) = paper(folder, goal_claim(goal)).claims
-    verdict = Verdict(outcome, evidence=(Evidence("planted", "residual is 0"),))
+    verdict = planted(outcome, evidence=(PLANTED,))
     return Witnesses().seen(verdict, claim, claim.printed, None)
 
 

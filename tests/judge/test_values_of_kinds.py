@@ -21,6 +21,7 @@ from evaluator.series import NotRead
 from evaluator.values import World
 from test_values import Wrong, campaign, verdict_on
 
+from tests.planted import planted
 from workbench.context.claims import Notation
 from workbench.context.index_values import Orders, orders_within
 from workbench.context.read_formulas import read_statement
@@ -156,13 +157,13 @@ ALL = [pytest.param(kind, marks=() if kind in _SHORT else pytest.mark.slow) for 
 def test_a_verdict_that_values_contradict_is_detected(kind: str) -> None:
     """And the identities are true, whatever the judge says."""
     for statement, orders in claims_of(kind):
-        refuse_contradicted(kind, statement, orders, Verdict(Outcome.PROVED))
+        refuse_contradicted(kind, statement, orders, planted(Outcome.PROVED))
     with pytest.raises(Wrong, match="refuted"):
         refuse_contradicted(kind, statement, orders, Verdict(Outcome.REFUTED))
     claim = statement.right if isinstance(statement, Implication) else statement
     false = relation(claim.operator, apply("mul", number(2), claim.left), claim.right)
     with pytest.raises(Wrong, match="proved"):
-        refuse_contradicted(kind, false, orders, Verdict(Outcome.PROVED))
+        refuse_contradicted(kind, false, orders, planted(Outcome.PROVED))
 
 
 @pytest.mark.parametrize("kind", ALL)

@@ -5,11 +5,12 @@ from pathlib import Path
 import pytest
 from judge.motion_papers import MOTION, judged, motions, paper
 
+from tests.planted import PLANTED, planted
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.app.pipeline.motion_witnesses import Witnesses
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.paper_errors import PaperError
-from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.core.verdict import Outcome
 from workbench.papers import find_paper
 from workbench.report.to_json import report_json
 
@@ -92,7 +93,7 @@ def test_numbers_veto_a_proof(tmp_path):
     """A form that is false on the motions does not stay proved, whatever an engine said."""
     loaded = paper(tmp_path, r"printed = '\dot{R} = -\tilde{\omega} R'")
     (claim,) = loaded.claims
-    proved = Verdict(Outcome.PROVED, evidence=(Evidence("planted", "residual is 0"),))
+    proved = planted(Outcome.PROVED, evidence=(PLANTED,))
     seen = Witnesses().seen(proved, claim, claim.printed, None)
     assert seen.outcome == Outcome.UNCHECKED and seen.code is VerdictCode.MOTIONS_CONTRADICT
 

@@ -8,7 +8,8 @@ from formulas import formulas
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from workbench.core.verdict import Outcome, Verdict
+from tests.planted import planted
+from workbench.core.verdict import Outcome
 from workbench.papers import find_paper
 from workbench.repair.propose.repair import Proposal
 from workbench.repair.trees.as_printed import as_printed
@@ -167,7 +168,7 @@ def test_lines_of_one_formula_are_no_difference():
 
 
 def test_a_proposal_is_unmarked_if_the_print_cannot_be_split():
-    proposal = Proposal("a = 2 b", (), Verdict(Outcome.PROVED))
+    proposal = Proposal("a = 2 b", (), planted(Outcome.PROVED))
     assert proposal.beside(r"\mystery").difference == [{"same": "a = 2 b"}]
     assert proposal.in_colour(r"\mystery") == in_one_line(proposal.difference(r"\mystery")) == "a = 2 b"
 

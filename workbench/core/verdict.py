@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from enum import IntEnum, StrEnum
-from typing import Any
+from typing import Any, NoReturn, final
 
+from workbench.core.proof import Proof, Unproved, is_genuine
 from workbench.core.reasons import Code, Reason, code_of
 
 
@@ -121,6 +122,7 @@ class Counterexample:
         )
 
 
+@final
 @dataclass(frozen=True)
 class Verdict:
     """The verdict on one statement.
@@ -132,6 +134,9 @@ class Verdict:
     no_motion: why the evidence contains no motion; None if it contains one.
     basis: the strength of the weakest fact that the verdict depends on.
     unless: the unconfirmed facts under which the verdict would be different.
+    proof: the token of the inference rule that made it, for `proved`; None for all other outcomes.
+
+    Raises Unproved for `proved` without a token for this scope.
     """
 
     outcome: Outcome
@@ -144,6 +149,19 @@ class Verdict:
     no_motion: Reason | None = None
     basis: Strength = Strength.DECLARED
     unless: tuple[str, ...] = ()
+    proof: Proof | None = field(default=None, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if self.outcome != Outcome.PROVED:
+            object.__setattr__(self, "proof", None)
+        elif not is_genuine(self.proof) or self.proof is None or self.proof.scope != self.scope:
+            raise Unproved("a proved verdict is made by the rules of workbench.prover.decide.inference only")
+
+    def __init_subclass__(cls) -> None:
+        raise Unproved("a Verdict has no subclasses")
+
+    def __setstate__(self, state: object) -> NoReturn:
+        raise Unproved("a Verdict comes back through its constructor")
 
     @property
     def grade(self) -> Grade:
@@ -160,15 +178,15 @@ class Verdict:
         return self.scope is None or self.scope.startswith("all")
 
     def to_dict(self) -> dict[str, Any]:
-        own = {field.name: getattr(self, field.name) for field in fields(self)}
+        own = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "proof"}
         for name in ("reason", "no_motion"):
             own[name] = own[name].to_dict() if own[name] is not None else None
         against = self.counterexample.to_dict() if self.counterexample else None
         return own | {"counterexample": against, "evidence": [e.to_dict() for e in self.evidence]}
 
     @staticmethod
-    def from_dict(data: Mapping[str, Any]) -> Verdict:
-        """Inverts `to_dict`. Raises KeyError, ValueError or TypeError for other data."""
+    def from_dict(data: Mapping[str, Any], proof: Proof | None = None) -> Verdict:
+        """Inverts `to_dict`; `proved` needs its token. Raises KeyError, ValueError or TypeError otherwise."""
         against = data["counterexample"]
         reasons = {name: data[name] and Reason.from_dict(data[name]) for name in ("reason", "no_motion")}
         return Verdict(
@@ -180,5 +198,6 @@ class Verdict:
                 "evidence": tuple(Evidence.from_dict(entry) for entry in data["evidence"]),
                 "basis": Strength(data["basis"]),
                 "unless": tuple(data["unless"]),
+                "proof": proof,
             }
         )

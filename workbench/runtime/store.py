@@ -1,19 +1,22 @@
 """Cache of earlier results on disk. A key contains everything that its result depends on.
 
-A corrupt file, or one of another user, is ignored.
+A corrupt file, or one of another user, is ignored. A value counts only under the seal of the secret in the file
+beside it, which only the user can read.
 """
 
 from __future__ import annotations
 
+import hmac
 import os
+import secrets
 import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from hashlib import sha256
 from pathlib import Path
 from typing import TypeVar
 
 _MOST = 50_000
+_SECRET = 32
 
 
 class Store:
@@ -21,8 +24,10 @@ class Store:
 
     def __init__(self, file: Path) -> None:
         self._database: sqlite3.Connection | None = None
+        self.secret = secrets.token_bytes(_SECRET)
         with suppress(OSError, sqlite3.Error):
             self._database = _opened(file)
+            self.secret = _secret_of(file.with_suffix(".secret"))
 
     def get(self, key: str) -> bytes | None:
         """Returns the value of the key; None if it is missing or damaged."""
@@ -30,7 +35,7 @@ class Store:
             return None
         with suppress(sqlite3.Error, TypeError):
             row = self._database.execute("SELECT value, seal FROM kept WHERE key = ?", (key,)).fetchone()
-            if row is not None and row[1] == _seal(key, row[0]):
+            if row is not None and row[1] == self._seal(key, row[0]):
                 return row[0]
         return None
 
@@ -38,7 +43,7 @@ class Store:
         if self._database is not None:
             with suppress(sqlite3.Error), self._database:
                 insert = "INSERT OR REPLACE INTO kept (key, value, seal) VALUES (?, ?, ?)"
-                self._database.execute(insert, (key, value, _seal(key, value)))
+                self._database.execute(insert, (key, value, self._seal(key, value)))
 
     def close(self) -> None:
         if self._database is not None:
@@ -47,6 +52,9 @@ class Store:
                 self._database.execute(f"DELETE FROM kept WHERE rowid <= ({newest}) - ?", (_MOST,))
             self._database.close()
             self._database = None
+
+    def _seal(self, key: str, value: bytes) -> str:
+        return hmac.new(self.secret, key.encode() + b"\n" + value, "sha256").hexdigest()
 
 
 AnyStore = TypeVar("AnyStore", bound=Store)
@@ -88,5 +96,18 @@ def _opened(file: Path) -> sqlite3.Connection | None:
     return None
 
 
-def _seal(key: str, value: bytes) -> str:
-    return sha256(key.encode() + b"\n" + value).hexdigest()
+def _secret_of(file: Path) -> bytes:
+    """Returns the secret in the file, which is made on first use. Raises OSError where there is none."""
+    with suppress(FileExistsError):
+        draft = file.with_suffix(f".{os.getpid()}-{secrets.token_hex(4)}")
+        handle = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        try:
+            os.write(handle, secrets.token_bytes(_SECRET))
+            os.link(draft, file)
+        finally:
+            os.close(handle)
+            draft.unlink()
+    secret = file.read_bytes()
+    if len(secret) != _SECRET:
+        raise OSError(f"{file}: expected {_SECRET} bytes, got {len(secret)}")
+    return secret

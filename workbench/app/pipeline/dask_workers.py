@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import pickle
+import secrets
 import subprocess
 import sys
 import tempfile
@@ -23,6 +24,7 @@ from workbench.app.pipeline.judge_claims import PaperJudge
 from workbench.core.paper_errors import PaperError
 from workbench.core.verdict import Verdict
 from workbench.papers import Paper, find_paper
+from workbench.prover.decide.inference import Seal
 from workbench.runtime import Budget, OutOfBudget
 
 #: How often a judgement is retried when its worker dies.
@@ -86,29 +88,33 @@ class Cluster:
         except (OSError, ValueError) as error:
             raise ValueError(f"{address}: no scheduler of Dask answers there: {error}") from None
         self._options = dict(options)
+        self._secret = secrets.token_bytes(32)
 
     def map(
         self, items: Iterable[tuple[Bundle, str, str, str]], budget: Budget
     ) -> Generator[Verdict | OutOfBudget]:
         """Yields the verdict on each (paper, claim, form, key), in order; all are submitted at once."""
         bundles: dict[str, Any] = {}
-        tasks = []
+        tasks, keys = [], []
         for bundle, *rest in items:
             if bundle.digest not in bundles:
                 bundles[bundle.digest] = self._client.submit(Bundle, bundle.main, bundle.files)
             sent = bundles[bundle.digest]
             task = self._client.submit(
-                judged_by_worker, sent, *rest, self._options, budget, retries=_RETRIES, pure=False
+                judged_by_worker,
+                *(sent, *rest, self._options, budget, self._secret),
+                retries=_RETRIES,
+                pure=False,
             )
             tasks.append(task)
-        return (_answer(task.result()) for task in tasks)
+            keys.append(rest[-1])
+        return (self._answer(task.result(), key) for task, key in zip(tasks, keys, strict=True))
+
+    def _answer(self, told: dict[str, Any] | str, key: str) -> Verdict | OutOfBudget:
+        return OutOfBudget(told) if isinstance(told, str) else Seal(self._secret).opened(key, told)
 
     def close(self) -> None:
         self._client.close()
-
-
-def _answer(told: dict[str, Any] | str) -> Verdict | OutOfBudget:
-    return OutOfBudget(told) if isinstance(told, str) else Verdict.from_dict(told)
 
 
 class PaperOnCluster:
@@ -144,16 +150,22 @@ _TURN = threading.Lock()
 
 
 def judged_by_worker(
-    bundle: Bundle, name: str, form: str, key: str, options: Mapping[str, Any], budget: Budget
+    bundle: Bundle,
+    name: str,
+    form: str,
+    key: str,
+    options: Mapping[str, Any],
+    budget: Budget,
+    secret: bytes,
 ) -> dict[str, Any] | str:
-    """Returns the answer of the worker's own process; a text if nothing was decided."""
+    """Returns the sealed answer of the worker's own process; a text if nothing was decided."""
     with _TURN:
         if not _SERVER or _SERVER[-1].poll() is not None:
             call = [sys.executable, "-m", "workbench.app.pipeline.dask_workers"]
             _SERVER[:] = [subprocess.Popen(call, stdin=subprocess.PIPE, stdout=subprocess.PIPE)]
         server = _SERVER[-1]
         assert server.stdin is not None and server.stdout is not None, "both are pipes"
-        pickle.dump((bundle, name, form, key, dict(options), budget), server.stdin)
+        pickle.dump((bundle, name, form, key, dict(options), budget, secret), server.stdin)
         server.stdin.flush()
         return pickle.load(server.stdout)
 
@@ -182,6 +194,7 @@ def _judged(
     key: str,
     options: Mapping[str, Any],
     budget: Budget,
+    secret: bytes,
 ) -> dict[str, Any] | str:
     place = (bundle.digest, repr(sorted(options.items())), budget)
     if place not in judges:
@@ -191,7 +204,7 @@ def _judged(
     if claim is None or judge.key(claim, form) != key:
         return "the worker's workbench is another one, or its files; its verdict does not count"
     verdict = judge.judged_now(claim, form)
-    return str(verdict) if isinstance(verdict, OutOfBudget) else verdict.to_dict()
+    return str(verdict) if isinstance(verdict, OutOfBudget) else Seal(secret).closed(key, verdict)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from typing import Any
 from workbench.context.claims import Claim, Notation
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.goals.proofs import Proven
+from workbench.prover.decide.inference import Seal
 from workbench.prover.explain.canonical_text import told
 from workbench.prover.explain.judged_parts import JudgedParts, seen_of
 from workbench.prover.results.proposed_form import Proposed
@@ -34,13 +35,14 @@ class Memory(Store):
         """Returns the cached verdict; None if it is missing or damaged."""
         with suppress(ValueError, KeyError, TypeError):
             if (text := self.get(key)) is not None:
-                return Verdict.from_dict(json.loads(text))
+                return Seal(self.secret).opened(key, json.loads(text))
         return None
 
     def remember(self, key: str, verdict: Verdict) -> None:
         """Stores a verdict, unless it cannot be restored exactly."""
-        text = json.dumps(verdict.to_dict(), ensure_ascii=False)
-        if Verdict.from_dict(json.loads(text)) == verdict:
+        seal = Seal(self.secret)
+        text = json.dumps(seal.closed(key, verdict), ensure_ascii=False)
+        if seal.opened(key, json.loads(text)) == verdict:
             self.put(key, text.encode())
 
     def proposals(self, key: str) -> tuple[Proposed, ...] | None:
@@ -57,10 +59,10 @@ class Memory(Store):
 
     def knows(self, key: str) -> bool:
         """True if a check with this key has succeeded before."""
-        return self.recall(key) is not None
+        return self.get(key) is not None
 
     def know(self, key: str) -> None:
-        self.remember(key, Verdict(Outcome.PROVED))
+        self.put(key, b"known")
 
 
 class Keys:

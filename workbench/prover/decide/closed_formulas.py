@@ -14,6 +14,7 @@ from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.polynomial.closed_numbers import exactly_equal, surely_apart
 from workbench.language.definitions import Definitions, expand
 from workbench.language.printing.printer import to_latex
+from workbench.prover.decide.inference import agreement
 
 #: The method in the evidence of verdicts on numbers.
 NUMBERS = "numbers in balls (Arb)"
@@ -77,7 +78,7 @@ def _judged(numbers: Relation) -> Verdict | None:
             Evidence("cyclotomic field (FLINT)", "residual is 0"),
             Evidence("SymPy", "60 digits agree"),
         )
-        return Verdict(Outcome.PROVED, evidence=evidence)
+        return agreement(*evidence, evidence)
     evidence = (
         Evidence(NUMBERS, "the two sides differ"),
         Evidence("SymPy, 60 digits", "the two sides differ"),

@@ -37,6 +37,7 @@ from workbench.prover.decide.disequation import judge_inequation
 from workbench.prover.decide.equation import IN_FORCE, Equation
 from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
+from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
 from workbench.prover.decide.orders_past_literals import OrderRanges
 from workbench.prover.decide.premise_consequences import equal_turns, put_in
@@ -219,7 +220,7 @@ class Judge(Setting):
         order = f"to first order in {compared.names}"
         evidence = Evidence("dual numbers", f"{order} and their rates, taken together")
         holds = verdict.outcome not in (Outcome.REFUTED, Outcome.UNCHECKED)
-        return replace(verdict, scope=order if holds else None, evidence=(*verdict.evidence, evidence))
+        return generalization(verdict, order if holds else None, (*verdict.evidence, evidence))
 
     def _of_parts(self, parts: Sequence[Statement], assume: tuple[Statement, ...]) -> Verdict:
         """Returns the verdict on a chain or a system: that on its non-trivial parts.
@@ -317,4 +318,5 @@ def _together(verdicts: list[Verdict]) -> Verdict:
     worst = min(verdicts, key=lambda verdict: WORST_FIRST.index(verdict.outcome))
     if worst.outcome != Outcome.PROVED:
         return worst
-    return replace(worst, evidence=tuple(e for v in verdicts for e in v.evidence))
+    evidence = tuple(e for v in verdicts for e in v.evidence)
+    return conclusion("conjunction", verdicts, evidence, worst.scope)

@@ -6,6 +6,7 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.terms import Relation, Statement
 from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.prover.decide.case import Case, Setting
+from workbench.prover.decide.inference import agreement
 
 
 def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Statement, ...]) -> Verdict:
@@ -30,4 +31,4 @@ def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Stateme
     if not recheck_distance(relation, case.second):
         raise EngineDisagreement("FLINT and SymPy differ on an inequation")
     evidence.append(Evidence(METHOD, "the sides differ by a number that is not 0"))
-    return Verdict(Outcome.PROVED, evidence=tuple(evidence))
+    return agreement(evidence[0], evidence[1], evidence)

@@ -18,6 +18,7 @@ from workbench.prover.counterexamples.rational_points import Trial
 from workbench.prover.counterexamples.real_angles import surely_differ
 from workbench.prover.decide.case import Case, NoDefinitions, Setting
 from workbench.prover.decide.frame_change import in_rotated_frame
+from workbench.prover.decide.inference import agreement
 from workbench.prover.decide.law_statements import law_for
 
 _NONE = NoDefinitions()
@@ -127,7 +128,8 @@ class Equation(Case):
     ) -> Verdict:
         case = case or self
         figures = {"components": len(residuals), "indeterminates": len(self.exact.ring.names)}
-        evidence = [*before, Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)]
+        exact = Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)
+        evidence = [*before, exact]
         if not self.setting.second_engine:
             return Verdict(
                 Outcome.PROBABLE, reason=VerdictCode.SECOND_ENGINE_LEFT_OUT(), evidence=tuple(evidence)
@@ -145,7 +147,7 @@ class Equation(Case):
         if self.solved.limits():
             reason = VerdictCode.LIMITS()
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
-        return Verdict(Outcome.PROVED, evidence=tuple(evidence))
+        return agreement(exact, rechecked[0], evidence)
 
     def _recheck(self) -> list[Evidence] | None:
         """Returns the evidence of the jet engine, or None if it cannot derive the relation from the

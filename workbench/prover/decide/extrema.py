@@ -27,6 +27,7 @@ from workbench.language.definitions import expand
 from workbench.prover.counterexamples.rational_points import Trial
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.ideals import has_even_powers
+from workbench.prover.decide.inference import conclusion
 from workbench.prover.decide.objective import Varied, at_zero_part
 from workbench.prover.decide.quadratic_forms import Quadratic, minus, solved, times, total
 
@@ -330,9 +331,8 @@ class _Question:
             return _unchecked(VerdictCode.NOT_SHOWN())
         evidence = tuple(dict.fromkeys(e.method for part in parts for e in part.evidence))
         outcome = f"the bound for all values, and where it is reached: {len(parts)} equations, residual is 0"
-        return Verdict(
-            Outcome.PROVED, evidence=(Evidence(f"{self._word} value", outcome, {"engines": list(evidence)}),)
-        )
+        shown = Evidence(f"{self._word} value", outcome, {"engines": list(evidence)})
+        return conclusion("extremum", parts, [shown])
 
 
 def _number(trial: Trial, term: Term) -> Fraction | None:

@@ -41,6 +41,7 @@ from workbench.engines.inventory.addend_expansion import has_sums
 from workbench.engines.inventory.assumptions import Unsatisfiable
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, expand
+from workbench.prover.decide.inference import generalization
 from workbench.prover.decide.orders_past_literals import OrderRanges, beyond
 from workbench.prover.decide.recurrence_range import exceptions, rewritten, symbolic_members
 from workbench.prover.decide.symbolic_orders import freed, symbolic_orders
@@ -192,7 +193,7 @@ def _for_all(
     if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
         return None
     evidence = (*verdict.evidence, Evidence("all n at once", method))
-    return replace(verdict, scope=scope or None, evidence=evidence)
+    return generalization(verdict, scope or None, evidence)
 
 
 def _scope(
@@ -336,7 +337,7 @@ def _instances(
                     further, reason=VerdictCode.FOR_THOUGH_HOLDS(values=_shown(far), orders=orders)
                 )
     evidence = (*worst.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
-    return replace(worst, scope=str(orders), evidence=evidence)
+    return generalization(worst, str(orders), evidence)
 
 
 def _shown(values: Mapping[str, int]) -> str:

@@ -11,6 +11,7 @@ from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory.addend_expansion import addend_by_addend, has_sums
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, expand
+from workbench.prover.decide.inference import generalization
 from workbench.prover.decide.orders_past_literals import OrderRanges, behind
 from workbench.prover.decide.recurrence_range import InstanceJudge
 
@@ -88,4 +89,4 @@ def judge_addends(judge: InstanceJudge, statement: Statement) -> Verdict | None:
         return None
     names = sorted(free_integers(statement.left) | free_integers(statement.right))
     evidence = (*verdict.evidence, Evidence("all n at once", "addend by addend, each a free function"))
-    return replace(verdict, scope=f"all {', '.join(names)}", evidence=evidence)
+    return generalization(verdict, f"all {', '.join(names)}", evidence)

@@ -45,6 +45,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
 from workbench.prover.decide.equation import Equation
 from workbench.prover.decide.families import InstanceJudge
+from workbench.prover.decide.inference import conclusion, equal_terms, generalization
 from workbench.prover.decide.orders_past_literals import FIRST, FirstMembers
 from workbench.prover.goals.definedness import is_defined_everywhere, taken_by_maps, that_is_defined
 from workbench.prover.goals.named_members import read_members
@@ -130,9 +131,10 @@ class _Prover:
 
     def show(self, sequent: Sequent, proof: Proof, part: bool = False) -> Verdict:
         found: list[Evidence] = []
+        premises: list[Verdict] = []
         for obligation in list(obligations(sequent, proof)):
-            if (verdict := self._defined(obligation)).outcome not in _SHOWN:
-                return _not_shown(obligation, verdict)
+            if (undefined := self._undefined(obligation)) is not None:
+                return _not_shown(obligation, undefined)
             if obligation.is_trivial:
                 if part or obligation.rule != FORMULA:
                     found.append(Evidence(f"goal, {obligation.rule}", "both sides are the same term"))
@@ -143,15 +145,16 @@ class _Prover:
                 if refuted and _only_for_all(sequent.goal):
                     return verdict
                 return _not_shown(obligation, verdict)
+            premises.append(verdict)
             found.append(_evidence(obligation, verdict))
         if not found:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SAME_TERM())
-        return Verdict(Outcome.PROVED, scope=_scope_of(sequent.goal), evidence=tuple(found))
+        return conclusion(type(proof).__name__, premises, found, _scope_of(sequent.goal))
 
-    def _defined(self, obligation: Obligation) -> Verdict:
-        """Returns the verdict on the definedness of terms that the judge of formulas does not evaluate.
+    def _undefined(self, obligation: Obligation) -> Verdict | None:
+        """Returns the verdict on a term that is not shown to be defined; None if all are.
 
-        These are the common term of both sides, and the arguments of maps.
+        The judge of formulas does not evaluate the common term of both sides, nor the arguments of maps.
         """
         said, known = obligation.statement, self.definitions
         asked = list(taken_by_maps(said, known)) if isinstance(said, Relation) else []
@@ -162,7 +165,7 @@ class _Prover:
         ):
             asked.append(said.left)
         verdicts = (self._judge(replace(obligation, statement=that_is_defined(term))) for term in asked)
-        return next((v for v in verdicts if v.outcome not in _SHOWN), Verdict(Outcome.PROVED))
+        return next((v for v in verdicts if v.outcome not in _SHOWN), None)
 
     def _judge(self, obligation: Obligation) -> Verdict:
         used = _integers(obligation)
@@ -170,7 +173,7 @@ class _Prover:
         try:
             same = any(form.is_same_sum and form.holds_from(used) for form in simpler)
             if same and self._first_hold(obligation, used):
-                return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
+                return equal_terms(SAME_ADDENDS)
             verdict = self._judged(obligation.statement, obligation, used)
             if verdict.outcome in (Outcome.REFUTED, Outcome.CONDITIONAL, *_SHOWN):
                 return verdict
@@ -212,13 +215,13 @@ class _Prover:
         """
         same = obligation.rule != FORMULA and any(form.is_same_sum for form in simpler)
         if same and self._first_hold(obligation, used):
-            return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
+            return equal_terms(SAME_ADDENDS)
         for form in simpler:
             left = _integers(replace(obligation, statement=form.equation))
             left = {name: max(least, form.since.get(name, 0)) for name, least in left.items()}
             verdict = self._judged(form.equation, obligation, left)
             if verdict.outcome in _SHOWN:
-                return replace(verdict, scope="all") if used else verdict
+                return generalization(verdict, "all", verdict.evidence) if used else verdict
         return None
 
     def refute(self, sequent: Sequent, against: Against) -> Verdict:

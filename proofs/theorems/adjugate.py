@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from workbench.language.goals.proofs import At, Follows, Proven, TwoWitnesses, Unique, Use
+from workbench.language.goals.proofs import At, Congruence, Instance, Proven, TwoWitnesses, UniqueExists
 
 THEOREMS = {
     "adjugate_is_unique": Proven(
-        Unique({"X": r"\Phi^*"}, only=Follows(r"\Phi^{-1} Y", Y=Use(-1))),
+        UniqueExists({"X": r"\Phi^*"}, only=Congruence(r"\Phi^{-1} Y", Y=Instance(-1))),
         against=At(
             {r"\Phi": r"\tilde{\omega}"},
             TwoWitnesses({"X": r"\omega \otimes \omega"}, {"X": r"2 \omega \otimes \omega"}),

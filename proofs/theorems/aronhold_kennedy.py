@@ -8,21 +8,21 @@ a × b ≠ 0, or both are not 0 and parallel, with a sum that is not 0 or is, or
 from __future__ import annotations
 
 from workbench.language.goals.proofs import (
+    AndIntroduction,
     At,
     Broken,
-    Contradicts,
-    Each,
+    Congruence,
+    Cut,
+    ExistsIntroduction,
     False_,
-    Follows,
-    Given,
-    Have,
+    IffIntroduction,
+    Instance,
+    Introductions,
     Kernel,
+    NegationIntroduction,
     Part,
     Proof,
     Proven,
-    Use,
-    Ways,
-    Witness,
 )
 
 _N, _N0 = r"(a \times b)", r"(a \times v + u \times b)"
@@ -36,11 +36,13 @@ def _meets(w: str, m: str) -> str:
 
 
 def _not_0(w: str, product: str, then: Proof) -> Proof:
-    return Have(rf"{w} \neq \mathbf{{0}}", Contradicts(0, Follows(product, Y=Use(-1))), then)
+    return Cut(rf"{w} \neq \mathbf{{0}}", NegationIntroduction(0, Congruence(product, Y=Instance(-1))), then)
 
 
-_POINTS = Witness({"c": _meets("a", "u"), "d": _meets("b", "v"), "e": _meets("(a + b)", "(u + v)")})
-_COMMON = Given(
+_POINTS = ExistsIntroduction(
+    {"c": _meets("a", "u"), "d": _meets("b", "v"), "e": _meets("(a + b)", "(u + v)")}
+)
+_COMMON = Introductions(
     _not_0("a", r"Y \times b", _not_0("b", r"a \times Y", _not_0("a + b", r"a \times Y", _POINTS)))
 )
 
@@ -51,11 +53,11 @@ _PERPENDICULAR = (
     r" \wedge b \times (v + b \times (z + \lambda w)) = \mathbf{0}"
     rf" \Rightarrow w \times {_N} = \mathbf{{0}} \wedge {_N} \times ({_N0} + {_N} \times z) = \mathbf{{0}}"
 )
-_A, _B, _ON_1, _ON_2 = (Use(-1, part=i) for i in range(4))
-_IS_THE_LINE = Given(
-    Each(
-        Follows("Q a - P b", P=_A, Q=_B),
-        Follows(
+_A, _B, _ON_1, _ON_2 = (Instance(-1, part=i) for i in range(4))
+_IS_THE_LINE = Introductions(
+    AndIntroduction(
+        Congruence("Q a - P b", P=_A, Q=_B),
+        Congruence(
             rf"(X \cdot a) a + (Y \cdot b) b - \lambda P ({_N} \times b) + \kappa Q ({_N} \times a)"
             r" - (a \cdot b) (\lambda - \kappa) (Q a - P b)",
             X=_ON_2,
@@ -67,22 +69,22 @@ _IS_THE_LINE = Given(
 )
 _FIRST = {"w": "d", "z": "f", r"\kappa": "s", r"\lambda": "r"}
 _SECOND = {"w": "e", "z": "g", r"\kappa": "q", r"\lambda": "h"}
-_ONLY_ONE = Given(
-    Have(
+_ONLY_ONE = Introductions(
+    Cut(
         _PERPENDICULAR,
         _IS_THE_LINE,
-        Given(
-            Each(
-                Follows(
+        Introductions(
+            AndIntroduction(
+                Congruence(
                     rf"\frac{{1}}{{{_N}^2}} (-(X \cdot e) {_N} + ({_N} \cdot e) X - ({_N} \cdot d) Z)",
-                    X=Use(-1, _FIRST),
-                    Z=Use(-1, _SECOND),
+                    X=Instance(-1, _FIRST),
+                    Z=Instance(-1, _SECOND),
                 ),
-                Follows(
+                Congruence(
                     rf"\frac{{1}}{{{_N}^2}} (({_N} \cdot (f - g)) X - d \times (Y - Z))",
-                    X=Use(-1, _FIRST),
-                    Y=Use(-1, _FIRST, part=1),
-                    Z=Use(-1, _SECOND, part=1),
+                    X=Instance(-1, _FIRST),
+                    Y=Instance(-1, _FIRST, part=1),
+                    Z=Instance(-1, _SECOND, part=1),
                 ),
             )
         ),
@@ -103,32 +105,41 @@ _ONE_AXIS_FOR_BOTH = At(
 
 # parallel axes, through c and e, along a: the other angular velocity is μ a
 
-_THIRD_AXIS = Ways(
-    Follows(r"-\frac{1}{(1 + \mu)^2 a^2} a \times Y", Y=Use(-1)),
-    Follows(r"(1 + \mu)^2 a \times Y", Y=Use(-1)),
+_THIRD_AXIS = IffIntroduction(
+    Congruence(r"-\frac{1}{(1 + \mu)^2 a^2} a \times Y", Y=Instance(-1)),
+    Congruence(r"(1 + \mu)^2 a \times Y", Y=Instance(-1)),
 )
-_ALONG_THE_DUAL_PART = Follows(
+_ALONG_THE_DUAL_PART = Congruence(
     r"-\mu (d \times (a \times (X - Z))) + \mu (s - r) Y (d \times a)",
-    X=Use(-1, part=1),
-    Y=Use(-1, part=0),
-    Z=Use(-1, part=2),
+    X=Instance(-1, part=1),
+    Y=Instance(-1, part=0),
+    Z=Instance(-1, part=2),
 )
-_NORMAL_TO_THE_TRANSLATION = Follows(
-    r"(f - h) Y + d \cdot (X - Z)", X=Use(-1, part=1), Y=Use(-1, part=0), Z=Use(-1, part=2)
+_NORMAL_TO_THE_TRANSLATION = Congruence(
+    r"(f - h) Y + d \cdot (X - Z)", X=Instance(-1, part=1), Y=Instance(-1, part=0), Z=Instance(-1, part=2)
 )
-_NORMAL_TO_THE_FIRST = Follows(
-    r"\frac{b \cdot u}{b^2} Y - d \cdot (X - Z)", X=Use(-1, part=1), Y=Use(-1, part=0), Z=Use(-1, part=2)
+_NORMAL_TO_THE_FIRST = Congruence(
+    r"\frac{b \cdot u}{b^2} Y - d \cdot (X - Z)",
+    X=Instance(-1, part=1),
+    Y=Instance(-1, part=0),
+    Z=Instance(-1, part=2),
 )
-_MOVED_AXIS = Ways(
-    Follows(r"-\frac{1}{b^2} b \times Y", Y=Use(-1)),
-    Follows(r"b \times Y", Y=Use(-1)),
+_MOVED_AXIS = IffIntroduction(
+    Congruence(r"-\frac{1}{b^2} b \times Y", Y=Instance(-1)),
+    Congruence(r"b \times Y", Y=Instance(-1)),
 )
 
 THEOREMS = {
-    "remark_7": Proven(Each(_COMMON, _ONLY_ONE), against=Part(1, _ONE_AXIS_FOR_BOTH)),
-    "remark_7_parallel": Proven(Each(_THIRD_AXIS, Kernel(), Given(_ALONG_THE_DUAL_PART), Kernel())),
-    "remark_7_coincident": Proven(Each(_THIRD_AXIS, Kernel(), Kernel())),
-    "remark_7_relative_translation": Proven(Each(Kernel(), Given(_NORMAL_TO_THE_TRANSLATION))),
-    "remark_7_one_translation": Proven(Each(_MOVED_AXIS, Kernel(), Given(_NORMAL_TO_THE_FIRST))),
-    "remark_7_translations": Proven(Each(Kernel(), Kernel())),
+    "remark_7": Proven(AndIntroduction(_COMMON, _ONLY_ONE), against=Part(1, _ONE_AXIS_FOR_BOTH)),
+    "remark_7_parallel": Proven(
+        AndIntroduction(_THIRD_AXIS, Kernel(), Introductions(_ALONG_THE_DUAL_PART), Kernel())
+    ),
+    "remark_7_coincident": Proven(AndIntroduction(_THIRD_AXIS, Kernel(), Kernel())),
+    "remark_7_relative_translation": Proven(
+        AndIntroduction(Kernel(), Introductions(_NORMAL_TO_THE_TRANSLATION))
+    ),
+    "remark_7_one_translation": Proven(
+        AndIntroduction(_MOVED_AXIS, Kernel(), Introductions(_NORMAL_TO_THE_FIRST))
+    ),
+    "remark_7_translations": Proven(AndIntroduction(Kernel(), Kernel())),
 }

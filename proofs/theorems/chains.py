@@ -8,17 +8,17 @@ over n they go by Pascal's rule.
 from __future__ import annotations
 
 from workbench.language.goals.proofs import (
-    Each,
-    Follows,
-    Given,
-    Have,
+    AndIntroduction,
+    BinomialInduction,
+    Congruence,
+    Cut,
     Induction,
+    Instance,
+    Introductions,
     Kernel,
-    Pascal,
     Proof,
     Proven,
-    Termwise,
-    Use,
+    SumCongruence,
 )
 
 # (117)–(122)
@@ -28,20 +28,22 @@ _AT_M = {"m": "m"}
 _ORTHOGONAL = rf"\forall m \geq 0 : {_Q} {_Q}^T = \mathbf{{I}} \wedge \det {_Q} = 1"
 _R = r"{}^{m}\underline{\mathbf{R}}_{m+1}"
 _BY_FACTORS = Induction(
-    step=Have(
+    step=Cut(
         rf"{_R} {_R}^T = \mathbf{{I}}",
         Kernel(),
-        Have(
+        Cut(
             rf"\det {_R} = 1",
             Kernel(),
-            Each(
-                Follows(rf"{_Q} X {_Q}^T + Y - {_Q} {_Q}^T", X=Use(-2), Y=Use(-3)),
-                Follows("Y X", X=Use(-1), Y=Use(-3, part=1)),
+            AndIntroduction(
+                Congruence(rf"{_Q} X {_Q}^T + Y - {_Q} {_Q}^T", X=Instance(-2), Y=Instance(-3)),
+                Congruence("Y X", X=Instance(-1), Y=Instance(-3, part=1)),
             ),
         ),
     )
 )
-_IS_A_ROTATION = Each(Follows("Y", Y=Use(0, _AT_M)), Follows("Y", Y=Use(0, _AT_M, part=1)))
+_IS_A_ROTATION = AndIntroduction(
+    Congruence("Y", Y=Instance(0, _AT_M)), Congruence("Y", Y=Instance(0, _AT_M, part=1))
+)
 OF_A_PRODUCT = (
     r"\forall P, S \in \underline{SO}_3^\mathbb{R} : \operatorname{vect} (\frac{d}{dt}(P S) (P S)^T)"
     r" = \operatorname{vect}(\dot{P} P^T) + P \operatorname{vect}(\dot{S} S^T)"
@@ -54,29 +56,29 @@ _ONE_MORE = (
 
 def _with_one_more(then: Proof) -> Proof:
     """₀w̲ₘ₊₁ = ₀w̲ₘ + w̲ₘ₊₁ is premise 2."""
-    product = Use(1, {"P": _Q, "S": _R}, members=_IS_A_ROTATION)
-    by_product = Given(Follows("Y", Y=product))
-    return Have(_ORTHOGONAL, _BY_FACTORS, Have(OF_A_PRODUCT, Kernel(), Have(_ONE_MORE, by_product, then)))
+    product = Instance(1, {"P": _Q, "S": _R}, members=_IS_A_ROTATION)
+    by_product = Introductions(Congruence("Y", Y=product))
+    return Cut(_ORTHOGONAL, _BY_FACTORS, Cut(OF_A_PRODUCT, Kernel(), Cut(_ONE_MORE, by_product, then)))
 
 
-_NEXT = Use(2, _AT_M)
+_NEXT = Instance(2, _AT_M)
 _SUM = Induction(
-    Follows("Y", Y=Use(2, {"m": "0"})),
-    Follows(r"Y + Z - {}_0\underline{\mathbf{w}}_m", Y=_NEXT, Z=Use(-1)),
+    Congruence("Y", Y=Instance(2, {"m": "0"})),
+    Congruence(r"Y + Z - {}_0\underline{\mathbf{w}}_m", Y=_NEXT, Z=Instance(-1)),
 )
 _FIRST = r"{}_0\underline{\mathbf{w}}_1"
-_FOR_TWO = Have(
+_FOR_TWO = Cut(
     rf"{_FIRST} = \underline{{\mathbf{{w}}}}_1",
     Kernel(),
-    Follows(rf"Y + Z - {_FIRST}", Y=Use(2, {"m": "1"}), Z=Use(-1)),
+    Congruence(rf"Y + Z - {_FIRST}", Y=Instance(2, {"m": "1"}), Z=Instance(-1)),
 )
 
 # (123)–(131): y⁽ⁿ⁾ = Σ C(n, k) Φ̲ₙ₋ₖ(x) (D − x̃)ᵏ y, whatever twist x and vector y are
 
 _XYN = {"x": "x", "y": "y", "n": "n"}
-_LEMMA = Follows(
+_LEMMA = Congruence(
     r"\sum_{k=0}^n C_n^k \underline{\mathbf{R}}^{(n-k)} (X (\frac{d^k}{dt^k} (X \underline{\Omega}_p)))",
-    X=Use(0, back=True),
+    X=Instance(0, back=True),
 )
 
 
@@ -89,33 +91,35 @@ def _expanded(Phi: str) -> str:
 
 def _with_p_n(Phi: str, p: str, then: Proof) -> Proof:
     """y⁽ⁿ⁾ = 𝐩ₙ(x) y is the last premise."""
-    by_pascal = Pascal(rf"{Phi}_j(x) ((\mathbf{{D}} - \tilde{{x}})^k y)")
+    by_pascal = BinomialInduction(rf"{Phi}_j(x) ((\mathbf{{D}} - \tilde{{x}})^k y)")
     said = rf"\forall x, y \in \underline{{V}}_3^\mathbb{{R}} : \forall n \geq 0 : y^{{(n)}} = {p}_n(x) y"
-    return Have(_expanded(Phi), by_pascal, Have(said, Given(Follows("Z", Z=Use(-1, _XYN))), then))
+    return Cut(
+        _expanded(Phi), by_pascal, Cut(said, Introductions(Congruence("Z", Z=Instance(-1, _XYN))), then)
+    )
 
 
 _W, _NEW = r"{}_0\underline{\mathbf{w}}_{m+1}", r"\underline{\mathbf{w}}_{m+2}"
 _DERIVATIVES = Induction(
-    Have(
+    Cut(
         rf"{_FIRST} = \underline{{\mathbf{{w}}}}_1",
         Kernel(),
-        Given(Follows(r"\frac{d^n}{dt^n} Y", Y=Use(-1))),
+        Introductions(Congruence(r"\frac{d^n}{dt^n} Y", Y=Instance(-1))),
     ),
-    Given(
-        Follows(
+    Introductions(
+        Congruence(
             rf"\frac{{d^n}}{{dt^n}} Y + (X - \frac{{d^n}}{{dt^n}} {_W}) + (Z - \frac{{d^n}}{{dt^n}} {_NEW})",
-            X=Use(5, {"n": "n"}),
-            Y=Use(2, {"m": "m+1"}),
-            Z=Use(4, {"x": _W, "y": _NEW, "n": "n"}),
+            X=Instance(5, {"n": "n"}),
+            Y=Instance(2, {"m": "m+1"}),
+            Z=Instance(4, {"x": _W, "y": _NEW, "n": "n"}),
         )
     ),
 )
 _SUMMED = Induction(
-    step=Given(
-        Follows(
+    step=Introductions(
+        Congruence(
             "X + Z",
-            X=Use(-1, {"n": "n"}),
-            Z=Use(1, {"x": r"{}_0\underline{\omega}_m", "y": r"\underline{\omega}_{m+1}", "n": "n"}),
+            X=Instance(-1, {"n": "n"}),
+            Z=Instance(1, {"x": r"{}_0\underline{\omega}_m", "y": r"\underline{\omega}_{m+1}", "n": "n"}),
         )
     )
 )
@@ -129,7 +133,7 @@ _OF_A_SUM = (
     r"\forall x, y \in \underline{V}_3^\mathbb{R} : \forall n \geq 0 : \underline{\Phi}_n(x + y) ="
     r" \sum_{j=0}^n C_n^j \underline{\Phi}_{n-j}(x) \underline{\boldsymbol{\Phi}}_j(x, y)"
 )
-_BY_PASCAL = Pascal(rf"{_PHI}_j(x) {_OWN}_k(x, y)", step=r"\dot{Y} + Y \widetilde{x + y}")
+_BY_PASCAL = BinomialInduction(rf"{_PHI}_j(x) {_OWN}_k(x, y)", step=r"\dot{Y} + Y \widetilde{x + y}")
 _MULTINOMIAL = rf"\forall p \geq 0 : \forall k \geq 0 : {_PHI}_k({_TWIST}) = {_X}_{{p,k}}"
 
 
@@ -142,13 +146,17 @@ def _multinomial(sum_at: int, supposed_at: int) -> Proof:
     premises."""
     whole = _binomial_sum(rf"{_PHI}_{{k-j}}({_TWIST})")
     inserted = _binomial_sum(rf"{_X}_{{p,k-j}}")
-    one = Have(
-        r"{}_0\underline{\omega}_1 = \underline{\omega}_1", Kernel(), Follows(rf"{_PHI}_k(Y)", Y=Use(-1))
+    one = Cut(
+        r"{}_0\underline{\omega}_1 = \underline{\omega}_1",
+        Kernel(),
+        Congruence(rf"{_PHI}_k(Y)", Y=Instance(-1)),
     )
-    addend = Follows(rf"C_{{j+l}}^j Y {_OWN}_j({_TWIST}, {_LAST})", Y=Use(supposed_at, {"k": "l"}))
-    both = Follows(rf"Y + Z - {whole}", Y=Use(sum_at, {"x": _TWIST, "y": _LAST, "n": "k"}), Z=Use(-1))
-    step = Given(Have(f"{whole} = {inserted}", Termwise("j", addend), both))
-    return Have(_OF_A_SUM, _BY_PASCAL, Induction(Given(one), step))
+    addend = Congruence(rf"C_{{j+l}}^j Y {_OWN}_j({_TWIST}, {_LAST})", Y=Instance(supposed_at, {"k": "l"}))
+    both = Congruence(
+        rf"Y + Z - {whole}", Y=Instance(sum_at, {"x": _TWIST, "y": _LAST, "n": "k"}), Z=Instance(-1)
+    )
+    step = Introductions(Cut(f"{whole} = {inserted}", SumCongruence("j", addend), both))
+    return Cut(_OF_A_SUM, _BY_PASCAL, Induction(Introductions(one), step))
 
 
 _CLOSED = rf"\sum_{{k=0}}^n C_n^k {_X}_{{p,n-k}} {_LAST}^{{[k]}}"
@@ -156,40 +164,52 @@ _OPEN = (
     rf"\sum_{{k=0}}^n C_n^k {_PHI}_{{n-k}}({_TWIST})"
     rf" ((\mathbf{{D}} - {{}}_0\tilde{{\underline{{\omega}}}}_{{p+1}})^k {_LAST})"
 )
-_ONE_TWIST = Given(
-    Have(
+_ONE_TWIST = Introductions(
+    Cut(
         f"{_OPEN} = {_CLOSED}",
-        Termwise("k", Follows(rf"C_{{k+j}}^k Y {_LAST}^{{[k]}}", Y=Use(0, {"p": "p", "k": "j"}))),
-        Follows(rf"Y + Z - {_OPEN}", Y=Use(1, {"x": _TWIST, "y": _LAST, "n": "n"}), Z=Use(-1)),
+        SumCongruence(
+            "k", Congruence(rf"C_{{k+j}}^k Y {_LAST}^{{[k]}}", Y=Instance(0, {"p": "p", "k": "j"}))
+        ),
+        Congruence(rf"Y + Z - {_OPEN}", Y=Instance(1, {"x": _TWIST, "y": _LAST, "n": "n"}), Z=Instance(-1)),
     )
 )
-_CLOSED_FORM = Have(
+_CLOSED_FORM = Cut(
     rf"\forall p \geq 0 : \forall n \geq 0 : \frac{{d^n}}{{dt^n}} {_LAST} = {_CLOSED}",
     _ONE_TWIST,
-    Induction(step=Given(Follows("X + Z", X=Use(3, {"n": "n"}), Z=Use(2, {"p": "m", "n": "n"})))),
+    Induction(
+        step=Introductions(
+            Congruence("X + Z", X=Instance(3, {"n": "n"}), Z=Instance(2, {"p": "m", "n": "n"}))
+        )
+    ),
 )
 
 THEOREMS = {
-    "motion_of_last_body": Proven(Have(_ORTHOGONAL, _BY_FACTORS, Each(_IS_A_ROTATION, Kernel()))),
+    "motion_of_last_body": Proven(Cut(_ORTHOGONAL, _BY_FACTORS, AndIntroduction(_IS_A_ROTATION, Kernel()))),
     "twists_add": Proven(_with_one_more(_SUM)),
     "relative_twist_is_the_difference": Proven(
-        _with_one_more(Given(Follows(r"Y - {}_0\underline{\mathbf{w}}_m", Y=Use(2, _AT_M, back=True))))
+        _with_one_more(
+            Introductions(Congruence(r"Y - {}_0\underline{\mathbf{w}}_m", Y=Instance(2, _AT_M, back=True)))
+        )
     ),
     "twists_of_two_add": Proven(_with_one_more(_FOR_TWO)),
     "lemma": Proven(
-        Given(Have(r"\underline{\mathbf{R}}^T \underline{\mathbf{R}} = \mathbf{I}", Kernel(), _LEMMA))
+        Introductions(Cut(r"\underline{\mathbf{R}}^T \underline{\mathbf{R}} = \mathbf{I}", Kernel(), _LEMMA))
     ),
     "tensors_by_recurrence": Proven(
-        Induction(step=Follows(r"\dot{Y} + Y \tilde{\underline{\omega}}", Y=Use(-1)))
+        Induction(step=Congruence(r"\dot{Y} + Y \tilde{\underline{\omega}}", Y=Instance(-1)))
     ),
     "theorem_11": Proven(_with_one_more(_with_p_n(r"\underline{\mathsf{F}}", r"\mathsf{p}", _DERIVATIVES))),
     "sums_of_derivatives": Proven(_with_p_n(_PHI, r"\mathbf{p}", _SUMMED)),
     "multinomial_identity": Proven(_multinomial(0, 1)),
     "closed_form_133": Proven(
-        Have(
+        Cut(
             _MULTINOMIAL,
             _multinomial(0, 1),
-            Have(_expanded(_PHI), Pascal(rf"{_PHI}_j(x) ((\mathbf{{D}} - \tilde{{x}})^k y)"), _CLOSED_FORM),
+            Cut(
+                _expanded(_PHI),
+                BinomialInduction(rf"{_PHI}_j(x) ((\mathbf{{D}} - \tilde{{x}})^k y)"),
+                _CLOSED_FORM,
+            ),
         )
     ),
 }

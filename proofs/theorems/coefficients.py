@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from workbench.language.goals.proofs import (
     At,
+    Congruence,
+    Cut,
+    DerivativeAxiom,
+    ExistsElimination,
+    Extensionality,
     False_,
-    Follows,
-    Given,
-    Have,
     Induction,
-    Jet,
-    Obtain,
-    Pointwise,
+    Instance,
+    Introductions,
     Proven,
-    Termwise,
-    Use,
+    SumCongruence,
 )
 
 
@@ -32,32 +32,32 @@ def _same(degree: str) -> str:
 
 _BELOW = [_value(letter, "q-1", "v") for letter in "AB"]
 _SOME = r"\exists v \in V_3^\mathbb{R} : \Big( \forall k < q : v^{(k)} = \mathbf{0} \Big) \wedge v^{(q)} = c"
-_LAST = Given(
-    Pointwise(
+_LAST = Introductions(
+    Extensionality(
         "c",
-        Given(
-            Have(
+        Introductions(
+            Cut(
                 _SOME,
-                Jet(),
-                Obtain(
+                DerivativeAxiom(),
+                ExistsElimination(
                     -1,
-                    Have(
+                    Cut(
                         " = ".join(_BELOW),
-                        Termwise(
+                        SumCongruence(
                             "l",
-                            Given(
-                                Follows(
+                            Introductions(
+                                Congruence(
                                     r"\mathsf{A}_l Y + \mathsf{B}_l (v^{(l)} - Y)",
-                                    Y=Use(-1, {"k": "l"}),
+                                    Y=Instance(-1, {"k": "l"}),
                                 )
                             ),
                         ),
-                        Follows(
+                        Congruence(
                             r"Y - Z + \mathsf{A}_q (U - v^{(q)}) + \mathsf{B}_q (V - v^{(q)})",
-                            Y=Use(0, {"u": "v"}),
-                            Z=Use(-1),
-                            U=Use(-2, part=1, back=True),
-                            V=Use(-2, part=1),
+                            Y=Instance(0, {"u": "v"}),
+                            Z=Instance(-1),
+                            U=Instance(-2, part=1, back=True),
+                            V=Instance(-2, part=1),
                         ),
                     ),
                 ),
@@ -70,32 +70,34 @@ _OF_LAST = rf"\forall q \geq 0 : \Big( {_same('q')} \Big) \Rightarrow \mathsf{{A
 
 _OF_ANY = rf"\forall p, q \geq 0 : \Big( {_same('q+p')} \Big) \Rightarrow \mathsf{{A}}_q = \mathsf{{B}}_q"
 _OF_V = [rf"\sum_{{k=0}}^{{j+i}} \mathsf{{{letter}}}_k \frac{{d^k}}{{dt^k}} \mathbf{{v}}" for letter in "AB"]
-_BEFORE_THE_LAST = Have(
+_BEFORE_THE_LAST = Cut(
     r"\mathsf{A}_{q+p+1} = \mathsf{B}_{q+p+1}",
-    Follows("Y", Y=Use(0, {"q": "q+p+1"})),
-    Have(
+    Congruence("Y", Y=Instance(0, {"q": "q+p+1"})),
+    Cut(
         _same("q+p"),
-        Given(Follows("Y - Z u^{(q+p+1)}", Y=Use(2, {"u": "u"}), Z=Use(3))),
-        Follows("Y", Y=Use(1, {"q": "q"})),
+        Introductions(Congruence("Y - Z u^{(q+p+1)}", Y=Instance(2, {"u": "u"}), Z=Instance(3))),
+        Congruence("Y", Y=Instance(1, {"q": "q"})),
     ),
 )
 
 THEOREMS = {
     "operator_polynomial_is_unique": Proven(
-        Have(
+        Cut(
             _OF_LAST,
             _LAST,
-            Have(
+            Cut(
                 _OF_ANY,
-                Induction(Given(Follows("Y", Y=Use(0, {"q": "q"}))), Given(_BEFORE_THE_LAST)),
-                Given(
-                    Have(
+                Induction(
+                    Introductions(Congruence("Y", Y=Instance(0, {"q": "q"}))), Introductions(_BEFORE_THE_LAST)
+                ),
+                Introductions(
+                    Cut(
                         " = ".join(_OF_V),
-                        Follows(r"Y + Z - \mathbf{a}_n", Y=Use(2, back=True), Z=Use(2, part=2)),
-                        Have(
+                        Congruence(r"Y + Z - \mathbf{a}_n", Y=Instance(2, back=True), Z=Instance(2, part=2)),
+                        Cut(
                             _same("j+i"),
-                            Given(Follows("Y", Y=Use(3, {"u": "u"}))),
-                            Follows("Y", Y=Use(1, {"p": "i", "q": "j"})),
+                            Introductions(Congruence("Y", Y=Instance(3, {"u": "u"}))),
+                            Congruence("Y", Y=Instance(1, {"p": "i", "q": "j"})),
                         ),
                     )
                 ),

@@ -8,15 +8,15 @@ have the same accelerations of order n there; those of order n + 1 differ by wha
 from __future__ import annotations
 
 from workbench.language.goals.proofs import (
-    Each,
-    Follows,
-    Given,
-    Have,
+    AndIntroduction,
+    Congruence,
+    Cut,
     Induction,
+    Instance,
+    Introductions,
     Proof,
     Proven,
-    Termwise,
-    Use,
+    SumCongruence,
 )
 
 # premises of the goals: how the points move, that they are at one place, the twists below order n
@@ -35,59 +35,61 @@ def _sums(n: str, first: int) -> tuple[str, str]:
     return one, other
 
 
-def _same_sums(n: str, first: int, twists: int, points: Use) -> tuple[str, Proof]:
+def _same_sums(n: str, first: int, twists: int, points: Instance) -> tuple[str, Proof]:
     """They are equal, by premises: twists below order n, and points of the orders up to n."""
-    addend = Follows(r"C_{l+j}^l (Y \times Z)", Y=Use(twists, {"k": "j"}), Z=points)
-    return " = ".join(_sums(n, first)), Termwise("l", Given(addend))
+    addend = Congruence(r"C_{l+j}^l (Y \times Z)", Y=Instance(twists, {"k": "j"}), Z=points)
+    return " = ".join(_sums(n, first)), SumCongruence("l", Introductions(addend))
 
 
 def _by_leibniz(n: str, then: Proof) -> Proof:
     """ρ⁽ⁿ⁺¹⁾ and r⁽ⁿ⁺¹⁾."""
     one, other = _sums(n, 0)
-    first, second = (Follows(rf"\frac{{d^{n}}}{{dt^{n}}} Y", Y=Use(_MOVE, part=part)) for part in (0, 1))
+    first, second = (
+        Congruence(rf"\frac{{d^{n}}}{{dt^{n}}} Y", Y=Instance(_MOVE, part=part)) for part in (0, 1)
+    )
     written = rf"\boldsymbol{{\rho}}^{{({n}+1)}} = \mathbf{{v}}^{{({n})}} + {one}"
-    return Have(written, first, Have(rf"r^{{({n}+1)}} = u^{{({n})}} + {other}", second, then))
+    return Cut(written, first, Cut(rf"r^{{({n}+1)}} = u^{{({n})}} + {other}", second, then))
 
 
 _ONE, _OTHER = _sums("m", 0)
 _STEP = _by_leibniz(
     "m",
-    Have(
-        *_same_sums("m", 0, twists=4, points=Use(3, {"i": "l"})),
-        Follows(
+    Cut(
+        *_same_sums("m", 0, twists=4, points=Instance(3, {"i": "l"})),
+        Congruence(
             rf"Y + Z + U + V - (\mathbf{{v}}^{{(m)}} + {_ONE}) - (u^{{(m)}} + {_OTHER})",
-            Y=Use(5),
-            Z=Use(6, back=True),
-            U=Use(7),
-            V=Use(4, {"k": "m"}, part=1),
+            Y=Instance(5),
+            Z=Instance(6, back=True),
+            U=Instance(7),
+            V=Instance(4, {"k": "m"}, part=1),
         ),
     ),
 )
 _DIFFERENCE = _by_leibniz(
     "n",
-    Have(
-        *_same_sums("n", 1, twists=_BELOW_N, points=Use(3, {"m": "l"})),
-        Follows(
+    Cut(
+        *_same_sums("n", 1, twists=_BELOW_N, points=Instance(3, {"m": "l"})),
+        Congruence(
             r"Y - Z + U - (\sum_{l=1}^{n} C_n^l (\omega^{(n-l)} \times \boldsymbol{\rho}^{(l)}))"
             r" + w^{(n)} \times (V - \boldsymbol{\rho})",
-            Y=Use(4),
-            Z=Use(5),
-            U=Use(6),
-            V=Use(_AT_ONE_PLACE),
+            Y=Instance(4),
+            Z=Instance(5),
+            U=Instance(6),
+            V=Instance(_AT_ONE_PLACE),
         ),
     ),
 )
 
 
 def _with_every_order(then: Proof) -> Proof:
-    begin = Follows("Y", Y=Use(_AT_ONE_PLACE))
-    return Given(Have(_EVERY_ORDER, Induction(begin, Given(_STEP), letter="i"), then))
+    begin = Congruence("Y", Y=Instance(_AT_ONE_PLACE))
+    return Introductions(Cut(_EVERY_ORDER, Induction(begin, Introductions(_STEP), letter="i"), then))
 
 
 THEOREMS = {
     "twist_derivatives_determine_the_fields": Proven(
-        Each(
-            _with_every_order(Follows("Y", Y=Use(3, {"m": "n"}))),
+        AndIntroduction(
+            _with_every_order(Congruence("Y", Y=Instance(3, {"m": "n"}))),
             _with_every_order(_DIFFERENCE),
         )
     )

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from workbench.language.goals.proofs import (
+    AndIntroduction,
     At,
     Broken,
-    Each,
+    Congruence,
+    Cut,
+    ExistsIntroduction,
+    Extensionality,
     False_,
-    Follows,
-    Given,
-    Have,
+    Instance,
+    Introductions,
     Kernel,
-    Pointwise,
     Proof,
     Proven,
     TwoWitnesses,
-    Unique,
-    Use,
-    Witness,
+    UniqueExists,
 )
 
 # A map f that is linear over the dual numbers, by its values at a basis a, b, c of real vectors.
@@ -40,83 +40,88 @@ _BY_TENSORS = rf"({_PARTS['T']} + \varepsilon ({_PARTS['S']})) x"
 
 
 def _part_of(name: str) -> Proof:
-    both = dict(Y=Use(-1, {"x": "e"}, back=True), Z=Use(-2, {"x": "e"}))
-    return Pointwise("e", Follows(rf"\operatorname{{{name}}}(Y + Z - f(e))", **both))
+    both = dict(Y=Instance(-1, {"x": "e"}, back=True), Z=Instance(-2, {"x": "e"}))
+    return Extensionality("e", Congruence(rf"\operatorname{{{name}}}(Y + Z - f(e))", **both))
 
 
-_DECOMPOSED = Given(
-    Have(
+_DECOMPOSED = Introductions(
+    Cut(
         rf"\forall x \in \underline{{V}}_3 : f(x) = {_BY_TENSORS}",
-        Given(
-            Have(
+        Introductions(
+            Cut(
                 f"x = {_OF_THEM}",
                 Kernel(using=(0,)),
-                Follows(
+                Congruence(
                     f"f(X) + Y + Z - f({_OF_THEM}) - f({_OF_B_AND_C})",
-                    X=Use(-1),
-                    Y=Use(1, _LINEAR),
-                    Z=Use(1, _LINEAR_AGAIN),
+                    X=Instance(-1),
+                    Y=Instance(1, _LINEAR),
+                    Z=Instance(1, _LINEAR_AGAIN),
                 ),
             )
         ),
-        Unique(_PARTS, exists=Follows("Y", Y=Use(-1, {"x": "x"})), only=Each(_part_of("Re"), _part_of("Du"))),
+        UniqueExists(
+            _PARTS,
+            exists=Congruence("Y", Y=Instance(-1, {"x": "x"})),
+            only=AndIntroduction(_part_of("Re"), _part_of("Du")),
+        ),
     )
 )
 
 _INVERSE = r"\frac{\operatorname{Re}(p) - \varepsilon \operatorname{Du}(p)}{(\operatorname{Re}(p))^2}"
 _A, _B, _C = r"\langle a, b, c \rangle", r"\langle d, b, c \rangle", r"\langle a, b, d \rangle"
-_BODY = Use(-1)
+_BODY = Instance(-1)
 
 
-def structure(tensor: str) -> Unique:
+def structure(tensor: str) -> UniqueExists:
     """R̲ = (I + ε r̃) Q has Q = Re R̲ and r = vect(Du R̲ Qᵀ): the inverse of the map by both compositions."""
     real, dual = rf"\operatorname{{Re}}({tensor})", rf"\operatorname{{Du}}({tensor})"
-    return Unique(
+    return UniqueExists(
         {"Q": real, "r": rf"\operatorname{{vect}}({dual} ({real})^T)"},
-        only=Each(
-            Follows(r"\operatorname{Re}(Y)", Y=Use(-1, back=True)),
-            Follows(
-                r"\operatorname{vect}(\operatorname{Du}(Y) (\operatorname{Re}(Y))^T)", Y=Use(-1, back=True)
+        only=AndIntroduction(
+            Congruence(r"\operatorname{Re}(Y)", Y=Instance(-1, back=True)),
+            Congruence(
+                r"\operatorname{vect}(\operatorname{Du}(Y) (\operatorname{Re}(Y))^T)",
+                Y=Instance(-1, back=True),
             ),
         ),
     )
 
 
 def is_in_the_group() -> Proof:
-    return Witness({"S": r"(\mathbf{I} + \varepsilon \tilde{r}) Q"})
+    return ExistsIntroduction({"S": r"(\mathbf{I} + \varepsilon \tilde{r}) Q"})
 
 
 THEOREMS = {
     "dual_numbers_are_a_ring": Proven(
-        Each(
+        AndIntroduction(
             Kernel(),
             Kernel(),
-            Unique({"q": _INVERSE}, only=Follows(rf"{_INVERSE} Y", Y=_BODY)),
-            Follows(rf"{_INVERSE} Y", Y=Use(-1, part=1)),
+            UniqueExists({"q": _INVERSE}, only=Congruence(rf"{_INVERSE} Y", Y=_BODY)),
+            Congruence(rf"{_INVERSE} Y", Y=Instance(-1, part=1)),
         )
     ),
     "dual_vectors_are_a_free_module": Proven(
-        Each(
+        AndIntroduction(
             Kernel(),
-            Unique(
+            UniqueExists(
                 {
                     "p": rf"\frac{{\langle d, b, c \rangle}}{{{_A}}}",
                     "q": rf"\frac{{\langle a, d, c \rangle}}{{{_A}}}",
                     "r": rf"\frac{{\langle a, b, d \rangle}}{{{_A}}}",
                 },
-                only=Each(
-                    Follows(rf"\frac{{\langle Y, b, c \rangle}}{{{_A}}}", Y=Use(-1, back=True)),
-                    Follows(rf"\frac{{\langle a, Y, c \rangle}}{{{_A}}}", Y=Use(-1, back=True)),
-                    Follows(rf"\frac{{\langle a, b, Y \rangle}}{{{_A}}}", Y=Use(-1, back=True)),
+                only=AndIntroduction(
+                    Congruence(rf"\frac{{\langle Y, b, c \rangle}}{{{_A}}}", Y=Instance(-1, back=True)),
+                    Congruence(rf"\frac{{\langle a, Y, c \rangle}}{{{_A}}}", Y=Instance(-1, back=True)),
+                    Congruence(rf"\frac{{\langle a, b, Y \rangle}}{{{_A}}}", Y=Instance(-1, back=True)),
                 ),
             ),
         )
     ),
     "magnitude_of_a_dual_vector": Proven(
-        Each(
-            Unique(
+        AndIntroduction(
+            UniqueExists(
                 {"n": r"\frac{\mathbf{a}_0 \cdot \mathbf{a}}{\|\mathbf{a}\|}"},
-                only=Follows(r"\frac{\operatorname{Du}(Y)}{2 \|\mathbf{a}\|}", Y=_BODY),
+                only=Congruence(r"\frac{\operatorname{Du}(Y)}{2 \|\mathbf{a}\|}", Y=_BODY),
             ),
             Kernel(),
             Kernel(),
@@ -128,28 +133,34 @@ THEOREMS = {
     ),
     "a_dual_tensor_is_two_tensors": Proven(_DECOMPOSED),
     "the_transpose_is_unique": Proven(
-        Unique(
+        UniqueExists(
             {"S": r"\underline{\mathbf{T}}^T"},
-            only=Pointwise("d", Pointwise("e", Follows("Y", Y=Use(-1, {"a": "d", "b": "e"}, back=True)))),
+            only=Extensionality(
+                "d", Extensionality("e", Congruence("Y", Y=Instance(-1, {"a": "d", "b": "e"}, back=True)))
+            ),
         )
     ),
     "the_determinant_is_unique": Proven(
-        Each(
-            Unique({"p": r"\det T"}, only=Follows(rf"\frac{{Y}}{{{_A}}}", Y=Use(-1, back=True))),
-            Witness({"p": r"\det T"}),
+        AndIntroduction(
+            UniqueExists(
+                {"p": r"\det T"}, only=Congruence(rf"\frac{{Y}}{{{_A}}}", Y=Instance(-1, back=True))
+            ),
+            ExistsIntroduction({"p": r"\det T"}),
         )
     ),
     "orthogonal_dual_tensors_are_a_group": Proven(
-        Each(
-            Each(
-                Follows(r"B Y B^T + Z - B B^T", Y=Use(2), Z=Use(0)),
-                Follows("Y Z", Y=Use(1), Z=Use(3)),
+        AndIntroduction(
+            AndIntroduction(
+                Congruence(r"B Y B^T + Z - B B^T", Y=Instance(2), Z=Instance(0)),
+                Congruence("Y Z", Y=Instance(1), Z=Instance(3)),
             ),
             Kernel(),
-            Each(
-                Follows(r"B^* Y B + (1 - Z) B^T B + (Z - \det B) \mathbf{I}", Y=Use(0), Z=Use(1)),
-                Follows("Y", Y=Use(1)),
-                Follows("Y", Y=Use(0)),
+            AndIntroduction(
+                Congruence(
+                    r"B^* Y B + (1 - Z) B^T B + (Z - \det B) \mathbf{I}", Y=Instance(0), Z=Instance(1)
+                ),
+                Congruence("Y", Y=Instance(1)),
+                Congruence("Y", Y=Instance(0)),
             ),
             Kernel(),
         )
@@ -161,8 +172,8 @@ THEOREMS = {
             {"Q": r"(\mathbf{I} - \varepsilon \tilde{\rho}) \underline{\mathbf{R}}", "r": r"\rho"},
         )
     ),
-    "isomorphism_theorem": Proven(Each(Kernel(), Kernel(), is_in_the_group(), structure("S"))),
+    "isomorphism_theorem": Proven(AndIntroduction(Kernel(), Kernel(), is_in_the_group(), structure("S"))),
     "dual_tensors_move_lines": Proven(
-        Each(Kernel(), structure(r"\underline{\mathbf{R}}"), is_in_the_group())
+        AndIntroduction(Kernel(), structure(r"\underline{\mathbf{R}}"), is_in_the_group())
     ),
 }

@@ -2,49 +2,58 @@
 
 from __future__ import annotations
 
-from workbench.language.goals.proofs import Each, Follows, Given, Have, Kernel, Proven, Use, Witness
+from workbench.language.goals.proofs import (
+    AndIntroduction,
+    Congruence,
+    Cut,
+    ExistsIntroduction,
+    Instance,
+    Introductions,
+    Kernel,
+    Proven,
+)
 
 _REAL, _DUAL = r"\operatorname{Re}(a + \varepsilon c) = a", r"\operatorname{Du}(a + \varepsilon c) = c"
 _REAL_X = r"\operatorname{Re}(X)"
 _PARTS_OF_P = r"\operatorname{Re}(p) + \varepsilon \operatorname{Du}(p)"
-_F, _U = Use(0, {"a": "a", "c": "c"}), Use(1, {"a": "a", "c": "c"})
+_F, _U = Instance(0, {"a": "a", "c": "c"}), Instance(1, {"a": "a", "c": "c"})
 
 THEOREMS = {
     "functions_of_dual_numbers": Proven(
-        Each(
-            Witness(
+        AndIntroduction(
+            ExistsIntroduction(
                 {"F": rf"f({_REAL_X}) + \varepsilon (\operatorname{{Du}}(X) g({_REAL_X}))"},
-                Given(
-                    Have(
+                Introductions(
+                    Cut(
                         _REAL,
                         Kernel(),
-                        Have(
+                        Cut(
                             _DUAL,
                             Kernel(using=()),
-                            Follows(r"f(Y) + \varepsilon (Z g(Y))", Y=Use(0), Z=Use(1)),
+                            Congruence(r"f(Y) + \varepsilon (Z g(Y))", Y=Instance(0), Z=Instance(1)),
                         ),
                     )
                 ),
             ),
-            Given(
-                Have(
+            Introductions(
+                Cut(
                     f"p = {_PARTS_OF_P}",
                     Kernel(using=()),
-                    Follows(
+                    Congruence(
                         f"F(Z) + Y - F({_PARTS_OF_P})",
-                        Z=Use(1),
-                        Y=Use(0, {"a": r"\operatorname{Re}(p)", "c": r"\operatorname{Du}(p)"}),
+                        Z=Instance(1),
+                        Y=Instance(0, {"a": r"\operatorname{Re}(p)", "c": r"\operatorname{Du}(p)"}),
                     ),
                 )
             ),
-            Given(
-                Each(
-                    Follows("Y + Z", Y=_F, Z=_U),
-                    Follows("Y Z", Y=_F, Z=_U),
-                    Follows(
+            Introductions(
+                AndIntroduction(
+                    Congruence("Y + Z", Y=_F, Z=_U),
+                    Congruence("Y Z", Y=_F, Z=_U),
+                    Congruence(
                         r"F(Y) + Z - F(u(a) + \varepsilon (c v(a)))",
                         Y=_U,
-                        Z=Use(0, {"a": "u(a)", "c": "c v(a)"}),
+                        Z=Instance(0, {"a": "u(a)", "c": "c v(a)"}),
                     ),
                 )
             ),

@@ -7,20 +7,20 @@ its columns is not 0 is along the axis. Where all are 0, Q is I.
 from __future__ import annotations
 
 from workbench.language.goals.proofs import (
-    ByLength,
+    AndIntroduction,
     Cases,
-    Each,
-    Follows,
-    Given,
-    Have,
+    Congruence,
+    Cut,
+    ExistsElimination,
+    ExistsIntroduction,
     Impossible,
+    Instance,
+    Introductions,
     Kernel,
-    Obtain,
-    OnCircle,
     Proof,
     Proven,
-    Use,
-    Witness,
+    UnitCircleAxiom,
+    ZeroFromSquare,
 )
 
 _BASIS = [rf"\begin{{bmatrix}} {a} \\ {b} \\ {c} \end{{bmatrix}}" for a, b, c in ("100", "010", "001")]
@@ -42,33 +42,35 @@ def _has_axis_and_angle(Q: str) -> Proof:
     def along(column: str) -> Proof:
         axis = rf"\frac{{1}}{{\|{column}\|}} ({column})"
         sine = rf"\frac{{1}}{{\|{column}\|}} (({column}) \cdot {vector})"
-        made = Follows(
+        made = Congruence(
             rf"\mathbf{{I}} + Z \widetilde{{{axis}}} + (1 - Y) (\widetilde{{{axis}}})^2",
-            Y=Use(-1, back=True),
-            Z=Use(-1, part=1, back=True),
+            Y=Instance(-1, back=True),
+            Z=Instance(-1, part=1, back=True),
         )
         angle = rf"\exists b \in \mathbb{{R}} : \cos b = {cosine} \wedge \sin b = {sine}"
-        return Have(angle, OnCircle(), Obtain(-1, Witness({"a": "b", "w": axis}, made)))
+        return Cut(
+            angle, UnitCircleAxiom(), ExistsElimination(-1, ExistsIntroduction({"a": "b", "w": axis}, made))
+        )
 
-    uses = {letter: Use(place) for letter, place in zip("XYZ", (-3, -2, -1), strict=True)}
+    uses = {letter: Instance(place) for letter, place in zip("XYZ", (-3, -2, -1), strict=True)}
     of_columns = " + ".join(rf"{letter} \cdot {e}" for letter, e in zip("XYZ", _BASIS, strict=True))
-    uses_before = {letter: Use(use.premise - 2) for letter, use in uses.items()}
+    uses_before = {letter: Instance(use.premise - 2) for letter, use in uses.items()}
     products = " + ".join(rf"{letter} \otimes {e}" for letter, e in zip("XYZ", _BASIS, strict=True))
-    at_rest = Have(
+    at_rest = Cut(
         f"{trace} = 3",
-        Follows(f"3 - 2 ({of_columns})", **uses),
-        Have(
+        Congruence(f"3 - 2 ({of_columns})", **uses),
+        Cut(
             rf"{vector} = \mathbf{{0}}",
-            ByLength(Follows(r"1 - (\frac{Y - 1}{2})^2", Y=Use(-1))),
-            Have(
+            ZeroFromSquare(Congruence(r"1 - (\frac{Y - 1}{2})^2", Y=Instance(-1))),
+            Cut(
                 rf"{Q} = \mathbf{{I}}",
-                Follows(
+                Congruence(
                     rf"{products} + \frac{{T - 1}}{{2}} \mathbf{{I}} + \widetilde{{V}}",
                     **uses_before,
-                    T=Use(-2),
-                    V=Use(-1),
+                    T=Instance(-2),
+                    V=Instance(-1),
                 ),
-                Witness({"a": "0", "w": _BASIS[0]}, Follows("Y", Y=Use(-1))),
+                ExistsIntroduction({"a": "0", "w": _BASIS[0]}, Congruence("Y", Y=Instance(-1))),
             ),
         ),
     )
@@ -87,44 +89,44 @@ _MOMENT = r"\frac{1}{2} (\frac{\sin a}{1 - \cos a} (r - (w \cdot r) w) - w \time
 def _has_invariants() -> Proof:
     """∃ p ∈ ℝ̲, q ∈ S̲² : R = I + sin p q̃ + (1 − cos p) q̃²."""
     shift = r"\operatorname{vect}(\operatorname{Du}(R) (\operatorname{Re}(R))^T)"
-    real, dual = Use(1), Use(3)  # Re R = I + sin a w̃ + (1 − cos a) w̃², Du R = r̃ Re R
+    real, dual = Instance(1), Instance(3)  # Re R = I + sin a w̃ + (1 − cos a) w̃², Du R = r̃ Re R
     shifted = rf"{_SHIFTED} Y + \varepsilon (Z - \tilde{{r}} {_REAL})"
     still = rf"{_SHIFTED} ((S - \sin a) \tilde{{w}} + (\cos a - C) \tilde{{w}}^2)"
-    translation = dict(Y=real, Z=dual, C=Use(4), S=Use(5))
-    no_turn = Have(
+    translation = dict(Y=real, Z=dual, C=Instance(4), S=Instance(5))
+    no_turn = Cut(
         r"\sin a = 0",
-        ByLength(Follows("1 - Y^2", Y=Use(-1))),
+        ZeroFromSquare(Congruence("1 - Y^2", Y=Instance(-1))),
         Cases(
             r"r = \mathbf{0}",
-            Witness(
+            ExistsIntroduction(
                 {"p": "0", "q": "w"},
-                Follows(
+                Congruence(
                     rf"{shifted} + {still} + \varepsilon (\tilde{{X}} - \tilde{{r}})",
                     **translation,
-                    X=Use(-1),
+                    X=Instance(-1),
                 ),
             ),
-            Witness(
+            ExistsIntroduction(
                 {"p": r"\varepsilon \|r\|", "q": r"\frac{1}{\|r\|} r"},
-                Follows(f"{shifted} + {still}", **translation),
+                Congruence(f"{shifted} + {still}", **translation),
                 using=(6,),
             ),
         ),
     )
-    turn = Witness(
+    turn = ExistsIntroduction(
         {"p": r"a + \varepsilon (w \cdot r)", "q": rf"w + \varepsilon ({_MOMENT})"},
-        Follows(shifted, Y=real, Z=dual),
+        Congruence(shifted, Y=real, Z=dual),
         using=(4,),
     )
-    return Have(
+    return Cut(
         rf"\exists a \in \mathbb{{R}}, w \in S^2 : {_REAL} = {_turn('a', 'w')}",
         _has_axis_and_angle(_REAL),
-        Obtain(
+        ExistsElimination(
             -1,
-            Have(
+            Cut(
                 rf"\exists r \in V_3 : \operatorname{{Du}}(R) = \tilde{{r}} {_REAL}",
-                Witness({"r": shift}, Kernel(using=())),
-                Obtain(-1, Cases(r"\cos a = 1", no_turn, turn)),
+                ExistsIntroduction({"r": shift}, Kernel(using=())),
+                ExistsElimination(-1, Cases(r"\cos a = 1", no_turn, turn)),
             ),
         ),
     )
@@ -141,62 +143,68 @@ def _screw() -> Proof:
     real, shift = r"\operatorname{Re}(x)", r"\operatorname{Du}(x)"
     size = rf"\|{real}\|"
     magnitude = rf"{size} + \varepsilon (\frac{{1}}{{{size}}} ({real} \cdot {shift}))"
-    pure = Follows(r"Y + \varepsilon \operatorname{Du}(x)", Y=Use(0))
+    pure = Congruence(r"Y + \varepsilon \operatorname{Du}(x)", Y=Instance(0))
     return Cases(
         rf"{real} = \mathbf{{0}}",
         Cases(
             rf"{shift} = \mathbf{{0}}",
-            Witness({"p": "0", "q": _BASIS[0]}, Follows(r"Y + \varepsilon Z", Y=Use(0), Z=Use(1))),
-            Witness({"p": rf"\varepsilon \|{shift}\|", "q": rf"\frac{{1}}{{\|{shift}\|}} {shift}"}, pure),
+            ExistsIntroduction(
+                {"p": "0", "q": _BASIS[0]}, Congruence(r"Y + \varepsilon Z", Y=Instance(0), Z=Instance(1))
+            ),
+            ExistsIntroduction(
+                {"p": rf"\varepsilon \|{shift}\|", "q": rf"\frac{{1}}{{\|{shift}\|}} {shift}"}, pure
+            ),
         ),
-        Witness({"p": magnitude, "q": rf"\frac{{x}}{{{magnitude}}}"}),
+        ExistsIntroduction({"p": magnitude, "q": rf"\frac{{x}}{{{magnitude}}}"}),
     )
 
 
-_IN_THE_GROUP = Have(
+_IN_THE_GROUP = Cut(
     r"\exists p \in \underline{\mathbb{R}}, q \in \underline{S}^2 : x = p q",
     _screw(),
-    Obtain(
+    ExistsElimination(
         -1,
-        Each(
-            Follows(r"\exp(\tilde{Y}) (\exp(\tilde{Y}))^T", Y=Use(-1)),
-            Follows(r"\det(\exp(\tilde{Y}))", Y=Use(-1)),
+        AndIntroduction(
+            Congruence(r"\exp(\tilde{Y}) (\exp(\tilde{Y}))^T", Y=Instance(-1)),
+            Congruence(r"\det(\exp(\tilde{Y}))", Y=Instance(-1)),
         ),
     ),
 )
-_ONTO = Have(
+_ONTO = Cut(
     _REPRESENTED,
     _has_invariants(),
-    Obtain(-1, Witness({"x": "p q"}, Follows(_EXPONENTIAL, Y=Use(-1, back=True)))),
+    ExistsElimination(
+        -1, ExistsIntroduction({"x": "p q"}, Congruence(_EXPONENTIAL, Y=Instance(-1, back=True)))
+    ),
 )
 _TO_AND_FRO = r"\exp(\widetilde{a w})", r"\exp(\widetilde{-a w})"
 
 #: After half a turn, exp takes one value at a w and −a w; a map back would make a w = −a w, so a = 0.
-_NO_INVERSE = Have(
+_NO_INVERSE = Cut(
     r"\exists a \in \mathbb{R} : \cos a = -1 \wedge \sin a = 0",
-    OnCircle(),
-    Obtain(
+    UnitCircleAxiom(),
+    ExistsElimination(
         -1,
-        Have(
+        Cut(
             r"\exists w \in S^2 : w \cdot w = 1",
-            Witness({"w": _BASIS[0]}),
-            Obtain(
+            ExistsIntroduction({"w": _BASIS[0]}),
+            ExistsElimination(
                 -1,
-                Have(
+                Cut(
                     " = ".join(_TO_AND_FRO),
-                    Follows(rf"{_TO_AND_FRO[1]} + 2 Y \tilde{{w}}", Y=Use(2, part=1)),
-                    Have(
+                    Congruence(rf"{_TO_AND_FRO[1]} + 2 Y \tilde{{w}}", Y=Instance(2, part=1)),
+                    Cut(
                         "a w = -a w",
-                        Follows(
+                        Congruence(
                             f"X + L(Y) + Z - L({_TO_AND_FRO[0]}) - L({_TO_AND_FRO[1]})",
-                            X=Use(0, {"x": "a w"}, back=True),
-                            Y=Use(-1),
-                            Z=Use(0, {"x": "-a w"}),
+                            X=Instance(0, {"x": "a w"}, back=True),
+                            Y=Instance(-1),
+                            Z=Instance(0, {"x": "-a w"}),
                         ),
-                        Have(
+                        Cut(
                             "a = 0",
-                            Follows(r"\frac{1}{2} (a + w \cdot Y)", Y=Use(-1)),
-                            Follows(r"\frac{1}{2} (\cos Y - Z)", Y=Use(-1), Z=Use(2)),
+                            Congruence(r"\frac{1}{2} (a + w \cdot Y)", Y=Instance(-1)),
+                            Congruence(r"\frac{1}{2} (\cos Y - Z)", Y=Instance(-1), Z=Instance(2)),
                         ),
                     ),
                 ),
@@ -207,18 +215,25 @@ _NO_INVERSE = Have(
 
 THEOREMS = {
     "representation_theorem": Proven(
-        Given(
-            Have(
+        Introductions(
+            Cut(
                 _REPRESENTED,
                 _has_invariants(),
-                Obtain(
+                ExistsElimination(
                     -1,
-                    Witness({"b": "p", "e": "q"}, Each(Follows("Y", Y=Use(-1)), Follows("Y", Y=Use(-1)))),
+                    ExistsIntroduction(
+                        {"b": "p", "e": "q"},
+                        AndIntroduction(Congruence("Y", Y=Instance(-1)), Congruence("Y", Y=Instance(-1))),
+                    ),
                 ),
             )
         )
     ),
-    "exponential_is_onto": Proven(Each(Given(_screw()), Kernel(), Given(_IN_THE_GROUP), Given(_ONTO))),
-    "logarithm_is_a_set": Proven(Each(Given(_ONTO), Follows(_EXPONENTIAL, Y=Use(0, back=True)))),
-    "logarithm_is_no_inverse": Proven(against=Impossible(Given(_NO_INVERSE))),
+    "exponential_is_onto": Proven(
+        AndIntroduction(Introductions(_screw()), Kernel(), Introductions(_IN_THE_GROUP), Introductions(_ONTO))
+    ),
+    "logarithm_is_a_set": Proven(
+        AndIntroduction(Introductions(_ONTO), Congruence(_EXPONENTIAL, Y=Instance(0, back=True)))
+    ),
+    "logarithm_is_no_inverse": Proven(against=Impossible(Introductions(_NO_INVERSE))),
 }

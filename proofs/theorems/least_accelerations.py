@@ -6,40 +6,40 @@ w + ε m stands for ω̲⁽ⁿ⁾ at an instant, a(x) = m + w × x for the reduc
 from __future__ import annotations
 
 from workbench.language.goals.proofs import (
+    AndIntroduction,
     At,
-    ByLength,
     Cases,
-    Each,
+    Congruence,
+    Cut,
+    ExistsIntroduction,
     False_,
-    Follows,
-    Given,
-    Have,
+    IffIntroduction,
+    Instance,
+    Introductions,
     Kernel,
     Part,
     Proven,
-    Squares,
+    SumOfSquares,
     TwoWitnesses,
-    Unique,
-    Use,
-    Ways,
-    Witness,
+    UniqueExists,
+    ZeroFromSquare,
 )
 
 # ‖m + w × x‖² = (w·m)²/w² + (w × (m + w × x))²/w², and the second square is 0 at x = w × m/w²
 _A = r"(m + w \times x)"
-_BOUND = Squares(rf"\frac{{w \times {_A}}}{{\|w\|}}")
+_BOUND = SumOfSquares(rf"\frac{{w \times {_A}}}{{\|w\|}}")
 _ON_THE_LINE = r"\operatorname{Du}(\frac{w + \varepsilon m}{|w + \varepsilon m|})"
-_LOCUS = Ways(
-    Have(
+_LOCUS = IffIntroduction(
+    Cut(
         rf"w \times {_A} = \mathbf{{0}}",
-        ByLength(Follows(r"w^2 Y - (w \cdot m)^2", Y=Use(-1))),
-        Follows(rf"{_ON_THE_LINE} + \frac{{1}}{{w^2 \|w\|}} w \times Y", Y=Use(-1)),
+        ZeroFromSquare(Congruence(r"w^2 Y - (w \cdot m)^2", Y=Instance(-1))),
+        Congruence(rf"{_ON_THE_LINE} + \frac{{1}}{{w^2 \|w\|}} w \times Y", Y=Instance(-1)),
     ),
-    Follows(r"(m - \|w\| Y)^2", Y=Use(-1)),
+    Congruence(r"(m - \|w\| Y)^2", Y=Instance(-1)),
 )
-_ONE_LINE = Unique(
+_ONE_LINE = UniqueExists(
     {"f": r"\frac{w \times m}{w^2}"},
-    only=Follows(r"\frac{1}{w^2} (w \times m + X w - Y)", X=Use(-1), Y=Use(-1, part=1)),
+    only=Congruence(r"\frac{1}{w^2} (w \times m + X w - Y)", X=Instance(-1), Y=Instance(-1, part=1)),
 )
 _EVERYWHERE = At(
     {"w": r"\mathbf{0}", "m": r"\mathbf{0}"},
@@ -49,21 +49,25 @@ _EVERYWHERE = At(
 #: Name in the claim files → proof.
 THEOREMS = {
     "locus_of_the_least_reduced_acceleration": Proven(
-        Each(Kernel(), _BOUND, _LOCUS, _ONE_LINE), against=Part(3, _EVERYWHERE)
+        AndIntroduction(Kernel(), _BOUND, _LOCUS, _ONE_LINE), against=Part(3, _EVERYWHERE)
     ),
     "least_reduced_acceleration": Proven(
-        Each(
+        AndIntroduction(
             Kernel(),
             _BOUND,
-            Witness({"x": r"\frac{w \times m}{w^2}"}),
-            Follows(r"m + Y \times x", Y=Use(0)),
+            ExistsIntroduction({"x": r"\frac{w \times m}{w^2}"}),
+            Congruence(r"m + Y \times x", Y=Instance(0)),
         )
     ),
     "plane_motion": Proven(
-        Each(
-            Given(Cases("s = 0", equal=Have(r"n \times b = \mathbf{0}", Follows("Y", Y=Use(0)), Kernel()))),
+        AndIntroduction(
+            Introductions(
+                Cases(
+                    "s = 0", equal=Cut(r"n \times b = \mathbf{0}", Congruence("Y", Y=Instance(0)), Kernel())
+                )
+            ),
             Kernel(),
-            Follows(r"Y - Z n \times x", Y=Use(0), Z=Use(1)),
+            Congruence(r"Y - Z n \times x", Y=Instance(0), Z=Instance(1)),
         ),
         against=Part(0, At({"s": "0"}, False_())),
     ),

@@ -12,7 +12,16 @@ from collections.abc import Callable, Iterator, Sequence
 
 from proofs.theorems.chains import OF_A_PRODUCT
 from workbench.kinematics.printed_chains import latex_3c
-from workbench.language.goals.proofs import Each, Follows, Given, Have, Kernel, Proof, Proven, Use
+from workbench.language.goals.proofs import (
+    AndIntroduction,
+    Congruence,
+    Cut,
+    Instance,
+    Introductions,
+    Kernel,
+    Proof,
+    Proven,
+)
 
 Product = str | tuple["Product", "Product"]  # a letter, or the cross product of two
 Addend = tuple[str, Product]  # a factor in f, g, h and what it is a factor of
@@ -85,18 +94,18 @@ def _after(order: int) -> list[Addend]:
 
 def _by_the_product_rule(lines: Sequence[str]) -> Proof:
     """Each derivative is the last premise of the proof of the next one; all of them are the lines."""
-    proof: Proof = Each(
-        *(Follows(f"Y + ({line}) - ({_sum(_after(n))})", Y=Use(n)) for n, line in enumerate(lines, 1))
+    proof: Proof = AndIntroduction(
+        *(Congruence(f"Y + ({line}) - ({_sum(_after(n))})", Y=Instance(n)) for n, line in enumerate(lines, 1))
     )
     for order in range(len(lines), 0, -1):
         before, expression = _sum(_after(order - 1)), _sum(_differentiated(_after(order - 1))[0])
-        uses = {"P": Use(0), "Q": Use(0, part=1)}
+        uses = {"P": Instance(0), "Q": Instance(0, part=1)}
         if order > 1:
             expression = rf"\dot{{Y}} - \frac{{d}}{{dt}} [{before}] + {expression}"
-            uses["Y"] = Use(-1)
+            uses["Y"] = Instance(-1)
         said = f"{_derivative(order, _TWIST)} = {_sum(_after(order))}"
-        proof = Have(said, Follows(expression, **uses), proof)
-    return Given(proof)
+        proof = Cut(said, Congruence(expression, **uses), proof)
+    return Introductions(proof)
 
 
 # the chain of the chapter, body by body
@@ -117,8 +126,8 @@ def _spin(tensor: str) -> str:
     return rf"\operatorname{{vect}}(\frac{{d}}{{dt}} [{tensor}] ({tensor})^T)"
 
 
-def _at(name: str, part: int = 0, back: bool = False) -> Use:
-    return Use(_place(name), {}, part, back)
+def _at(name: str, part: int = 0, back: bool = False) -> Instance:
+    return Instance(_place(name), {}, part, back)
 
 
 def _place(name: str) -> int:
@@ -163,36 +172,41 @@ _FACTS: dict[str, str] = {
 
 
 def _is_a_rotation(name: str) -> Proof:
-    return Each(*(Follows("Y", Y=_at(f"rotation {name}", part)) for part in (0, 1)))
+    return AndIntroduction(*(Congruence("Y", Y=_at(f"rotation {name}", part)) for part in (0, 1)))
 
 
-def _two(fact: str, left: str, right: str, part: int = 0, **more: str) -> Use:
+def _two(fact: str, left: str, right: str, part: int = 0, **more: str) -> Instance:
     """What the fact says of the product of two rotations."""
     tensors = {"1": _R1, "2": _R2, "3": _R3, "02": _R02}
     members = {"P": left, "S": right}
     values = {**more, **{letter: tensors[name] for letter, name in members.items()}}
     are = {letter: _is_a_rotation(name) for letter, name in members.items()}
-    return Use(_place(fact), values, part, members=are)
+    return Instance(_place(fact), values, part, members=are)
 
 
 #: How those follow that the judge does not see at once.
 _BECAUSE: dict[str, Proof] = {
-    "02 x": Follows(f"X {_H3}", X=_at("02")),
-    "rotations": Given(Each(Follows("X X^T", X=Use(-1)), Follows(r"\det X", X=Use(-1)))),
-    "rotation 02": Each(*(Follows("Y", Y=_two("rotations", "1", "2", part, Q=_R02)) for part in (0, 1))),
-    "u3": Follows(f"Y - {_R02} {_H3} + X", X=_at("02 x"), Y=_at("u3 of 02")),
-    "turned line": Follows(
-        "X", X=Use(_place("turned"), {"Q": _R1, "x": _H2, "y": f"{_R2} {_H3}"}, members=_is_a_rotation("1"))
+    "02 x": Congruence(f"X {_H3}", X=_at("02")),
+    "rotations": Introductions(
+        AndIntroduction(Congruence("X X^T", X=Instance(-1)), Congruence(r"\det X", X=Instance(-1)))
     ),
-    "moved": Follows(
+    "rotation 02": AndIntroduction(
+        *(Congruence("Y", Y=_two("rotations", "1", "2", part, Q=_R02)) for part in (0, 1))
+    ),
+    "u3": Congruence(f"Y - {_R02} {_H3} + X", X=_at("02 x"), Y=_at("u3 of 02")),
+    "turned line": Congruence(
+        "X",
+        X=Instance(_place("turned"), {"Q": _R1, "x": _H2, "y": f"{_R2} {_H3}"}, members=_is_a_rotation("1")),
+    ),
+    "moved": Congruence(
         rf"\dot{{X}} - \frac{{d}}{{dt}} [{_LINE_3}] + Y ({_R2} {_H3}) + {_R1} (Z {_H3})",
         X=_at("u3"),
         Y=_at("rate 1"),
         Z=_at("rate 2"),
     ),
-    "lines": Each(
+    "lines": AndIntroduction(
         Kernel(using=()),
-        Follows(
+        Congruence(
             rf"X - {_W1} {_H1} \times ({_LINE_3}) - {_W2} {_R1} ({_H2} \times ({_R2} {_H3}))"
             rf" + {_W1} Y \times Z + {_W2} T - {_W2} ({_R1} {_H2}) \times ({_LINE_3}) + {_W2} S \times Z",
             X=_at("moved"),
@@ -202,7 +216,7 @@ _BECAUSE: dict[str, Proof] = {
             S=_at("u2", back=True),
         ),
     ),
-    "spin 02": Follows(
+    "spin 02": Congruence(
         rf"\operatorname{{vect}}(\dot{{Z}} Z^T) - {_spin(f'({_R1} {_R2})')} + Y - {_spin(_R1)} + S"
         rf" + {_R1} (T - {_spin(_R2)}) + {_W1} (X - {_H1}) + {_W2} (V - {_R1} {_H2})",
         Z=_at("02"),
@@ -212,7 +226,7 @@ _BECAUSE: dict[str, Proof] = {
         X=_at("u1", back=True),
         V=_at("u2", back=True),
     ),
-    "spin 03": Follows(
+    "spin 03": Congruence(
         rf"\operatorname{{vect}}(\dot{{Z}} Z^T) - {_spin(f'({_R02} {_R3})')} + Y - {_spin(_R02)} + S"
         rf" + {_R02} (T - {_spin(_R3)}) + {_W3} (X - {_R02} {_H3}) + V - ({_SUM})",
         Z=_at("03"),
@@ -227,7 +241,7 @@ _BECAUSE: dict[str, Proof] = {
 
 def _having(then: Proof) -> Proof:
     for name in reversed(_FACTS):
-        then = Have(_FACTS[name], _BECAUSE.get(name, Kernel(using=())), then)
+        then = Cut(_FACTS[name], _BECAUSE.get(name, Kernel(using=())), then)
     return then
 
 
@@ -236,15 +250,15 @@ def _closed_form(expanded: bool) -> Proven:
     said = r" \wedge ".join(f"{_derivative(n, _TWIST)} = {line}" for n, line in enumerate(lines, 1))
     values = {"f": _W1, "g": _W2, "h": _W3, "x": _U1, "y": _U2, "z": _U3}
     steps = [
-        Follows(
+        Congruence(
             rf"{_derivative(n, 'X')} + Y - {_derivative(n, f'({_SUM})')}",
             X=_at("sum"),
-            Y=Use(0, values, part=n - 1, members=Kernel(using=())),
+            Y=Instance(0, values, part=n - 1, members=Kernel(using=())),
         )
         for n in (1, 2, 3)
     ]
-    parts = Each(Follows("Y", Y=_at("spin 03")), Follows("Y", Y=_at("sum")), *steps)
-    return Proven(Have(_JOINTS + said, _by_the_product_rule(lines), _having(parts)))
+    parts = AndIntroduction(Congruence("Y", Y=_at("spin 03")), Congruence("Y", Y=_at("sum")), *steps)
+    return Proven(Cut(_JOINTS + said, _by_the_product_rule(lines), _having(parts)))
 
 
 THEOREMS = {"closed_form_3c": _closed_form(False), "closed_form_3c_expanded": _closed_form(True)}

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from workbench.language.goals.proofs import (
-    Follows,
-    Given,
-    Have,
+    BinomialInduction,
+    Congruence,
+    Cut,
     Induction,
+    Instance,
+    Introductions,
     Kernel,
-    Pascal,
     Proven,
-    Termwise,
-    Use,
+    SumCongruence,
 )
 
 _FIRST = r"\begin{bmatrix} \mathbf{0} & \mathbf{I} \end{bmatrix}"  # of M: the rows of Ψ
@@ -31,28 +31,32 @@ _THE_SAME = rf"\sum_{{k=1}}^{{n-1}} C_{{n-1}}^k ({_product('n-1-k')})"
 _WITH_THE_FIRST = rf"\sum_{{k=0}}^{{n-1}} C_{{n-1}}^k ({_product('n-1-k')})"
 
 #: Mₙ₊₁ = Σ C(n, k) X⁽ⁿ⁻ᵏ⁾ Mₖ by Pascal's rule, M₀ being the unit matrix; X⁽ʲ⁾ Mₖ has ω̃⁽ʲ⁾ Ψₖ for k ≥ 1.
-_BY_PASCAL = Have(
+_BY_PASCAL = Cut(
     _SUMS,
-    Pascal(_product("j"), step=r"\dot{Y} + Y \mathsf{X}"),
-    Have(
+    BinomialInduction(_product("j"), step=r"\dot{Y} + Y \mathsf{X}"),
+    Cut(
         _PARTS,
-        Induction(step=Follows(r"\dot{Y} + Y \mathsf{X}", Y=Use(-1))),
-        Have(
+        Induction(step=Congruence(r"\dot{Y} + Y \mathsf{X}", Y=Instance(-1))),
+        Cut(
             _ADDENDS,
-            Given(Follows(rf"{_FIRST} (\frac{{d^j}}{{dt^j}} [\mathsf{{X}}] Y)", Y=Use(1, {"n": "k"}))),
-            Have(
+            Introductions(
+                Congruence(rf"{_FIRST} (\frac{{d^j}}{{dt^j}} [\mathsf{{X}}] Y)", Y=Instance(1, {"n": "k"}))
+            ),
+            Cut(
                 rf"\forall n \geq 1 : {_THE_SAME} = {_OF_ORDER_N}",
-                Given(Termwise("k", Follows("C_{k+j}^k Y", Y=Use(2, {"k": "k", "j": "j"})))),
-                Have(
+                Introductions(
+                    SumCongruence("k", Congruence("C_{k+j}^k Y", Y=Instance(2, {"k": "k", "j": "j"})))
+                ),
+                Cut(
                     rf"\forall n \geq 0 : \mathbf{{T}}^{{(n)}} = {_product('n').replace('k', '0')}",
                     Kernel(using=()),
-                    Given(
-                        Follows(
+                    Introductions(
+                        Congruence(
                             rf"Z + Y - {_WITH_THE_FIRST} + {_FIRST} (U - \mathsf{{M}}_n) + {_THE_SAME} - V",
-                            Z=Use(4, {"n": "n-1"}),
-                            Y=Use(0, {"n": "n-1"}, back=True),
-                            U=Use(1, {"n": "n"}),
-                            V=Use(3, {"n": "n"}),
+                            Z=Instance(4, {"n": "n-1"}),
+                            Y=Instance(0, {"n": "n-1"}, back=True),
+                            U=Instance(1, {"n": "n"}),
+                            V=Instance(3, {"n": "n"}),
                         )
                     ),
                 ),
@@ -74,18 +78,22 @@ _OF_VECTORS = r"\sum_{k=1}^n C_n^k \omega^{(n-k)} \times \mathbf{a}_k"
 THEOREMS = {
     "twist_derivatives_from_accelerations": Proven(_BY_PASCAL),
     "velocity_derivatives_from_accelerations": Proven(
-        Have(
+        Cut(
             _FOR_EVERY_N,
             _BY_PASCAL,
-            Have(
+            Cut(
                 _OF_FIRST_COLUMNS,
                 Kernel(),
-                Have(
+                Cut(
                     rf"\forall n \geq 0 : {_OF_TENSORS} = {_OF_VECTORS}",
-                    Given(Termwise("k", Follows("C_{k+j}^k Y", Y=Use(1, {"k": "k", "j": "j"})))),
-                    Given(
-                        Follows(
-                            rf"Y {_COLUMN} + {_OF_TENSORS} - Z", Y=Use(0, {"n": "n+1"}), Z=Use(2, {"n": "n"})
+                    Introductions(
+                        SumCongruence("k", Congruence("C_{k+j}^k Y", Y=Instance(1, {"k": "k", "j": "j"})))
+                    ),
+                    Introductions(
+                        Congruence(
+                            rf"Y {_COLUMN} + {_OF_TENSORS} - Z",
+                            Y=Instance(0, {"n": "n+1"}),
+                            Z=Instance(2, {"n": "n"}),
                         )
                     ),
                 ),

@@ -8,7 +8,7 @@ from workbench.core.verdict import Outcome
 from workbench.language.definition_entries import read_definitions
 from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.goals import Scope
-from workbench.language.goals.proofs import Follows, Induction, Kernel, Proven, Termwise, Use
+from workbench.language.goals.proofs import Congruence, Induction, Instance, Kernel, Proven, SumCongruence
 from workbench.language.naming.symbols import SymbolTable
 from workbench.prover.decide.decide import Judge
 from workbench.prover.goals.prove_goal import prove
@@ -33,10 +33,10 @@ def outcome(goal, proof, apart):
         (r"\forall n \geq 1 : K_n + b = b + a^{(n)}", Kernel()),
         (r"\forall n, m \geq 1 : F_{n+1} K_m = (\dot{F}_n + F_n F_1) K_m", Kernel()),
         (r"\forall n \geq 1 : \sum_{k=1}^n F_{k+1} = \sum_{k=1}^n (\dot{F}_k + F_k F_1)", Kernel()),
-        (r"\forall n \geq 1 : \sum_{k=1}^n F_{k+1} = \sum_{k=1}^n (\dot{F}_k + F_k F_1)", Termwise("k")),
+        (r"\forall n \geq 1 : \sum_{k=1}^n F_{k+1} = \sum_{k=1}^n (\dot{F}_k + F_k F_1)", SumCongruence("k")),
         (r"\forall n \geq 1 : \sum_{k=0}^n C_n^k K_k \times b^{(n-k)} = (a \times b)^{(n)}", Kernel()),
         (r"\forall n \geq 1 : P_{n+1} a = \frac{d}{dt} (P_n a) + (P_n F_1) a", Kernel()),
-        (r"\forall n \geq 1 : P_n F_1 = F_n", Induction(step=Follows(r"\dot{Y} + Y F_1", Y=Use(-1)))),
+        (r"\forall n \geq 1 : P_n F_1 = F_n", Induction(step=Congruence(r"\dot{Y} + Y F_1", Y=Instance(-1)))),
     ],
 )
 def test_a_separately_defined_member_is_detected(goal, proof):

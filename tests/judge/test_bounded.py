@@ -7,21 +7,35 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.verdict import Outcome
 from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.goals import AllBelow, GoalError
-from workbench.language.goals.proofs import At, False_, Follows, Given, Have, Induction, Kernel, Termwise, Use
+from workbench.language.goals.proofs import (
+    At,
+    Congruence,
+    Cut,
+    False_,
+    Induction,
+    Instance,
+    Introductions,
+    Kernel,
+    SumCongruence,
+)
 
 
 def below(bound: str) -> str:
     return rf"\Big( \forall k < {bound} : a^{{(k)}} = b^{{(k)}} \Big)"
 
 
-def used(**at: str) -> Follows:
-    return Follows("Y", Y=Use(-1, at))
+def used(**at: str) -> Congruence:
+    return Congruence("Y", Y=Instance(-1, at))
 
 
 LEMMA = rf"\forall m \geq 0 : {below('m+1')} \Rightarrow a^{{(m)}} = b^{{(m)}}"
-BY_LEMMA = Have(LEMMA, Given(used(k="m")), Given(Follows("Y", Y=Use(0, {"m": "n"}))))
+BY_LEMMA = Cut(LEMMA, Introductions(used(k="m")), Introductions(Congruence("Y", Y=Instance(0, {"m": "n"}))))
 ALL_ORDERS = r"\forall n \geq 0 : a^{(n)} = b^{(n)}"
-DERIVED = Induction(Follows("Y", Y=Use(0)), Given(Follows(r"\dot{Y}", Y=Use(-1, {"i": "n"}))), letter="i")
+DERIVED = Induction(
+    Congruence("Y", Y=Instance(0)),
+    Introductions(Congruence(r"\dot{Y}", Y=Instance(-1, {"i": "n"}))),
+    letter="i",
+)
 SUMS = r"\sum_{{l=0}}^{{{0}}} a^{{(l)}} = \sum_{{l=0}}^{{{0}}} b^{{(l)}}"
 
 
@@ -31,12 +45,12 @@ SUMS = r"\sum_{{l=0}}^{{{0}}} a^{{(l)}} = \sum_{{l=0}}^{{{0}}} b^{{(l)}}"
         (  # at n = 0 there is no k
             rf"\forall n \geq 1 : {below('n')} \Rightarrow a = b",
             rf"\forall n \geq 0 : {below('n')} \Rightarrow a = b",
-            Given(used(k="0")),
+            Introductions(used(k="0")),
         ),
         (
             rf"\forall n \geq 0 : {below('n+1')} \Rightarrow a^{{(n)}} = b^{{(n)}}",
             rf"\forall n \geq 0 : {below('n')} \Rightarrow a^{{(n)}} = b^{{(n)}}",
-            Given(used(k="n")),
+            Introductions(used(k="n")),
         ),
         (  # for more k than are asked for, and for fewer
             rf"\forall n \geq 0 : {below('n+2')} \Rightarrow a^{{(n)}} = b^{{(n)}}",
@@ -56,26 +70,26 @@ SUMS = r"\sum_{{l=0}}^{{{0}}} a^{{(l)}} = \sum_{{l=0}}^{{{0}}} b^{{(l)}}"
         (  # at one instant
             rf"\forall n \geq 1 : {below('n')} \Longrightarrow a^{{(n)}} = b^{{(n)}}",
             rf"\forall n \geq 1 : {below('n')} \Rightarrow a^{{(n)}} = b^{{(n)}}",
-            Given(Follows(r"\dot{Y}", Y=Use(-1, {"k": "n-1"}))),
+            Introductions(Congruence(r"\dot{Y}", Y=Instance(-1, {"k": "n-1"}))),
         ),
         (rf"a = b \Longrightarrow {ALL_ORDERS}", rf"a = b \Rightarrow {ALL_ORDERS}", DERIVED),
         (rf"a = b \Longrightarrow {ALL_ORDERS}", rf"a^2 = b^2 \Longrightarrow {ALL_ORDERS}", DERIVED),
         (
             rf"\forall n \geq 1 : {below('n')} \Rightarrow {SUMS.format('n-1')}",
             rf"\forall n \geq 1 : {below('n')} \Rightarrow {SUMS.format('n')}",
-            Given(Termwise("l", Given(used(k="l")))),
+            Introductions(SumCongruence("l", Introductions(used(k="l")))),
         ),
         (  # what is left of n at each addend
             rf"\forall n \geq 1 : {below('n')} \Rightarrow \sum_{{l=1}}^{{n}} a^{{(n-l)}} = \sum_{{l=1}}^{{n}} b^{{(n-l)}}",
             rf"\forall n \geq 1 : {below('n')} \Rightarrow \sum_{{l=0}}^{{n}} a^{{(n-l)}} = \sum_{{l=0}}^{{n}} b^{{(n-l)}}",
-            Given(Termwise("l", Given(used(k="j")))),
+            Introductions(SumCongruence("l", Introductions(used(k="j")))),
         ),
         (  # a premise about n is none about the letter of the sum
             r"\forall n \geq 0 : a^{(n)} = b^{(n)} \Rightarrow"
             r" \sum_{l=0}^{n} C_n^l a^{(n)} = \sum_{l=0}^{n} C_n^l b^{(n)}",
             r"\forall n \geq 0 : a^{(n)} = b^{(n)} \Rightarrow"
             r" \sum_{l=0}^{n} C_n^l a^{(l)} = \sum_{l=0}^{n} C_n^l b^{(l)}",
-            Given(Termwise("l", Given(Follows("C_{l+j}^l Y", Y=Use(-1))))),
+            Introductions(SumCongruence("l", Introductions(Congruence("C_{l+j}^l Y", Y=Instance(-1))))),
         ),
     ],
 )
@@ -113,14 +127,14 @@ def step(**at: str) -> Induction:
         ),
         (
             rf"\forall n \geq 1 : {below('n')} \Rightarrow {SUMS.format('n')}",
-            Given(Termwise("k", Given(used(k="k")))),
+            Introductions(SumCongruence("k", Introductions(used(k="k")))),
             "k is bound twice",
         ),
         # what the rules do not do
         (r"\forall n \geq 1 : \forall k < n : k a = k b", Kernel(), "no rule for ∀ k < n"),
         (
             rf"{below('3')} \Rightarrow a^{{(3)}} = b^{{(3)}}",
-            Given(used(k="3")),
+            Introductions(used(k="3")),
             "not seen to be less than 3",
         ),
     ],

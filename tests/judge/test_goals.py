@@ -9,28 +9,28 @@ from workbench.language.definition_entries import read_definitions
 from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.goals import All, AllFrom, Exists, GoalError, Implies, Scope
 from workbench.language.goals.proofs import (
+    AndIntroduction,
     At,
     Broken,
-    ByLength,
     Cases,
-    Contradicts,
-    Each,
+    Congruence,
+    Cut,
+    ExistsIntroduction,
+    Extensionality,
     False_,
-    Follows,
-    Given,
-    Have,
+    IffIntroduction,
     Impossible,
     Induction,
+    Instance,
+    Introductions,
     Kernel,
+    NegationIntroduction,
     Part,
-    Pointwise,
     Proven,
-    Squares,
+    SumOfSquares,
     TwoWitnesses,
-    Unique,
-    Use,
-    Ways,
-    Witness,
+    UniqueExists,
+    ZeroFromSquare,
 )
 from workbench.language.naming.symbols import SymbolTable
 from workbench.prover.decide.decide import Judge
@@ -124,24 +124,34 @@ def test_invalid_goals_are_rejected(goal):
     ("goal", "proof"),
     [
         (r"\forall c \in V_3 : c \times c = \mathbf{0}", None),
-        (r"\exists X \in L(V_3, V_3) : X R = \mathbf{I}", Witness({"X": "R^T"})),
-        (r"\exists! Q \in SO_3 : Q R = \mathbf{I}", Unique({"Q": "R^T"}, only=Follows("Y R^T", Y=Use(-1)))),
-        (r"\forall c \in V_3 : c^2 = 0 \Rightarrow c = \mathbf{0}", ByLength(Kernel())),
-        (r"\forall c, d \in V_3 : c^2 d^2 \geqslant (c \cdot d)^2", Squares(r"c \times d")),
+        (r"\exists X \in L(V_3, V_3) : X R = \mathbf{I}", ExistsIntroduction({"X": "R^T"})),
+        (
+            r"\exists! Q \in SO_3 : Q R = \mathbf{I}",
+            UniqueExists({"Q": "R^T"}, only=Congruence("Y R^T", Y=Instance(-1))),
+        ),
+        (r"\forall c \in V_3 : c^2 = 0 \Rightarrow c = \mathbf{0}", ZeroFromSquare(Kernel())),
+        (r"\forall c, d \in V_3 : c^2 d^2 \geqslant (c \cdot d)^2", SumOfSquares(r"c \times d")),
         (
             r"a = b \Leftrightarrow b = a",
-            Ways(Follows("Y", Y=Use(0, back=True)), Follows("Y", Y=Use(0, back=True))),
+            IffIntroduction(
+                Congruence("Y", Y=Instance(0, back=True)), Congruence("Y", Y=Instance(0, back=True))
+            ),
         ),
-        (r"a \neq b \Rightarrow a - b \neq \mathbf{0}", Contradicts(0, Follows("Y + b", Y=Use(-1)))),
+        (
+            r"a \neq b \Rightarrow a - b \neq \mathbf{0}",
+            NegationIntroduction(0, Congruence("Y + b", Y=Instance(-1))),
+        ),
         (
             r"\forall X \in L(V_3, V_3) : \Big( \forall c \in V_3 : X c = T c \Big) \Rightarrow X = T",
-            Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"}))),
+            Extensionality("d", Congruence("Y", Y=Instance(0, {"c": "d"}))),
         ),
         (
             r"\forall f \in V_3 \to V_3 : \Big( \forall c \in V_3 : f(2 c) = f(c) \Big) \Rightarrow f(2 (2 a)) = f(a)",
-            Given(Follows("Y + Z - f(2 a)", Y=Use(0, {"c": "2 a"}), Z=Use(0, {"c": "a"}))),
+            Introductions(
+                Congruence("Y + Z - f(2 a)", Y=Instance(0, {"c": "2 a"}), Z=Instance(0, {"c": "a"}))
+            ),
         ),
-        (r"\forall c \in \mathbb{R} : c^2 \geqslant 0", Squares("c")),
+        (r"\forall c \in \mathbb{R} : c^2 \geqslant 0", SumOfSquares("c")),
         (r"\forall n \geq 1 : F_n = T \Rightarrow a \times b = -b \times a", Kernel()),
     ],
 )
@@ -161,7 +171,7 @@ def test_formulas_beside_each_other_are_all_said(between):
 def test_the_scope_is_that_of_the_goal():
     telescoped = r"\forall n \geq 2 : F_n = F_{n-1} F_1 + \frac{d^{n-1}}{dt^{n-1}} [F_1]"
     telescoped += r" + \sum_{k=1}^{n-2} [\frac{d^k}{dt^k} (F_{n-k-1} F_1)]"
-    step = Follows(r"\dot{Y} + F_n F_1", Y=Use(-1))
+    step = Congruence(r"\dot{Y} + F_n F_1", Y=Instance(-1))
     assert outcome(telescoped, Induction(step=step)).scope == "all n ≥ 2"
     assert outcome(telescoped, Kernel()).outcome == Outcome.UNCHECKED  # for some n only
     assert outcome(telescoped.replace("k=1", "k=0"), Induction(step=step)).outcome == Outcome.UNCHECKED
@@ -183,66 +193,90 @@ def test_sums_by_leibniz(n):
     ("goal", "proof", "why"),
     [
         # a witness that hangs on what is bound behind it
-        (r"\exists c \in V_3 : \forall s \in V_3 : c = s", Witness({"c": "s"}), "s is bound again"),
-        (r"\exists c \in V_3 : \forall s \in V_3 : c = x", Witness({"c": "x"}), "s is bound again"),
+        (
+            r"\exists c \in V_3 : \forall s \in V_3 : c = s",
+            ExistsIntroduction({"c": "s"}),
+            "s is bound again",
+        ),
+        (
+            r"\exists c \in V_3 : \forall s \in V_3 : c = x",
+            ExistsIntroduction({"c": "x"}),
+            "s is bound again",
+        ),
         # a premise at an instant says nothing of derivatives
-        (r"a = b \Rightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0)), "may not be differentiated"),
         (
             r"a = b \Rightarrow \dot{a} = \dot{b}",
-            Follows(r"\mathbf{D} Y", Y=Use(0)),
+            Congruence(r"\dot{Y}", Y=Instance(0)),
+            "may not be differentiated",
+        ),
+        (
+            r"a = b \Rightarrow \dot{a} = \dot{b}",
+            Congruence(r"\mathbf{D} Y", Y=Instance(0)),
             "may not be differentiated",
         ),
         (
             r"a = b \Rightarrow \dot{a} - T a = \dot{b} - T b",
-            Follows(r"(\mathbf{D} - T) Y", Y=Use(0)),
+            Congruence(r"(\mathbf{D} - T) Y", Y=Instance(0)),
             "may not be differentiated",
         ),
         # what is constant under a derivative, with something that moves
         (
             r"\Big( \forall c \in V_3 : \frac{d}{dt} (T c) = \dot{T} c \Big) \Rightarrow"
             r" \frac{d}{dt} (T a) = \dot{T} a",
-            Follows("Y", Y=Use(0, {"c": "a"})),
+            Congruence("Y", Y=Instance(0, {"c": "a"})),
             "constant under a derivative",
         ),
         # a letter that a premise speaks of is not any vector any more
         (
             r"\forall c \in V_3 : c = a \Rightarrow \forall c \in V_3 : c = a",
-            Follows("Y", Y=Use(0)),
+            Congruence("Y", Y=Instance(0)),
             "stands in a premise already",
         ),
         # a member that is no member
-        (r"\exists Q \in SO_3 : Q = 2 R", Witness({"Q": "2 R"}), "refuted"),
-        (r"\exists c \in S^2 : c = a", Witness({"c": "a"}), "refuted"),
-        (r"\exists c \in V_3 : c = T", Witness({"c": "T"}), None),
-        (r"\exists c \in V_3 : 2 c = c + c", Witness({"c": "T"}), "what is given for it a tensor"),
+        (r"\exists Q \in SO_3 : Q = 2 R", ExistsIntroduction({"Q": "2 R"}), "refuted"),
+        (r"\exists c \in S^2 : c = a", ExistsIntroduction({"c": "a"}), "refuted"),
+        (r"\exists c \in V_3 : c = T", ExistsIntroduction({"c": "T"}), None),
+        (r"\exists c \in V_3 : 2 c = c + c", ExistsIntroduction({"c": "T"}), "what is given for it a tensor"),
         (
             r"\exists c \in V_3 : c^2 = (a \cdot b)^2",
-            Witness({"c": r"a \cdot b"}),
+            ExistsIntroduction({"c": r"a \cdot b"}),
             "given for it a scalar",
         ),
-        (r"\exists P \in A(D) : P + P = 2 P", Witness({"P": "a"}), "what is given for it a vector"),
+        (
+            r"\exists P \in A(D) : P + P = 2 P",
+            ExistsIntroduction({"P": "a"}),
+            "what is given for it a vector",
+        ),
         (
             r"\exists c \in V_3 : c = a + \varepsilon b",
-            Witness({"c": r"a + \varepsilon b"}),
+            ExistsIntroduction({"c": r"a + \varepsilon b"}),
             "it a dual vector",
         ),
-        (r"\exists c \in V_3 : c = a", Witness({"c": "a", "d": "a"}), "does not bind d"),
+        (r"\exists c \in V_3 : c = a", ExistsIntroduction({"c": "a", "d": "a"}), "does not bind d"),
         # below the range of a premise
         (
             r"\Big( \forall n \geq 2 : F_n = T \Big) \Rightarrow F_1 = T",
-            Follows("Y", Y=Use(0, {"n": "1"})),
+            Congruence("Y", Y=Instance(0, {"n": "1"})),
             "not seen to be 2 or more",
         ),
         # nothing is tested
         ("a = a", Kernel(), "same term"),
         (r"a \neq a \Rightarrow a = b", Kernel(), "premises contradict"),
         # a sum of squares of dual numbers is no bound
-        (r"\forall c \in \mathbb{R} : c \geqslant c", Squares(r"\varepsilon c"), "expected a real"),
-        (r"\forall c \in \mathbb{R} : c^2 \geqslant \varepsilon c", Squares("c"), "compares real scalars"),
-        (r"a = b \Rightarrow b = a", Follows("Y", Y=Use(1)), "there is no premise 1"),
-        (r"a = b = x \Rightarrow a = x", Follows("Y", Y=Use(0, part=2)), "no part 2"),
-        (r"\Big( \forall c \in V_3 : c = a \Big) \Rightarrow a \neq b", Contradicts(0), "no inequation"),
-        (r"\forall c \in \underline{V}_3 : c = \mathbf{0}", ByLength(), "no rule"),
+        (r"\forall c \in \mathbb{R} : c \geqslant c", SumOfSquares(r"\varepsilon c"), "expected a real"),
+        (
+            r"\forall c \in \mathbb{R} : c^2 \geqslant \varepsilon c",
+            SumOfSquares("c"),
+            "compares real scalars",
+        ),
+        (r"a = b \Rightarrow b = a", Congruence("Y", Y=Instance(1)), "there is no premise 1"),
+        (r"a = b = x \Rightarrow a = x", Congruence("Y", Y=Instance(0, part=2)), "no part 2"),
+        (
+            r"\Big( \forall c \in V_3 : c = a \Big) \Rightarrow a \neq b",
+            NegationIntroduction(0),
+            "no inequation",
+        ),
+        (r"\forall c \in \underline{V}_3 : c = \mathbf{0}", ZeroFromSquare(), "no rule"),
     ],
 )
 def test_invalid_proofs_are_rejected_by_the_rules(goal, proof, why):
@@ -257,7 +291,7 @@ def test_invalid_proofs_are_rejected_by_the_rules(goal, proof, why):
 
 def test_a_lasting_premise_may_be_differentiated():
     goal = r"a = b \Longrightarrow \dot{a} = \dot{b}"
-    assert outcome(goal, Follows(r"\dot{Y}", Y=Use(0))).outcome == Outcome.PROVED
+    assert outcome(goal, Congruence(r"\dot{Y}", Y=Instance(0))).outcome == Outcome.PROVED
 
 
 @pytest.mark.parametrize(
@@ -269,7 +303,7 @@ def test_a_lasting_premise_may_be_differentiated():
             r"\forall f \in V_3 \to V_3 : f(2 a) = 2 f(a) \Rightarrow f(a) = a",
             At({"f": "2 X"}, Broken(False_())),
         ),
-        (r"\exists c \in V_3 : c = a \wedge c = b", Impossible(Follows("Y - Z + b", Y=Use(-1, back=True), Z=Use(-1, part=1, back=True)), so="a = b")),
+        (r"\exists c \in V_3 : c = a \wedge c = b", Impossible(Congruence("Y - Z + b", Y=Instance(-1, back=True), Z=Instance(-1, part=1, back=True)), so="a = b")),
         (r"\forall n \geq 1 : F_n = F_{n+1}", At({"n": "1"}, False_())),
         (r"a \cdot b = 0 \Leftrightarrow a = \mathbf{0}", Part(0, False_())),
     ],
@@ -328,7 +362,7 @@ def test_only_universal_equations_of_a_goal_are_refuted(goal, found):
 )
 def test_all_squares_are_added(squares, found):
     goal = r"\forall c, d \in \mathbb{R} : c^2 + d^2 \geqslant 0"
-    assert outcome(goal, Squares(*squares)).outcome == found
+    assert outcome(goal, SumOfSquares(*squares)).outcome == found
 
 
 @pytest.mark.parametrize(
@@ -353,14 +387,14 @@ def test_a_conditional_goal_holds_for_its_integers():
         read_goal(rf"\forall n \geq 2 : {text}", where)
         for text in (r"a = b \Rightarrow F_n a = F_n b", "F_n a = F_n b")
     )
-    proven = Proven(Given(Follows("F_n Y", Y=Use(0))), At({"n": "2"}, False_()))
+    proven = Proven(Introductions(Congruence("F_n Y", Y=Instance(0))), At({"n": "2"}, False_()))
     found = prove(goal, where, Judge(where.definitions), proven, bare=bare)
     assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n ≥ 2")
 
 
 def test_steps_to_the_same_term_are_in_the_evidence():
-    back = Follows("Y", Y=Use(0, back=True))
-    found = outcome(r"a = b \Leftrightarrow b = a", Ways(back, back))
+    back = Congruence("Y", Y=Instance(0, back=True))
+    found = outcome(r"a = b \Leftrightarrow b = a", IffIntroduction(back, back))
     told = {each.method: each.outcome for each in found.evidence}
     same = "both sides are the same term"
     assert (told["goal, left side"], told["goal, right side"]) == (same, same)
@@ -409,7 +443,7 @@ def test_a_counterexample_satisfies_the_premises():
 def test_a_premise_at_an_instant_does_not_hold_at_all_times():
     where = scope()
     goal = read_goal(r"a = b \Longrightarrow \dot{a} = \dot{b}", where)
-    proven = Proven(against=Broken(False_(), Follows("Y", Y=Use(0))))
+    proven = Proven(against=Broken(False_(), Congruence("Y", Y=Instance(0))))
     assume = [where.statement("a = b")]
     assert prove(goal, where, Judge(where.definitions), proven, assume).outcome == Outcome.UNCHECKED
 
@@ -417,13 +451,13 @@ def test_a_premise_at_an_instant_does_not_hold_at_all_times():
 def test_cases_and_lemmas():
     goal = r"\forall c \in V_3 : \Big( c \neq \mathbf{0} \Rightarrow c^2 \frac{1}{c^2} = 1 \Big)"
     assert outcome(goal).outcome == Outcome.PROVED
-    cases = Cases(r"a = \mathbf{0}", Follows(r"Y \times b", Y=Use(-1)), Kernel())
+    cases = Cases(r"a = \mathbf{0}", Congruence(r"Y \times b", Y=Instance(-1)), Kernel())
     assert outcome(r"a \times b = \mathbf{0}", cases).outcome == Outcome.UNCHECKED
-    lemma = Have(r"a \times b = -b \times a", Kernel(), Follows("2 Y", Y=Use(-1)))
+    lemma = Cut(r"a \times b = -b \times a", Kernel(), Congruence("2 Y", Y=Instance(-1)))
     assert outcome(r"2 (a \times b) = -2 b \times a", lemma).outcome == Outcome.PROVED
-    false = Have(r"a \times b = b \times a", Kernel(), Follows("Y", Y=Use(-1)))
+    false = Cut(r"a \times b = b \times a", Kernel(), Congruence("Y", Y=Instance(-1)))
     assert outcome(r"a \times b = b \times a", false).outcome == Outcome.UNCHECKED
-    parts = Each(Kernel(), Kernel())
+    parts = AndIntroduction(Kernel(), Kernel())
     assert outcome(r"a + b = b + a ; a \times b = b \times a", parts).outcome == Outcome.UNCHECKED
 
 
@@ -431,12 +465,12 @@ def test_members_of_a_set_are_shown_letter_by_letter():
     """That T is a rotation is a premise; of R the judge knows it."""
     premise = r"T T^T = \mathbf{I} \wedge \det T = 1 \Rightarrow \det (R T) = 1"
     product = r"\forall P, Q \in SO_3 : \det (P Q) = 1"
-    is_one = Each(Follows("Y", Y=Use(1)), Follows("Y", Y=Use(1, part=1)))
-    is_none = Each(Follows("Y", Y=Use(1, part=1)), Follows("Y", Y=Use(1)))
+    is_one = AndIntroduction(Congruence("Y", Y=Instance(1)), Congruence("Y", Y=Instance(1, part=1)))
+    is_none = AndIntroduction(Congruence("Y", Y=Instance(1, part=1)), Congruence("Y", Y=Instance(1)))
 
     def of(values, **members):
-        use = Use(0, values, members=members)
-        return outcome(premise, Have(product, Kernel(), Given(Follows("Y", Y=use)))).outcome
+        use = Instance(0, values, members=members)
+        return outcome(premise, Cut(product, Kernel(), Introductions(Congruence("Y", Y=use)))).outcome
 
     assert of({"P": "R", "Q": "T"}, Q=is_one) == Outcome.PROVED
     assert of({"P": "R", "Q": "T"}, Q=is_none) == Outcome.UNCHECKED
@@ -446,23 +480,25 @@ def test_members_of_a_set_are_shown_letter_by_letter():
 
 def test_the_kernel_supposes_what_it_is_given():
     goal = r"a = b \Rightarrow 2 a = 2 b"
-    assert outcome(goal, Given(Kernel((0,)))).outcome == Outcome.PROVED
-    assert outcome(goal, Given(Kernel(()))).outcome != Outcome.PROVED
+    assert outcome(goal, Introductions(Kernel((0,)))).outcome == Outcome.PROVED
+    assert outcome(goal, Introductions(Kernel(()))).outcome != Outcome.PROVED
 
 
 @pytest.mark.parametrize("parts", [1, 3])
 @pytest.mark.parametrize("said", [r"2 a = a + a \wedge T - T = 0", r"2 a = a + a = \frac{4}{2} a"])
 def test_each_equation_of_a_statement_has_a_proof(said, parts):
-    found = outcome(said, Each(*[Kernel()] * parts))
+    found = outcome(said, AndIntroduction(*[Kernel()] * parts))
     assert found.outcome == Outcome.UNCHECKED and f"got {parts}" in found.reason
-    assert outcome(said, Each(Kernel(), Kernel())).outcome == Outcome.PROVED
+    assert outcome(said, AndIntroduction(Kernel(), Kernel())).outcome == Outcome.PROVED
 
 
 @pytest.mark.parametrize(
     ("chain", "at"), [(r"2 a = a + a = 3 a", "a + a = 3 a"), ("2 a = 3 a = a + 2 a", "2 a = 3 a")]
 )
 def test_each_link_of_a_chain_is_shown(chain, at):
-    found = outcome(chain, Each(Kernel(), Kernel()))
+    found = outcome(chain, AndIntroduction(Kernel(), Kernel()))
     assert found.outcome == Outcome.UNCHECKED and f"{at} is refuted" in found.reason
-    swapped = Each(Follows("Y", Y=Use(0)), Kernel())  # a proof of one link is none of another
-    assert outcome(r"a = b \Rightarrow a = b = 2 b", Given(swapped)).outcome == Outcome.UNCHECKED
+    swapped = AndIntroduction(
+        Congruence("Y", Y=Instance(0)), Kernel()
+    )  # a proof of one link is none of another
+    assert outcome(r"a = b \Rightarrow a = b = 2 b", Introductions(swapped)).outcome == Outcome.UNCHECKED

@@ -8,47 +8,47 @@ from workbench.core.verdict import Outcome
 from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import expand
 from workbench.language.goals.proofs import (
+    AndIntroduction,
     Broken,
-    Each,
+    Congruence,
+    Cut,
     False_,
-    Follows,
-    Given,
-    Have,
+    Instance,
+    Introductions,
     Kernel,
     TwoWitnesses,
-    Use,
 )
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
 
-_THEREFORE = Given(Follows("Y", Y=Use(0, {"z": "c"})))
-_VANISHES = Have(
+_THEREFORE = Introductions(Congruence("Y", Y=Instance(0, {"z": "c"})))
+_VANISHES = Cut(
     r"\forall z \in V_3^\mathbb{R} : z = \mathbf{0} \Longrightarrow \dot{z} = \mathbf{0}",
-    Given(Follows(r"\dot{Y}", Y=Use(-1))),
+    Introductions(Congruence(r"\dot{Y}", Y=Instance(-1))),
     _THEREFORE,
 )
-_PRODUCT = Have(
+_PRODUCT = Cut(
     r"\forall z \in V_3^\mathbb{R} : z = \mathbf{0} \Rightarrow z \times s = \mathbf{0}",
-    Given(Follows(r"Y \times s", Y=Use(-1))),
-    Given(Follows(r"\dot{Y}", Y=Use(0, {"z": "c"}))),
+    Introductions(Congruence(r"Y \times s", Y=Instance(-1))),
+    Introductions(Congruence(r"\dot{Y}", Y=Instance(0, {"z": "c"}))),
 )
-_ORTHOGONAL = Have(
+_ORTHOGONAL = Cut(
     r"\forall z \in V_3 : z \cdot a = 0 \Longrightarrow z \cdot \dot{a} = 0",
-    Given(Follows(r"\dot{Y}", Y=Use(-1))),
+    Introductions(Congruence(r"\dot{Y}", Y=Instance(-1))),
     _THEREFORE,
 )
-_IS_A_ROTATION = Each(Follows("Y", Y=Use(1)), Follows("Y", Y=Use(1, part=1)))
-_SPIN = Have(
+_IS_A_ROTATION = AndIntroduction(Congruence("Y", Y=Instance(1)), Congruence("Y", Y=Instance(1, part=1)))
+_SPIN = Cut(
     r"\forall Q \in SO_3^\mathbb{R} : \dot{Q} Q^T = -(\dot{Q} Q^T)^T",
     Kernel(),
-    Given(Follows("Y", Y=Use(0, {"Q": "T"}, members=_IS_A_ROTATION))),
+    Introductions(Congruence("Y", Y=Instance(0, {"Q": "T"}, members=_IS_A_ROTATION))),
 )
-_EACH_OTHER = Have(
+_EACH_OTHER = Cut(
     r"\forall z \in L(V_3, V_3) : \Big( \forall n \geq 1 : z = F_n \Big) \Rightarrow \forall n \geq 1 :"
     r" F_n = F_{n+1}",
-    Given(Follows("Y + Z - z", Y=Use(0, {"n": "n"}, back=True), Z=Use(0, {"n": "n+1"}))),
-    Given(Follows("Y", Y=Use(0, {"z": "F_n", "n": "n"}))),
+    Introductions(Congruence("Y + Z - z", Y=Instance(0, {"n": "n"}, back=True), Z=Instance(0, {"n": "n+1"}))),
+    Introductions(Congruence("Y", Y=Instance(0, {"z": "F_n", "n": "n"}))),
 )
 _N_TIMES = r"\forall z \in V_3^\mathbb{R} : \forall n \geq 1 : \sum_{k=1}^n z = \sum_{j=1}^n z"
 
@@ -88,12 +88,12 @@ def test_equations_at_an_instant_are_not_differentiated(true, false, proof):
     [
         (
             r"\forall n \geq 1 : \Big( F_n = T \Rightarrow \forall n \geq 1 : F_n = T \Big)",
-            Given(Follows("Y", Y=Use(0))),
+            Introductions(Congruence("Y", Y=Instance(0))),
         ),
         (r"\forall n \geq 1 : F_n = F_{n+1}", _EACH_OTHER),
         (
             r"\forall k \geq 1 : \forall m \geq 1 : \sum_{j=1}^m F_j a = \sum_{l=1}^m F_k a",
-            Have(_N_TIMES, Kernel(), Given(Follows("Y", Y=Use(0, {"z": "F_k a", "n": "m"})))),
+            Cut(_N_TIMES, Kernel(), Introductions(Congruence("Y", Y=Instance(0, {"z": "F_k a", "n": "m"})))),
         ),
     ],
 )
@@ -120,7 +120,7 @@ def test_claims_for_all_times_are_not_refuted_at_one_instant():
         outcome(at_once.replace(r"\dot{c} =", r"\dot{c} = a +"), against=False_()).outcome == Outcome.REFUTED
     )
     supposed = r"a = b \Rightarrow \Big( a = b \Longrightarrow \dot{a} = \dot{b} \Big)"
-    for against in (False_(), Broken(Broken(False_(), Follows("Y", Y=Use(0))))):
+    for against in (False_(), Broken(Broken(False_(), Congruence("Y", Y=Instance(0))))):
         assert outcome(supposed, against=against).outcome == Outcome.UNCHECKED
 
 

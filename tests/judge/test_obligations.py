@@ -5,23 +5,23 @@ import pytest
 from tests.judge.test_goals import scope
 from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.proofs import (
-    ByLength,
+    AndIntroduction,
     Cases,
-    Contradicts,
-    Each,
-    Follows,
-    Given,
-    Have,
+    Congruence,
+    Cut,
+    ExistsElimination,
+    ExistsIntroduction,
+    Extensionality,
+    IffIntroduction,
     Induction,
+    Instance,
+    Introductions,
     Kernel,
-    Obtain,
-    OnCircle,
-    Pointwise,
-    Squares,
-    Unique,
-    Use,
-    Ways,
-    Witness,
+    NegationIntroduction,
+    SumOfSquares,
+    UniqueExists,
+    UnitCircleAxiom,
+    ZeroFromSquare,
 )
 from workbench.language.printing.printer import to_latex
 from workbench.prover.goals.proof_rules import obligations
@@ -38,14 +38,14 @@ ASKED = [
     ),
     (
         r"\exists X \in L(V_3, V_3) : X R = \mathbf{I}",
-        Witness({"X": "R^T"}),
+        ExistsIntroduction({"X": "R^T"}),
         [
             r"formula: R^{T} R = \mathbf{I}",
         ],
     ),
     (
         r"\exists Q \in SO_3 : Q R = \mathbf{I}",
-        Witness({"Q": "R^{-1}"}),
+        ExistsIntroduction({"Q": "R^{-1}"}),
         [
             r"witness: a member of its set: R^{-1} \left[R^{-1}\right]^{T} = \mathbf{I}",
             r"witness: a member of its set: \det\left(R^{-1}\right) = 1",
@@ -54,7 +54,7 @@ ASKED = [
     ),
     (
         r"a = b \Rightarrow \exists Q \in SO_3 : Q a = b",
-        Witness({"Q": r"\mathbf{I}"}, using=()),
+        ExistsIntroduction({"Q": r"\mathbf{I}"}, using=()),
         [
             r"witness: a member of its set: \mathbf{I} \mathbf{I}^{T} = \mathbf{I}",
             r"witness: a member of its set: \det\left(\mathbf{I}\right) = 1",
@@ -63,7 +63,7 @@ ASKED = [
     ),
     (
         r"\exists c \in S^2 : c \cdot a = 0",
-        Witness({"c": "b"}),
+        ExistsIntroduction({"c": "b"}),
         [
             r"witness: a member of its set: b \cdot b = 1",
             r"formula: b \cdot a = 0",
@@ -71,7 +71,7 @@ ASKED = [
     ),
     (
         r"\exists! Q \in SO_3 : Q R = \mathbf{I}",
-        Unique({"Q": "R^T R R^T"}, only=Follows("Y R^T", Y=Use(-1))),
+        UniqueExists({"Q": "R^T R R^T"}, only=Congruence("Y R^T", Y=Instance(-1))),
         [
             r"∃!: a member of its set: R^{T} R R^{T} \left[R^{T} R R^{T}\right]^{T} = \mathbf{I}",
             r"∃!: a member of its set: \det\left(R^{T} R R^{T}\right) = 1",
@@ -82,7 +82,7 @@ ASKED = [
     ),
     (
         r"\exists! c, d \in V_3 : c = a \wedge d = b",
-        Unique({"c": "a", "d": "b"}),
+        UniqueExists({"c": "a", "d": "b"}),
         [
             "formula: a = a",
             "formula: b = b",
@@ -92,28 +92,30 @@ ASKED = [
     ),
     (
         r"\forall c \in V_3 : c^2 = 0 \Rightarrow c = \mathbf{0}",
-        ByLength(Kernel()),
+        ZeroFromSquare(Kernel()),
         [
             "formula: c^{2} = 0 | c^{2} = 0",
         ],
     ),
     (
         r"\forall c \in \mathbb{R} : c^2 = 0 \Rightarrow c = 0",
-        Given(ByLength(Kernel(()))),
+        Introductions(ZeroFromSquare(Kernel(()))),
         [
             "formula: c^{2} = 0",
         ],
     ),
     (
         r"\forall c, d \in V_3 : c^2 d^2 \geqslant (c \cdot d)^2",
-        Squares(r"c \times d", "0 c"),
+        SumOfSquares(r"c \times d", "0 c"),
         [
             r"≥: a sum of squares more: c^{2} d^{2} = \left(c \cdot d\right)^{2} + \left(\left(c \times d\right)^{2} + \left(0 c\right)^{2}\right)",
         ],
     ),
     (
         r"a = b \Leftrightarrow b = a",
-        Ways(Follows("Y", Y=Use(0, back=True)), Follows("2 Y - a", Y=Use(0, back=True))),
+        IffIntroduction(
+            Congruence("Y", Y=Instance(0, back=True)), Congruence("2 Y - a", Y=Instance(0, back=True))
+        ),
         [
             "left side: b = b",
             "right side: a = a",
@@ -123,7 +125,7 @@ ASKED = [
     ),
     (
         r"a \neq b \Rightarrow \frac{a}{b^2} \neq \mathbf{0}",
-        Contradicts(0, Follows("Y + b", Y=Use(-1))),
+        NegationIntroduction(0, Congruence("Y + b", Y=Instance(-1))),
         [
             r"defined: \left(\frac{a}{b^{2}} + \mathbf{0}\right) - \left(\frac{a}{b^{2}} + \mathbf{0}\right) = \mathbf{0} | a \neq b",
             r"left side: a = \frac{a}{b^{2}} + b | a \neq b",
@@ -132,7 +134,7 @@ ASKED = [
     ),
     (
         r"\forall X \in L(V_3, V_3) : \Big( \forall c \in V_3 : X c = T c \Big) \Rightarrow X = T",
-        Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"}))),
+        Extensionality("d", Congruence("Y", Y=Instance(0, {"c": "d"}))),
         [
             "left side: X d = X d",
             "right side: T d = T d",
@@ -140,21 +142,21 @@ ASKED = [
     ),
     (
         r"a = b",
-        Pointwise("d", Kernel()),
+        Extensionality("d", Kernel()),
         [
             r"formula: d \cdot a = d \cdot b",
         ],
     ),
     (
         r"\varepsilon a = \varepsilon b",
-        Pointwise("d", Kernel()),
+        Extensionality("d", Kernel()),
         [
             r"formula: d \cdot \varepsilon a = d \cdot \varepsilon b",
         ],
     ),
     (
         r"\forall f \in V_3 \to V_3 : \Big( \forall c \in V_3 : f(2 c) = f(c) \Big) \Rightarrow f(2 (2 a)) = f(a)",
-        Given(Follows("Y + Z - f(2 a)", Y=Use(0, {"c": "2 a"}), Z=Use(0, {"c": "a"}))),
+        Introductions(Congruence("Y + Z - f(2 a)", Y=Instance(0, {"c": "2 a"}), Z=Instance(0, {"c": "a"}))),
         [
             r"left side: f\left(2 \left(2 a\right)\right) = f\left(2 \left(2 a\right)\right) + f\left(2 a\right) - f\left(2 a\right)",
             r"right side: f\left(2 a\right) + f\left(a\right) - f\left(2 a\right) = f\left(a\right)",
@@ -162,7 +164,7 @@ ASKED = [
     ),
     (
         r"a \times b = \mathbf{0}",
-        Cases(r"\frac{a}{b^2} = \mathbf{0}", Follows(r"Y \times b", Y=Use(-1)), Kernel()),
+        Cases(r"\frac{a}{b^2} = \mathbf{0}", Congruence(r"Y \times b", Y=Instance(-1)), Kernel()),
         [
             r"defined: \left(\frac{a}{b^{2}} + \mathbf{0}\right) - \left(\frac{a}{b^{2}} + \mathbf{0}\right) = \mathbf{0}",
             r"left side: a \times b = \frac{a}{b^{2}} \times b",
@@ -172,7 +174,7 @@ ASKED = [
     ),
     (
         r"2 (a \times b) = -2 b \times a",
-        Have(r"a \times b = -b \times a", Kernel(), Follows("2 Y", Y=Use(-1))),
+        Cut(r"a \times b = -b \times a", Kernel(), Congruence("2 Y", Y=Instance(-1))),
         [
             r"formula: a \times b = -b \times a",
             r"left side: 2 \left(a \times b\right) = 2 \left(a \times b\right)",
@@ -181,21 +183,21 @@ ASKED = [
     ),
     (
         r"a = b \Rightarrow 2 a = 2 b",
-        Given(Kernel((0,))),
+        Introductions(Kernel((0,))),
         [
             "formula: 2 a = 2 b | a = b",
         ],
     ),
     (
         r"a = b \Rightarrow 2 a = 2 b",
-        Given(Kernel(())),
+        Introductions(Kernel(())),
         [
             "formula: 2 a = 2 b",
         ],
     ),
     (
         r"2 a = a + a \wedge T - T = 0",
-        Each(Kernel(), Kernel()),
+        AndIntroduction(Kernel(), Kernel()),
         [
             "formula: 2 a = a + a",
             r"formula: T - T = \mathbf{0}",
@@ -211,7 +213,7 @@ ASKED = [
     ),
     (
         r"2 a = a + a = 2 a",
-        Each(Kernel(), Kernel()),
+        AndIntroduction(Kernel(), Kernel()),
         [
             "formula: 2 a = a + a",
             "formula: a + a = 2 a",
@@ -219,7 +221,7 @@ ASKED = [
     ),
     (
         r"\forall n \geq 2 : F_n = F_n^T",
-        Induction(begin=Kernel(), step=Follows(r"Y^T", Y=Use(-1))),
+        Induction(begin=Kernel(), step=Congruence(r"Y^T", Y=Instance(-1))),
         [
             "formula: F_{2} = F_{2}^{T}",
             "left side: F_{n+1} = F_{n}^{T} | n ≥ 2",
@@ -228,7 +230,7 @@ ASKED = [
     ),
     (
         r"\forall n \geq 2 : F_n = F_n^T",
-        Induction(step=Follows(r"Y^T", Y=Use(-1, {"k": "n"})), letter="k"),
+        Induction(step=Congruence(r"Y^T", Y=Instance(-1, {"k": "n"})), letter="k"),
         [
             "formula: F_{2} = F_{2}^{T}",
             "left side: F_{n+1} = F_{n}^{T} | n ≥ 2",
@@ -237,7 +239,9 @@ ASKED = [
     ),
     (
         r"\Big( \exists c \in V_3 : T c = a \Big) \Rightarrow \exists d \in V_3 : T d = 2 a",
-        Given(Obtain(0, Witness({"d": "2 c"}, Follows("2 Y", Y=Use(-1))))),
+        Introductions(
+            ExistsElimination(0, ExistsIntroduction({"d": "2 c"}, Congruence("2 Y", Y=Instance(-1))))
+        ),
         [
             r"left side: T \left[2 c\right] = 2 \left(T c\right)",
             "right side: 2 a = 2 a",
@@ -245,23 +249,27 @@ ASKED = [
     ),
     (
         r"\forall c, d \in \mathbb{R} : c^2 + d^2 = 1 \Rightarrow \exists p \in \mathbb{R} : \cos p = c \wedge \sin p = d",
-        OnCircle(),
+        UnitCircleAxiom(),
         [
             "∃: the angle of a point of the unit circle: c^{2} + d^{2} = 1 | c^{2} + d^{2} = 1",
         ],
     ),
     (
         r"T T^T = \mathbf{I} \wedge \det T = 1 \Rightarrow \det (R T) = 1",
-        Have(
+        Cut(
             r"\forall P, Q \in SO_3 : \det (P Q) = 1",
             Kernel(),
-            Given(
-                Follows(
+            Introductions(
+                Congruence(
                     "Y",
-                    Y=Use(
+                    Y=Instance(
                         0,
                         {"P": "R", "Q": "T"},
-                        members={"Q": Each(Follows("Y", Y=Use(1)), Follows("Y", Y=Use(1, part=1)))},
+                        members={
+                            "Q": AndIntroduction(
+                                Congruence("Y", Y=Instance(1)), Congruence("Y", Y=Instance(1, part=1))
+                            )
+                        },
                     ),
                 )
             ),
@@ -278,7 +286,7 @@ ASKED = [
     ),
     (
         r"a = b \Longrightarrow \dot{a} = \dot{b}",
-        Follows(r"\dot{Y}", Y=Use(0)),
+        Congruence(r"\dot{Y}", Y=Instance(0)),
         [
             r"left side: \dot{a} = \dot{a}",
             r"right side: \dot{b} = \dot{b}",
@@ -286,7 +294,7 @@ ASKED = [
     ),
     (
         r"a = b \wedge T a = b \Rightarrow T a = a",
-        Follows(r"Y - Z + a", Y=Use(0, part=1), Z=Use(0, back=False)),
+        Congruence(r"Y - Z + a", Y=Instance(0, part=1), Z=Instance(0, back=False)),
         [
             "left side: T a = T a - a + a",
             "right side: b - b + a = a",
@@ -294,7 +302,7 @@ ASKED = [
     ),
     (
         r"\Big( a = b \Rightarrow T a = b \Big) \Rightarrow a = b \Rightarrow T b = a",
-        Follows("Y", Y=Use(0)),
+        Congruence("Y", Y=Instance(0)),
         [
             "left side: T b = T a",
             "right side: b = a",
@@ -302,7 +310,7 @@ ASKED = [
     ),
     (
         r"\Big( a = b \Rightarrow T a = b \Big) \Rightarrow T b = a",
-        Follows("Y", Y=Use(0)),
+        Congruence("Y", Y=Instance(0)),
         [
             "formula: a = b",
             "left side: T b = T a",
@@ -311,7 +319,7 @@ ASKED = [
     ),
     (
         r"a \neq b \Rightarrow a = 2 b \Rightarrow T a = b",
-        Follows("Y", Y=Use(1)),
+        Congruence("Y", Y=Instance(1)),
         [
             r"left side: T a = a | a \neq b",
             r"right side: 2 b = b | a \neq b",
@@ -319,7 +327,7 @@ ASKED = [
     ),
     (
         r"\Big( \forall n \geq 2 : F_n = T \Big) \Rightarrow \forall m \geq 1 : F_{m+3} = T",
-        Follows("Y", Y=Use(0, {"n": "m+3"})),
+        Congruence("Y", Y=Instance(0, {"n": "m+3"})),
         [
             "left side: F_{m+3} = F_{m+3} | m ≥ 1",
             "right side: T = T | m ≥ 1",

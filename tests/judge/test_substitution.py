@@ -8,7 +8,7 @@ from workbench.core.verdict import Outcome
 from workbench.language.definition_entries import read_definitions
 from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.goals import GoalError
-from workbench.language.goals.proofs import Follows, Given, Kernel, Use
+from workbench.language.goals.proofs import Congruence, Instance, Introductions, Kernel
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
 from workbench.prover.goals.sequents import integers_of
@@ -104,13 +104,15 @@ def test_no_letter_of_a_term_is_bound_by_the_goal(goal, terms, why):
 @pytest.mark.parametrize("place", PLACES)
 def test_a_letter_of_a_premise_is_not_any_member_of_its_set(place):
     premise = place.replace("{}", "c")
-    found = outcome(rf"\forall c \in V_3 : {premise} \Rightarrow \forall c \in V_3 : c = b", Given(Kernel()))
+    found = outcome(
+        rf"\forall c \in V_3 : {premise} \Rightarrow \forall c \in V_3 : c = b", Introductions(Kernel())
+    )
     assert found.outcome == Outcome.UNCHECKED and "c stands in a premise already" in found.reason
 
 
 def test_letters_bound_by_a_premise_are_arbitrary():
     goal = r"\Big( \forall c \in V_3 : c = a \Big) \Rightarrow \forall c \in V_3 : c = a"
-    assert outcome(goal, Given(Follows("Y", Y=Use(0, {"c": "c"})))).outcome == Outcome.PROVED
+    assert outcome(goal, Introductions(Congruence("Y", Y=Instance(0, {"c": "c"})))).outcome == Outcome.PROVED
 
 
 def test_definitions_that_use_a_letter_are_expanded():

@@ -13,16 +13,16 @@ from workbench.language.definition_entries import read_definitions
 from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.goals import Scope
 from workbench.language.goals.proofs import (
-    Each,
-    Follows,
-    Given,
-    Have,
+    AndIntroduction,
+    BinomialInduction,
+    Congruence,
+    Cut,
     Induction,
+    Instance,
+    Introductions,
     Kernel,
-    Pascal,
     Proven,
-    Termwise,
-    Use,
+    SumCongruence,
 )
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
@@ -65,9 +65,9 @@ LEIBNIZ = r"\forall n \geq 0 : (T a)^{(n)} = \sum_{k=0}^n C_n^k T^{(n-k)} a^{(k)
 OPERATORS = r"\forall n \geq 0 : a^{(n)} = \sum_{k=0}^n C_n^k F_{n-k}(x) ((\mathbf{D} - \tilde{x})^k a)"
 TENSORS = r"\forall n \geq 0 : F_n(a + b) = \sum_{k=0}^n C_n^k F_{n-k}(a) G_k(a, b)"
 PROOFS = {
-    LEIBNIZ: Pascal(r"T^{(j)} a^{(k)}"),
-    OPERATORS: Pascal(r"F_j(x) ((\mathbf{D} - \tilde{x})^k a)"),
-    TENSORS: Pascal(r"F_j(a) G_k(a, b)", step=r"\dot{Y} + Y \widetilde{a + b}"),
+    LEIBNIZ: BinomialInduction(r"T^{(j)} a^{(k)}"),
+    OPERATORS: BinomialInduction(r"F_j(x) ((\mathbf{D} - \tilde{x})^k a)"),
+    TENSORS: BinomialInduction(r"F_j(a) G_k(a, b)", step=r"\dot{Y} + Y \widetilde{a + b}"),
 }
 
 
@@ -96,21 +96,21 @@ class TestPascal:
     @pytest.mark.parametrize(
         ("goal", "proof"),
         [
-            (LEIBNIZ, Pascal(r"T^{(k)} a^{(j)}")),  # the wrong way round
-            (LEIBNIZ, Pascal(r"T^{(j)} a^{(k)}", step=r"2 \dot{Y}")),
-            (LEIBNIZ, Pascal(r"T^{(j+1)} a^{(k)}")),  # begins with another
-            (TENSORS, Pascal(r"F_j(a) G_k(a, b)")),  # the step of another family
-            (TENSORS, Pascal(r"F_j(a) G_k(b, a)", step=r"\dot{Y} + Y \widetilde{a + b}")),
+            (LEIBNIZ, BinomialInduction(r"T^{(k)} a^{(j)}")),  # the wrong way round
+            (LEIBNIZ, BinomialInduction(r"T^{(j)} a^{(k)}", step=r"2 \dot{Y}")),
+            (LEIBNIZ, BinomialInduction(r"T^{(j+1)} a^{(k)}")),  # begins with another
+            (TENSORS, BinomialInduction(r"F_j(a) G_k(a, b)")),  # the step of another family
+            (TENSORS, BinomialInduction(r"F_j(a) G_k(b, a)", step=r"\dot{Y} + Y \widetilde{a + b}")),
             (r"\forall n \geq 0 : F_n(a + b) = \sum_{k=0}^n C_n^k F_{n-k}(a) F_k(b)",
-             Pascal(r"F_j(a) F_k(b)", step=r"\dot{Y} + Y \widetilde{a + b}")),
-            (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", Pascal("f", step="Y Y")),  # not additive
-            (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", Pascal("f", step="2 Y")),
-            (r"\forall n \geq 0 : (T a)^{(n)} = T^{(n)} a", Pascal(r"T^{(j)} a^{(k)}")),  # no sum
-            (LEIBNIZ.replace("(T a)", "(2 T a)"), Pascal(r"T^{(j)} a^{(k)}")),  # begins with another
-            (LEIBNIZ, Pascal(r"T^{(n)} a^{(k)}")),  # no integer there
-            (r"\forall n \geq 0 : z_n = \sum_{k=0}^n C_n^k 1", Pascal("1", step="2 Y^2")),  # not additive
-            (LEIBNIZ.replace("n", "j"), Pascal(r"T^{(j)} a^{(k)}")),  # j is bound already
-            (rf"\forall k \geq 0 : {LEIBNIZ.replace('k', 'l')}", Pascal(r"T^{(j)} a^{(k)}")),
+             BinomialInduction(r"F_j(a) F_k(b)", step=r"\dot{Y} + Y \widetilde{a + b}")),
+            (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", BinomialInduction("f", step="Y Y")),  # not additive
+            (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", BinomialInduction("f", step="2 Y")),
+            (r"\forall n \geq 0 : (T a)^{(n)} = T^{(n)} a", BinomialInduction(r"T^{(j)} a^{(k)}")),  # no sum
+            (LEIBNIZ.replace("(T a)", "(2 T a)"), BinomialInduction(r"T^{(j)} a^{(k)}")),  # begins with another
+            (LEIBNIZ, BinomialInduction(r"T^{(n)} a^{(k)}")),  # no integer there
+            (r"\forall n \geq 0 : z_n = \sum_{k=0}^n C_n^k 1", BinomialInduction("1", step="2 Y^2")),  # not additive
+            (LEIBNIZ.replace("n", "j"), BinomialInduction(r"T^{(j)} a^{(k)}")),  # j is bound already
+            (rf"\forall k \geq 0 : {LEIBNIZ.replace('k', 'l')}", BinomialInduction(r"T^{(j)} a^{(k)}")),
         ],
     )  # fmt: skip
     def test_a_wrong_term_or_step_shows_nothing(self, goal, proof):
@@ -127,9 +127,9 @@ class TestPascal:
 
     def test_premises_at_an_instant_do_not_last(self):
         once = rf"T a = b \Rightarrow {LEIBNIZ.replace('(T a)', 'b')}"
-        begin = Follows("Y", Y=Use(0, back=True))
+        begin = Congruence("Y", Y=Instance(0, back=True))
         follow = Kernel()
-        proof = Pascal(r"T^{(j)} a^{(k)}", begin=begin, follow=follow)
+        proof = BinomialInduction(r"T^{(j)} a^{(k)}", begin=begin, follow=follow)
         found = outcome(once, proof)
         assert found.outcome == Outcome.UNCHECKED and "may not be differentiated" in found.reason
         assert outcome(once.replace("Rightarrow", "Longrightarrow"), proof).outcome == Outcome.PROVED
@@ -139,7 +139,7 @@ class TestDerivativesOfAnyOrder:
     """Of sums of orders, of matrices of any size, and of sums."""
 
     SHIFTED = r"\forall m, n \geq 0 : (M N^{(m)})^{(n)} = \sum_{i=0}^n C_n^i M^{(n-i)} N^{(m+i)}"
-    PASCAL = Pascal("M^{(j)} N^{(m+k)}")
+    PASCAL = BinomialInduction("M^{(j)} N^{(m+k)}")
 
     def test_leibniz_of_matrices_with_two_orders(self):
         found = outcome(self.SHIFTED, self.PASCAL)
@@ -208,10 +208,10 @@ class TestTermwise:
     )
     def test_a_premise_for_each_addend(self, goal, value):
         n = "{j+k}" if value == "j" else "{k+j-1}"
-        proof = Given(Termwise("k", Follows(f"C_{n}^k Y c_k", Y=Use(0, {"n": value}))))
+        proof = Introductions(SumCongruence("k", Congruence(f"C_{n}^k Y c_k", Y=Instance(0, {"n": value}))))
         assert outcome(self.PREMISE + goal, proof).outcome == Outcome.PROVED
         other = {"j": "k", "k": "j"}[value]
-        wrong = Given(Termwise("k", Follows(f"C_{n}^k Y c_k", Y=Use(0, {"n": other}))))
+        wrong = Introductions(SumCongruence("k", Congruence(f"C_{n}^k Y c_k", Y=Instance(0, {"n": other}))))
         assert outcome(self.PREMISE + goal, wrong).outcome == Outcome.UNCHECKED
 
     @pytest.mark.parametrize(
@@ -224,7 +224,7 @@ class TestTermwise:
         ],
     )
     def test_other_sums_are_not_equal_by_it(self, goal):
-        proof = Given(Termwise("k", Follows("Y c_k", Y=Use(0, {"n": "k"}))))
+        proof = Introductions(SumCongruence("k", Congruence("Y c_k", Y=Instance(0, {"n": "k"}))))
         assert outcome(self.PREMISE + goal, proof).outcome == Outcome.UNCHECKED
 
     ALIKE = r"\Big( \forall m \geq 1 : a^{(m)} = b^{(m)} \Big) \Rightarrow \forall n \geq 0 : "
@@ -235,8 +235,10 @@ class TestTermwise:
     def test_each_addend_is_looked_at(self, order, value, other):
         """For k = 0, and for k = n, the premise says nothing."""
         goal = rf"\sum_{{k=0}}^n a^{{({order})}} = \sum_{{k=0}}^n b^{{({order})}}"
-        proof = Given(Termwise("k", Follows("Y", Y=Use(0, {"m": value}))))
-        later = Given(Termwise("k", Follows("Y", Y=Use(0, {"m": value if value == "k" else "j+1"}))))
+        proof = Introductions(SumCongruence("k", Congruence("Y", Y=Instance(0, {"m": value}))))
+        later = Introductions(
+            SumCongruence("k", Congruence("Y", Y=Instance(0, {"m": value if value == "k" else "j+1"})))
+        )
         assert outcome(self.ALIKE + goal, proof).outcome == Outcome.UNCHECKED
         shorter = goal.replace(r"\sum_{k=0}^n", other)
         if value == "j":
@@ -253,12 +255,17 @@ class TestTermwise:
         ],
     )
     def test_invalid_sums_to_n_are_unchecked(self, goal, why):
-        found = outcome(self.PREMISE + goal, Given(Termwise("k", Follows("Y c_k", Y=Use(0, {"n": "k"})))))
+        found = outcome(
+            self.PREMISE + goal,
+            Introductions(SumCongruence("k", Congruence("Y c_k", Y=Instance(0, {"n": "k"})))),
+        )
         assert found.outcome == Outcome.UNCHECKED and why in found.reason
 
     def test_its_letter_is_no_other(self):
         goal = self.PREMISE + r"\sum_{k=0}^n F_k(a) c_k = \sum_{k=0}^n F_k(b) c_k"
-        found = outcome(goal, Given(Termwise("n", Follows("Y c_n", Y=Use(0, {"n": "n"})))))
+        found = outcome(
+            goal, Introductions(SumCongruence("n", Congruence("Y c_n", Y=Instance(0, {"n": "n"}))))
+        )
         assert found.outcome == Outcome.UNCHECKED and "n is an integer already" in found.reason
 
 
@@ -266,9 +273,11 @@ class TestChains:
     """Sums and products over m bodies by recursion."""
 
     SUM = r"\forall m \geq 0 : s_m = \sum_{k=0}^m c_k"
-    BY_SUM = Induction(step=Follows("Y + c_{m+1}", Y=Use(-1)))
+    BY_SUM = Induction(step=Congruence("Y + c_{m+1}", Y=Instance(-1)))
     ORTHOGONAL = r"\forall m \geq 0 : Q_m Q_m^T = \mathbf{I} \wedge \det Q_m = 1"
-    BY_FACTORS = Induction(step=Each(Follows("Y", Y=Use(-1)), Follows("Y", Y=Use(-1, part=1))))
+    BY_FACTORS = Induction(
+        step=AndIntroduction(Congruence("Y", Y=Instance(-1)), Congruence("Y", Y=Instance(-1, part=1)))
+    )
 
     def test_by_induction(self):
         assert outcome(self.SUM, self.BY_SUM).scope == "all m ≥ 0"
@@ -294,15 +303,17 @@ class TestChains:
     def test_a_product_is_a_rotation_by_its_proof_alone(self):
         turned = r"\forall S \in SO_3 : (S a) \times (S b) = S (a \times b)"
         goal = r"\forall m \geq 0 : (Q_m a) \times (Q_m b) = Q_m (a \times b)"
-        members = Each(Follows("Y", Y=Use(0, {"m": "m"})), Follows("Y", Y=Use(0, {"m": "m"}, part=1)))
+        members = AndIntroduction(
+            Congruence("Y", Y=Instance(0, {"m": "m"})), Congruence("Y", Y=Instance(0, {"m": "m"}, part=1))
+        )
 
         def proof(**options):
-            instance = Follows("Y", Y=Use(1, {"S": "Q_m"}, **options))
-            return Have(self.ORTHOGONAL, self.BY_FACTORS, Have(turned, Kernel(), Given(instance)))
+            instance = Congruence("Y", Y=Instance(1, {"S": "Q_m"}, **options))
+            return Cut(self.ORTHOGONAL, self.BY_FACTORS, Cut(turned, Kernel(), Introductions(instance)))
 
         assert outcome(goal, proof(members=members)).outcome == Outcome.PROVED
         assert outcome(goal, proof()).outcome == Outcome.UNCHECKED
-        other = Each(members.proofs[0], members.proofs[0])
+        other = AndIntroduction(members.proofs[0], members.proofs[0])
         assert outcome(goal, proof(members=other)).outcome == Outcome.UNCHECKED
 
 
@@ -312,13 +323,13 @@ class TestFunctions:
     @pytest.mark.parametrize("function", ["q({})", "F_2({})"])
     def test_no_equation_at_an_instant_goes_into_it(self, function):
         goal = rf"a = b \Rightarrow {function.format('a')} = {function.format('b')}"
-        proof = Follows(function.format("Y"), Y=Use(0))
+        proof = Congruence(function.format("Y"), Y=Instance(0))
         assert outcome(goal, proof).outcome == Outcome.UNCHECKED
         assert outcome(goal.replace("Rightarrow", "Longrightarrow"), proof).outcome == Outcome.PROVED
 
     def test_moving_arguments_are_no_constants_in_a_premise(self):
         goal = r"\Big( \forall d \in V_3 : q(d) = \mathbf{0} \Big) \Rightarrow q(a) = \mathbf{0}"
-        assert outcome(goal, Follows("Y", Y=Use(0, {"d": "a"}))).outcome == Outcome.UNCHECKED
+        assert outcome(goal, Congruence("Y", Y=Instance(0, {"d": "a"}))).outcome == Outcome.UNCHECKED
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,13 @@ from workbench.language.goals.goals import (
     Iff,
     Implies,
 )
-from workbench.language.goals.proofs import Follows, Squares, TwoWitnesses, Unique, Witness
+from workbench.language.goals.proofs import (
+    Congruence,
+    ExistsIntroduction,
+    SumOfSquares,
+    TwoWitnesses,
+    UniqueExists,
+)
 
 Change = Callable[[Relation], Relation]
 
@@ -106,16 +112,16 @@ def without_a_premise(goal: Goal) -> Iterator[Goal]:
 def with_another_member(proof: object) -> Iterator[object]:
     """The proof with one of its witnesses or expressions wrong, for each of them."""
     match proof:
-        case Witness(members) | Unique(members):
+        case ExistsIntroduction(members) | UniqueExists(members):
             for letter, latex in members.items():
                 if latex not in ("0", r"\mathbf{0}"):
                     yield replace(proof, members={**members, letter: f"2 ({latex})"})
         case TwoWitnesses(second=second):
             yield replace(proof, first=second)
-        case Follows(expression, uses):
-            yield Follows(f"2 ({expression})", **uses)
-        case Squares(terms):
-            yield Squares(*(f"2 ({term})" for term in terms))
+        case Congruence(expression, uses):
+            yield Congruence(f"2 ({expression})", **uses)
+        case SumOfSquares(terms):
+            yield SumOfSquares(*(f"2 ({term})" for term in terms))
     if not is_dataclass(proof):
         return
     for field in fields(proof):

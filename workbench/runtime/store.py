@@ -1,7 +1,7 @@
 """Cache of earlier results on disk. A key contains everything that its result depends on.
 
-A corrupt file, or one of another user, is ignored. A value counts only under the seal of the secret in the file
-beside it, which only the user can read.
+A corrupt file, or one of another user, is ignored. A value counts only under the seal of the secret in the
+file beside it, which only the user can read.
 """
 
 from __future__ import annotations

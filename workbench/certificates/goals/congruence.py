@@ -16,7 +16,7 @@ from workbench.core.names import Name
 from workbench.core.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator, Zero
 from workbench.core.types import Declaration
 from workbench.language.goals.goals import All, AllFrom, Atom, Both, Implies, Variable
-from workbench.language.goals.proofs import Follows, Kernel, Proof, Use
+from workbench.language.goals.proofs import Congruence, Instance, Kernel, Proof
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import linear
@@ -29,7 +29,7 @@ from workbench.prover.goals.substitution import Substitution, at_integer
 class Following(Equations):
     """Writes the proofs of consequences of premises by congruence."""
 
-    def _follows(self, at: Place, one: Relation, proof: Follows) -> None:
+    def _follows(self, at: Place, one: Relation, proof: Congruence) -> None:
         lefts: dict[Variable, Term] = {}
         rights: dict[Variable, Term] = {}
         shown, lasts = [], True
@@ -98,7 +98,7 @@ class Following(Equations):
         for new, known in zip(self.by_way_of(one, first, last, dual), (before, given, after), strict=True):
             self._by_lemma(at, new, known, plain=True)
 
-    def _instance(self, at: Place, use: Use) -> tuple[Place, Relation, str, bool]:
+    def _instance(self, at: Place, use: Instance) -> tuple[Place, Relation, str, bool]:
         """Returns the instance of a premise at these values, its proof, and whether it holds at all times."""
         known = at.known[use.premise]
         goal, proof, given, lasts = known.goal, known.proof, dict(use.at), known.lasts

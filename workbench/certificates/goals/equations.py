@@ -20,7 +20,7 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
 from workbench.language.definitions import expand
 from workbench.language.goals.goals import Atom, Variable
-from workbench.language.goals.proofs import Each, Kernel, Proof
+from workbench.language.goals.proofs import AndIntroduction, Kernel, Proof
 from workbench.prover.goals.named_members import read_members
 from workbench.prover.goals.substitution import Substitution
 
@@ -214,7 +214,7 @@ class Equations(Script):
             with self.shown(name, said(self.speaker, Atom(one)), False):
                 if by is None or isinstance(by, Kernel):
                     self._prove(at, one, self._equations(at, None if by is None else by.using))
-                elif isinstance(by, Each) and len(said_) > 1:
+                elif isinstance(by, AndIntroduction) and len(said_) > 1:
                     self.show(at.of(Atom(one)), by.proofs[index])
                 else:
                     self.show(at.of(Atom(one)), by)

@@ -38,21 +38,21 @@ from workbench.language.goals.goals import (
     equations,
 )
 from workbench.language.goals.proofs import (
-    ByLength,
+    AndIntroduction,
     Cases,
-    Contradicts,
-    Each,
-    Follows,
-    Given,
-    Have,
+    Congruence,
+    Cut,
+    ExistsIntroduction,
+    Extensionality,
+    IffIntroduction,
     Induction,
+    Introductions,
     Kernel,
-    Pointwise,
+    NegationIntroduction,
     Proof,
-    Squares,
-    Unique,
-    Ways,
-    Witness,
+    SumOfSquares,
+    UniqueExists,
+    ZeroFromSquare,
 )
 from workbench.language.naming.declarations import read_key
 from workbench.prover.goals.sequents import kind_of, relations_of
@@ -68,9 +68,9 @@ class Joiner(Following):
 
     def show(self, at: Place, proof: Proof) -> None:
         match at.goal, proof:
-            case goal, Given(then) if not isinstance(goal, All | AllFrom | Implies):
+            case goal, Introductions(then) if not isinstance(goal, All | AllFrom | Implies):
                 self.show(at, then)
-            case _, Have(text, by, then):
+            case _, Cut(text, by, then):
                 lemma = read_goal(text, at.scope)
                 speak_of_what_is_free(self.speaker, lemma, at.scope)
                 with self.shown(self.fresh("have"), said(self.speaker, lemma), at.lasts) as shown:
@@ -80,7 +80,7 @@ class Joiner(Following):
                 self._cases(at, text, equal_, unequal)
             case Atom(statement), _:
                 self._show_statement(at, statement, proof)
-            case AtLeast(left, right), Squares((latex,)):
+            case AtLeast(left, right), SumOfSquares((latex,)):
                 term = at.scope.term(latex)
                 if term.type != VECTOR:
                     raise NotCertified("a sum of squares")
@@ -107,11 +107,11 @@ class Joiner(Following):
                 self._introduce(name, integer)
                 inner = replace(at, goal=body, scope=at.scope.with_integer(integer, least))
                 self.show(inner, proof)
-            case Exists(variables, body, False), Witness(members, then):
+            case Exists(variables, body, False), ExistsIntroduction(members, then):
                 place, made = self._valued(at, variables, members)
                 self._offer(made)
                 self.show(place.of(body), then)
-            case Exists(variables, body, True), Unique():
+            case Exists(variables, body, True), UniqueExists():
                 self._unique(at, variables, body, proof)
             case goal, _:
                 raise _no_rule(goal, proof)
@@ -125,14 +125,14 @@ class Joiner(Following):
                 known = f"({name} now)" if lasting else name
                 self.show(at.given(premise, known, lasting).of(conclusion), proof)
             case Iff(left, right), _:
-                ways = (proof.there, proof.back) if isinstance(proof, Ways) else (proof, proof)
+                ways = (proof.there, proof.back) if isinstance(proof, IffIntroduction) else (proof, proof)
                 self.tell("split.")
                 for premise, conclusion, own in ((left, right, ways[0]), (right, left, ways[1])):
                     name = self.fresh("premise")
                     with self.part():
                         self.tell(f"intros {name}.")
                         self.show(at.given(premise, name).of(conclusion), own)
-            case Both(parts), Each(proofs) if len(parts) == len(proofs):
+            case Both(parts), AndIntroduction(proofs) if len(parts) == len(proofs):
                 self._each([(at.of(part), own) for part, own in zip(parts, proofs, strict=True)])
             case Both(parts), Kernel():
                 self._each([(at.of(part), proof) for part in parts])
@@ -142,20 +142,20 @@ class Joiner(Following):
     def _show_statement(self, at: Place, statement: Statement, proof: Proof) -> None:
         """The proof of what one formula says."""
         match statement, proof:
-            case _, Follows():
+            case _, Congruence():
                 self._follows(at, one_of(statement), proof)
-            case _, Pointwise(letter, then):
+            case _, Extensionality(letter, then):
                 self._pointwise(at, one_of(statement), letter, then)
-            case Relation("=", left, Zero()), ByLength(then) if left.type in (SCALAR, VECTOR):
+            case Relation("=", left, Zero()), ZeroFromSquare(then) if left.type in (SCALAR, VECTOR):
                 self.tell(f"apply {'by_length' if left.type == VECTOR else 'by_scalar_length'}.")
                 self.show(at.of(Atom(relation("=", power(left, 2), zero(SCALAR)))), then)
-            case Relation("≠", left, right), Contradicts(place, then):
+            case Relation("≠", left, right), NegationIntroduction(place, then):
                 denied = at.known[place]
                 inner = at.given(Atom(relation("=", left, right)), name := self.fresh("if_so"))
                 self.tell(f"intros {name}. apply {denied.proof}.")
                 one = relation_of(denied.goal)
                 self.show(inner.of(Atom(relation("=", one.left, one.right))), then)
-            case _, Each(proofs):
+            case _, AndIntroduction(proofs):
                 said_ = list(equations(statement))
                 self._each([(at.of(Atom(one)), own) for one, own in zip(said_, proofs, strict=True)])
             case _, Kernel(using):
@@ -258,7 +258,7 @@ class Joiner(Following):
             replace(at, goal=Atom(relation("=", *made)), scope=at.scope.with_variables([variable])), then
         )
 
-    def _unique(self, at: Place, variables: Sequence[Variable], body: Goal, proof: Unique) -> None:
+    def _unique(self, at: Place, variables: Sequence[Variable], body: Goal, proof: UniqueExists) -> None:
         place, made = self._valued(at, variables, proof.members)
         self._offer(made)
         self.tell("split.")

@@ -21,7 +21,7 @@ class Kernel:
 
 
 @dataclass(frozen=True)
-class Each:
+class AndIntroduction:
     """One proof for each part of a conjunction."""
 
     proofs: tuple[Proof, ...]
@@ -31,7 +31,7 @@ class Each:
 
 
 @dataclass(frozen=True)
-class Ways:
+class IffIntroduction:
     """⇔: one proof with the left side as a premise, and one for the converse."""
 
     there: Proof = field(default_factory=Kernel)
@@ -39,7 +39,7 @@ class Ways:
 
 
 @dataclass(frozen=True)
-class Witness:
+class ExistsIntroduction:
     """∃: the witnesses. using: the premises that show that constants are in their sets."""
 
     members: Mapping[str, str]
@@ -48,7 +48,7 @@ class Witness:
 
 
 @dataclass(frozen=True)
-class Unique:
+class UniqueExists:
     """∃!: `exists` proves that the witnesses satisfy the goal; `only` proves that any others are equal to
     them.
 
@@ -73,7 +73,7 @@ class Induction:
 
 
 @dataclass(frozen=True)
-class Use:
+class Instance:
     """One premise, for these values of its ∀ (LaTeX; an integer such as n+1).
 
     part: which of its equations.   back: read from right to left.
@@ -88,19 +88,19 @@ class Use:
 
 
 @dataclass(frozen=True)
-class Follows:
+class Congruence:
     """An equation a = b from premises lᵢ = rᵢ and an expression F: a = F(l₁, …) and F(r₁, …) = b."""
 
     expression: str
-    uses: Mapping[str, Use]
+    uses: Mapping[str, Instance]
 
-    def __init__(self, expression: str, **uses: Use) -> None:
+    def __init__(self, expression: str, **uses: Instance) -> None:
         object.__setattr__(self, "expression", expression)
         object.__setattr__(self, "uses", uses)
 
 
 @dataclass(frozen=True)
-class Have:
+class Cut:
     """Proves `goal` by `by` first; it is the last premise of `then`."""
 
     goal: str
@@ -109,14 +109,14 @@ class Have:
 
 
 @dataclass(frozen=True)
-class Given:
+class Introductions:
     """Decomposes the ∀ and premises at the front of the goal first. (`Have` does not do so.)"""
 
     then: Proof
 
 
 @dataclass(frozen=True)
-class Obtain:
+class ExistsElimination:
     """Names the witnesses of a premise ∃ by its letters; its body is the last premise of `then`."""
 
     premise: int
@@ -124,7 +124,7 @@ class Obtain:
 
 
 @dataclass(frozen=True)
-class OnCircle:
+class UnitCircleAxiom:
     """∃ a ∈ ℝ : cos a = c ∧ sin a = s, for c² + s² = 1.
 
     That every point of the unit circle is the cosine and sine of an angle is not derived: it defines cos and
@@ -133,7 +133,7 @@ class OnCircle:
 
 
 @dataclass(frozen=True)
-class Jet:
+class DerivativeAxiom:
     """∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b, at the instant; also for scalars and tensors.
 
     With t₀ the instant, (t − t₀)ⁿ b / n! is a witness.
@@ -150,7 +150,7 @@ class Cases:
 
 
 @dataclass(frozen=True)
-class Pointwise:
+class Extensionality:
     """Two tensors are equal if they map every vector `letter` to equal vectors; two vectors, if their
     products with every vector are equal."""
 
@@ -159,7 +159,7 @@ class Pointwise:
 
 
 @dataclass(frozen=True)
-class Pascal:
+class BinomialInduction:
     """∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k).
 
     term: F, in the integers j and k.
@@ -175,7 +175,7 @@ class Pascal:
 
 
 @dataclass(frozen=True)
-class Termwise:
+class SumCongruence:
     """Two sums over one range are equal if their addends are.
 
     `letter` stands for the summation integer, and j for the rest of n: premises about n become premises about
@@ -187,14 +187,14 @@ class Termwise:
 
 
 @dataclass(frozen=True)
-class ByLength:
+class ZeroFromSquare:
     """A real scalar or vector is 0 if its square is 0."""
 
     then: Proof = field(default_factory=Kernel)
 
 
 @dataclass(frozen=True)
-class Contradicts:
+class NegationIntroduction:
     """a ≠ b: from a = b, the last premise of `then`, follows the equation that the premise denies."""
 
     premise: int
@@ -202,7 +202,7 @@ class Contradicts:
 
 
 @dataclass(frozen=True)
-class Squares:
+class SumOfSquares:
     """≥: the difference is this sum of squares of real scalars and vectors."""
 
     terms: tuple[str, ...]
@@ -264,24 +264,24 @@ class False_:
 
 Proof = (
     Kernel
-    | Each
-    | Ways
-    | Witness
-    | Unique
+    | AndIntroduction
+    | IffIntroduction
+    | ExistsIntroduction
+    | UniqueExists
     | Induction
-    | Follows
-    | Have
-    | Given
-    | Obtain
-    | OnCircle
-    | Jet
+    | Congruence
+    | Cut
+    | Introductions
+    | ExistsElimination
+    | UnitCircleAxiom
+    | DerivativeAxiom
     | Cases
-    | Pointwise
-    | Pascal
-    | Termwise
-    | ByLength
-    | Contradicts
-    | Squares
+    | Extensionality
+    | BinomialInduction
+    | SumCongruence
+    | ZeroFromSquare
+    | NegationIntroduction
+    | SumOfSquares
 )
 Against = TwoWitnesses | At | Part | Broken | Impossible | False_
 

@@ -31,27 +31,27 @@ from workbench.language.goals.goals import (
     equations,
 )
 from workbench.language.goals.proofs import (
-    ByLength,
+    AndIntroduction,
+    BinomialInduction,
     Cases,
-    Contradicts,
-    Each,
-    Follows,
-    Given,
-    Have,
+    Congruence,
+    Cut,
+    DerivativeAxiom,
+    ExistsElimination,
+    ExistsIntroduction,
+    Extensionality,
+    IffIntroduction,
     Induction,
-    Jet,
+    Instance,
+    Introductions,
     Kernel,
-    Obtain,
-    OnCircle,
-    Pascal,
-    Pointwise,
+    NegationIntroduction,
     Proof,
-    Squares,
-    Termwise,
-    Unique,
-    Use,
-    Ways,
-    Witness,
+    SumCongruence,
+    SumOfSquares,
+    UniqueExists,
+    UnitCircleAxiom,
+    ZeroFromSquare,
 )
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import read_key
@@ -78,13 +78,13 @@ from workbench.prover.goals.sum_rules import pascal, termwise
 def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
     """Yields the obligations of a proof. Raises NotShown if the proof does not match the goal."""
     match sequent.goal, proof:
-        case goal, Given(then) if not isinstance(goal, All | AllFrom | Implies):
+        case goal, Introductions(then) if not isinstance(goal, All | AllFrom | Implies):
             yield from obligations(sequent, then)
-        case _, Have(text, by, then):
+        case _, Cut(text, by, then):
             lemma = read_goal(text, sequent.scope)
             yield from obligations(sequent.of(lemma), by)
             yield from obligations(sequent.given(lemma, sequent.lasts), then)
-        case _, Obtain(place, then):
+        case _, ExistsElimination(place, then):
             yield from obligations(_obtained(sequent, place), then)
         case _, Cases(text, equal, unequal):
             yield from _cases(sequent, text, equal, unequal)
@@ -94,7 +94,7 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             yield from _for_some(sequent, goal, proof)
         case Atom(statement), _:
             yield from _of_statement(sequent, statement, proof)
-        case AtLeast(left, right), Squares(terms):
+        case AtLeast(left, right), SumOfSquares(terms):
             yield from _squares(sequent, left, right, terms)
         case _:
             yield from _of_parts(sequent, proof)
@@ -109,7 +109,7 @@ def _for_all(sequent: Sequent, goal: All | AllFrom, proof: Proof) -> Iterator[Ob
     match goal, proof:
         case AllFrom(integer, least, body), Induction():
             yield from _induction(sequent, integer, least, body, proof)
-        case AllFrom(body=Atom()), Pascal():
+        case AllFrom(body=Atom()), BinomialInduction():
             for inner, own in pascal(sequent, goal, proof):
                 yield from obligations(inner, own)
         case AllFrom(integer, least, body), _:
@@ -123,14 +123,14 @@ def _for_all(sequent: Sequent, goal: All | AllFrom, proof: Proof) -> Iterator[Ob
 def _for_some(sequent: Sequent, goal: Exists, proof: Proof) -> Iterator[Obligation]:
     """The introduction of ∃ and ∃! by a witness."""
     match goal, proof:
-        case Exists(variables, body, False), Witness(members, then, using):
+        case Exists(variables, body, False), ExistsIntroduction(members, then, using):
             yield from members_belong("witness", sequent, variables, members, using)
             yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
-        case Exists((variable,), body, False), OnCircle():
+        case Exists((variable,), body, False), UnitCircleAxiom():
             yield angle(sequent, variable, body)
-        case Exists((variable,), body, False), Jet():
+        case Exists((variable,), body, False), DerivativeAxiom():
             yield jet(sequent, variable, body)
-        case Exists(variables, body, True), Unique():
+        case Exists(variables, body, True), UniqueExists():
             yield from _unique(sequent, variables, body, proof)
         case _:
             raise _no_rule(sequent, proof)
@@ -142,10 +142,10 @@ def _of_parts(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
         case Implies(premise, conclusion, lasting), _:
             yield from obligations(sequent.given(premise, lasting).of(conclusion), proof)
         case Iff(left, right), _:
-            there, back = (proof.there, proof.back) if isinstance(proof, Ways) else (proof, proof)
+            there, back = (proof.there, proof.back) if isinstance(proof, IffIntroduction) else (proof, proof)
             yield from obligations(sequent.given(left, False).of(right), there)
             yield from obligations(sequent.given(right, False).of(left), back)
-        case Both(parts), Each(proofs):
+        case Both(parts), AndIntroduction(proofs):
             if len(parts) != len(proofs):
                 raise NotShown(f"expected {len(parts)} proofs, one for each part, got {len(proofs)}")
             for part, own in zip(parts, proofs, strict=True):
@@ -160,19 +160,19 @@ def _of_parts(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
 def _of_statement(sequent: Sequent, statement: Statement, proof: Proof) -> Iterator[Obligation]:
     """The rules for what one formula says."""
     match statement, proof:
-        case _, Follows():
+        case _, Congruence():
             yield from _follows(sequent, statement, proof)
-        case Relation("=") as said, Termwise():
+        case Relation("=") as said, SumCongruence():
             for inner, own in termwise(sequent, said, proof):
                 yield from obligations(inner, own)
-        case _, Pointwise(letter, then):
+        case _, Extensionality(letter, then):
             yield from _pointwise(sequent, statement, letter, then)
-        case Relation("=", left, Zero()), ByLength(then) if left.type in (SCALAR, VECTOR):
+        case Relation("=", left, Zero()), ZeroFromSquare(then) if left.type in (SCALAR, VECTOR):
             square = relation("=", power(left, 2), zero(SCALAR))
             yield from obligations(sequent.of(Atom(square)), then)
-        case Relation("≠") as said, Contradicts(place, then):
+        case Relation("≠") as said, NegationIntroduction(place, then):
             yield from _contradicted(sequent, said, place, then)
-        case _, Each(proofs):
+        case _, AndIntroduction(proofs):
             every = list(equations(statement))
             if len(every) != len(proofs):
                 raise NotShown(f"expected {len(every)} proofs, one for each equation, got {len(proofs)}")
@@ -206,7 +206,7 @@ def _separate(statement: Statement) -> list[Statement]:
 
 
 def _unique(
-    sequent: Sequent, variables: tuple[Variable, ...], body: Goal, proof: Unique
+    sequent: Sequent, variables: tuple[Variable, ...], body: Goal, proof: UniqueExists
 ) -> Iterator[Obligation]:
     yield from members_belong("∃!", sequent, variables, proof.members)
     yield from obligations(sequent.of(put_in(sequent, variables, proof.members, body)), proof.exists)
@@ -304,7 +304,7 @@ def _squares(sequent: Sequent, left: Term, right: Term, terms: tuple[str, ...]) 
     yield Obligation("≥: a sum of squares more", said, scope, tuple(supposed(sequent, None)))
 
 
-def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator[Obligation]:
+def _follows(sequent: Sequent, statement: Statement, proof: Congruence) -> Iterator[Obligation]:
     if not isinstance(statement, Relation) or statement.operator != "=":
         raise NotShown("expected one equation to follow")
     if not proof.uses:
@@ -336,7 +336,7 @@ def _is_unequal(statement: Statement) -> bool:
     return all(r.operator == "≠" for r in relations_of(statement))
 
 
-def _instance(sequent: Sequent, use: Use):
+def _instance(sequent: Sequent, use: Instance):
     """Returns the equation that a premise gives for these values, and whether it lasts.
 
     Yields the obligations of its own premises and sets: at all times, if it holds at all times.

@@ -32,6 +32,7 @@ from workbench.language.goals.proofs import (
     Against,
     At,
     Broken,
+    ExistsIntroduction,
     False_,
     Impossible,
     Kernel,
@@ -39,7 +40,6 @@ from workbench.language.goals.proofs import (
     Proof,
     Proven,
     TwoWitnesses,
-    Witness,
 )
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
@@ -271,7 +271,7 @@ class _Prover:
     def _two(self, sequent: Sequent, variables, body: Goal, against: TwoWitnesses) -> Verdict:
         sought = Exists(variables, body, unique=False)
         shown = [
-            self.holds(sequent.of(sought), Witness(members, proof))
+            self.holds(sequent.of(sought), ExistsIntroduction(members, proof))
             for members, proof in ((against.first, against.firstly), (against.second, against.secondly))
         ]
         for verdict in shown:

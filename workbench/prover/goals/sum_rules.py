@@ -12,7 +12,7 @@ from workbench.core.names import Name
 from workbench.core.terms import BigSum, Relation, Term
 from workbench.core.types import Declaration
 from workbench.language.goals.goals import All, AllFrom, Atom, Goal, Scope, Variable
-from workbench.language.goals.proofs import Kernel, Pascal, Proof, Termwise
+from workbench.language.goals.proofs import BinomialInduction, Kernel, Proof, SumCongruence
 from workbench.language.reader import read_term
 from workbench.prover.goals.sequents import NotShown, Sequent, integers_of
 from workbench.prover.goals.substitution import Substitution, at_integer
@@ -20,7 +20,7 @@ from workbench.prover.goals.substitution import Substitution, at_integer
 Asked = Iterator[tuple[Sequent, Proof]]
 
 
-def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
+def pascal(sequent: Sequent, goal: AllFrom, proof: BinomialInduction) -> Asked:
     """Returns the goals for ∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k), by induction on n with Pascal's
     rule.
 
@@ -77,7 +77,7 @@ class _Step:
         return All(self.variables, Atom(relation("=", self.of(apply("add", one, other)), both)))
 
 
-def termwise(sequent: Sequent, said: Relation, proof: Termwise) -> Asked:
+def termwise(sequent: Sequent, said: Relation, proof: SumCongruence) -> Asked:
     """Returns the goals for Σ_{k=a}^{n+c} f(n, k) = Σ_{k=a}^{n+c} g(n, k).
 
     They are f(k+j−c, k) = g(k+j−c, k) for all k ≥ a and j ≥ 0 for which the premises hold with n = k+j−c.

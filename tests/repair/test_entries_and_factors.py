@@ -102,6 +102,44 @@ def test_proposals_of_a_step_agree_with_its_neighbours(tmp_path: Path) -> None:
     assert len(alone.proposals) > len(found[1].proposals) == 1
 
 
+#: Steps of chains with one misprint that makes a step false: what is proposed for each false step.
+SQUARED = r"\left(a \times r\right)^{2} = a^{2} r^{2} - \left(a \cdot r\right)^{2}"
+MIDDLE = r"a^{2} r^{2} - \left(a \cdot r\right)^{2} = a^{2} r^{2} - \left(a \cdot r\right)^{2}"
+CHAINS = [
+    (r"(a \times r)^2 &= a^2 r^2 - (a \cdot r)^2 \\ &= a^2 r^2 + (a \cdot r)^2", [MIDDLE]),
+    (r"(a \times r)^2 &= a^2 r^2 + (a \cdot r)^2 \\ &= a^2 r^2 - (a \cdot r)^2", [SQUARED, MIDDLE]),
+    (
+        r"(a \times r)^2 &= a^2 r^2 - (a \cdot r)^2 \\ &= a^2 r^2 + (a \cdot r)^2 \\ &= (a\cdot r)^2 + r^2 a^2",
+        [MIDDLE],
+    ),
+]
+
+
+@pytest.mark.parametrize(("steps", "proposed"), CHAINS)
+def test_sign_is_proposed_for_a_step_of_a_chain(tmp_path: Path, steps: str, proposed: list[str]) -> None:
+    (tmp_path / "text.tex").write_text(rf"\begin{{align}} {steps} \end{{align}}")
+    (tmp_path / "text.toml").write_text("source = 'text.tex'\n[symbols]\na = 'vector'\nr = 'vector'\n")
+    results = judge_claims(load_paper(tmp_path / "text.toml").claims)
+    beside = neighbours_of([result.claim for result in results])
+    false = [r.claim for r in results if r.verdict.outcome is Outcome.REFUTED]
+    found = [repair(claim, LIMITS, beside=beside[claim.id]).proposals[0] for claim in false]
+    assert [each.latex for each in found] == proposed
+    assert all([change.kind for change in each.changes] == ["sign"] for each in found)
+    assert {each.verdict.outcome for each in found} == {Outcome.PROVED}
+
+
+def test_trivial_step_is_no_proposal_where_its_neighbour_is_false(tmp_path: Path) -> None:
+    """Of two false steps, the second is not mended by the sign that repeats the first one's fault."""
+    steps = r"a \times r &= r \times a + a \\ &= r \times a - a"
+    (tmp_path / "text.tex").write_text(rf"\begin{{align}} {steps} \end{{align}}")
+    (tmp_path / "text.toml").write_text("source = 'text.tex'\n[symbols]\na = 'vector'\nr = 'vector'\n")
+    results = judge_claims(load_paper(tmp_path / "text.toml").claims)
+    beside = neighbours_of([result.claim for result in results])
+    claim = results[1].claim
+    found = repair(claim, LIMITS, beside=beside[claim.id])
+    assert all("r \\times a + a = r \\times a + a" not in p.latex for p in found.proposals), str(found)
+
+
 def test_no_proposal_holds_an_addend_that_another_takes_away() -> None:
     found = check("M^T = -M", {"M": {"kind": "tensor", "symmetric": True}}).repair(LIMITS)
     assert found.proposals and all("2" not in proposal.latex for proposal in found.proposals), str(found)

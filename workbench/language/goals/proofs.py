@@ -1,6 +1,7 @@
 """Proofs of goals: trees of rules, with the witnesses and instances that a rule needs.
 
-    Unique({"X": r"\\Phi^{-1} (\\det \\Phi) \\mathbf{I}"}, only=Follows(r"\\Phi^{-1} Y", Y=Use(0)))
+    inverse = {"X": r"\\Phi^{-1} (\\det \\Phi) \\mathbf{I}"}
+    UniqueExists(inverse, only=Congruence(r"\\Phi^{-1} Y", Y=Instance(0)))
 
 A proof asserts nothing: `prove_goal.prove` derives the obligations from it, and for which n. Formulas are
 LaTeX in the notation of the claim, with the letters that the goal has bound so far. The quantifier ∀,
@@ -110,7 +111,7 @@ class Cut:
 
 @dataclass(frozen=True)
 class Introductions:
-    """Decomposes the ∀ and premises at the front of the goal first. (`Have` does not do so.)"""
+    """Decomposes the ∀ and premises at the front of the goal first. (`Cut` does not do so.)"""
 
     then: Proof
 

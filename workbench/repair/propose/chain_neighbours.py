@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from workbench.context.claims import Claim
 from workbench.core.construct import relation
 from workbench.core.terms import IllFormed, Relation, Statement, Symbol
 from workbench.repair.screening.screen import Screen
+from workbench.repair.screening.vacuous import has_cancelling_addends, is_trivial
 
 
 @dataclass(frozen=True)
@@ -46,10 +48,31 @@ class Neighbours:
             return _holds(behind, candidate, False, screen)
         return True
 
-    def repeat(self, candidate: Statement) -> bool:
-        """True if the candidate only joins a side of the claim with a side of a neighbour, and omits the
+    def joined(self, candidate: Statement) -> Statement:
+        """Returns the statement to judge for a candidate.
+
+        For a step with two equal sides it is the equation of a side with the far side of a neighbour.
+        """
+        if not isinstance(candidate, Relation) or not is_trivial(candidate):
+            return candidate
+        if has_cancelling_addends(candidate):
+            return candidate
+        with suppress(IllFormed):
+            before, behind = self.before, self.behind
+            if (
+                isinstance(before, Relation)
+                and before.operator == "="
+                and not isinstance(before.left, Symbol)
+            ):
+                return relation("=", before.left, candidate.right)
+            if isinstance(behind, Relation) and behind.operator == "=":
+                return relation("=", candidate.left, behind.right)
+        return candidate
+
+    def repeat(self, candidate: Statement, changes: int) -> bool:
+        """True if several changes only join a side of the claim with a side of a neighbour, and omit the
         printed side."""
-        if not isinstance(candidate, Relation):
+        if not isinstance(candidate, Relation) or changes == 1:
             return False
         first = self.before.left if isinstance(self.before, Relation) else None
         last = self.behind.right if isinstance(self.behind, Relation) else None

@@ -308,12 +308,13 @@ class _Bench:
         for candidate in sorted(candidates, key=self._rank):
             if proposals and len(candidate.changes) > len(proposals[0].changes):
                 break
-            if any(self.sameness.same(known, candidate.statement) for known in self.proved):
+            judged = self.beside.joined(candidate.statement)
+            if any(self.sameness.same(known, judged) for known in self.proved):
                 continue
-            verdict = self._verdict(candidate.statement)
+            verdict = self._verdict(judged)
             if verdict is not None and verdict.outcome in _PROVED:
                 proposals.append(Proposal(self._latex(candidate), candidate.changes, verdict))
-                self.proved.append(candidate.statement)
+                self.proved.append(judged)
                 if len(proposals) >= self.limits.proposals:
                     break
             elif verdict is not None and self._holds_where_printed_does(verdict, candidate.statement):
@@ -344,17 +345,19 @@ class _Bench:
     def _new(self, candidates: Iterator[Candidate]) -> Iterator[Candidate]:
         for candidate in candidates:
             self._tick()
-            if candidate.statement in self.seen or is_vacuous(candidate.statement):
+            statement = candidate.statement
+            mends_step = len(candidate.changes) == 1 and self.beside.joined(statement) != statement
+            if statement in self.seen or (is_vacuous(statement) and not mends_step):
                 continue
             if self.like_terms is not None and like_terms(candidate.statement) > self.like_terms:
                 continue  # an addend that another one partly cancels
             self.seen.add(candidate.statement)
-            if self.beside.repeat(candidate.statement):
+            if self.beside.repeat(candidate.statement, len(candidate.changes)):
                 continue
             if not self._agrees(candidate.statement):
                 self.apart.append(candidate)
                 continue
-            if self.screen is not None and is_idle(candidate.statement, self.screen):
+            if not mends_step and self.screen is not None and is_idle(candidate.statement, self.screen):
                 self.idle.append(candidate)
             else:
                 yield candidate

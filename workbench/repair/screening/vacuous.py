@@ -15,10 +15,14 @@ from workbench.repair.terms.term_arithmetic import number_and_rest
 
 
 def is_vacuous(statement: Statement) -> bool:
-    """True if addends cancel in a sum, an equation holds by reordering and cancelling, or a chain repeats a
-    side."""
+    """True if addends cancel in a sum, or the statement is trivial."""
+    return has_cancelling_addends(statement) or is_trivial(statement)
+
+
+def has_cancelling_addends(statement: Statement) -> bool:
+    """True if addends cancel in a sum."""
     sums = (term for _, term in places(statement) if isinstance(term, Apply) and term.head == "add")
-    return any(map(_cancels, sums)) or _is_trivial(statement)
+    return any(map(_cancels, sums))
 
 
 def like_terms(statement: Statement) -> int:
@@ -65,7 +69,8 @@ def _cancels(term: Apply) -> bool:
     return any((-sign, addend) in counts for sign, addend in counts)
 
 
-def _is_trivial(statement: Statement) -> bool:
+def is_trivial(statement: Statement) -> bool:
+    """True if an equation holds by reordering and cancelling, or a chain repeats a side."""
     match statement:
         case Relation(operator="="):
             counts: Counter[Term] = Counter()
@@ -75,7 +80,7 @@ def _is_trivial(statement: Statement) -> bool:
             return not any(counts.values())
         case Conjunction(parts=parts):
             chain = [side for _, side in sides(statement)]
-            return len(set(chain)) < len(chain) or any(map(_is_trivial, parts))
+            return len(set(chain)) < len(chain) or any(map(is_trivial, parts))
     return False
 
 

@@ -90,7 +90,7 @@ def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> Non
     claim = paper.claims[1]
     options = {"motions": False}
     told = [
-        dask_workers._judged({}, bundle, claim.id, form, key, options, judge.budget)
+        dask_workers._judged({}, bundle, claim.id, form, key, options, judge.budget, b"secret")
         for form in forms(claim)
         for key in (judge.key(claim, form), "another")
     ]

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Protocol
 
 
-class Entries(Protocol):
-    """A file that can be read again without one of its entries."""
+class SourceFile(Protocol):
+    """A file whose entries can be left out."""
 
-    def set_aside(self, path: KeyPath) -> Callable[[], None] | None: ...
+    def without(self, path: KeyPath) -> SourceFile | None: ...
 
 
 class PaperError(ValueError):
@@ -23,7 +23,7 @@ class PaperError(ValueError):
         line: int | None,
         column: int | None,
         message: str,
-        toml: Entries | None = None,
+        toml: SourceFile | None = None,
         path: KeyPath = (),
         latex: str | None = None,
     ) -> None:

@@ -18,10 +18,10 @@ from workbench.core.codes.model_codes import ModelCode
 from workbench.core.paper_errors import PaperError
 from workbench.core.schema import key_names
 from workbench.language.goals.proofs import Proven
-from workbench.papers.collected_errors import Faults
 from workbench.papers.installed_papers import DEFAULT, installed, installed_names, name_of, paper_of
-from workbench.papers.notation_files import budget_of, nearest, notation_chain
+from workbench.papers.notation_files import budget_of, chain_stage, nearest, notation_chain
 from workbench.papers.paper_cache import Kept
+from workbench.papers.reading_stages import ErrorLog, stage
 from workbench.papers.sibling_files import claim_ids, sisters_of
 from workbench.runtime import Budget, Workers
 from workbench.runtime.store import Store
@@ -66,9 +66,9 @@ def load_part(path: Path) -> Paper:
 def load_notation(path: Path | str) -> Notation:
     """Returns the notation of a paper file or a notation file, which need not have claims. Raises
     PaperError."""
-    toml, faults = TomlFile(Path(path)), Faults()
-    faults.past(lambda: toml.allow_keys((), _PAPER_KEYS))
-    notation = faults.need(lambda: _notation_of(notation_chain(toml)))
+    toml, faults = TomlFile(Path(path)), ErrorLog()
+    faults.past(stage(lambda file: file.allow_keys((), _PAPER_KEYS), toml))
+    notation = faults.past(stage(lambda file: _notation_of(notation_chain(file)), toml))
     faults.stop()
     return notation
 
@@ -151,7 +151,7 @@ def merge(
     faults: receives the faults of single claims, which are left out; if None, they are raised.
     meanwhile: called here while many files are read in parallel processes.
     """
-    found, kept = Faults(), Kept(store)
+    found, kept = ErrorLog(), Kept(store)
     files = [_PaperFile.open(Path(path), found, kept) for path in paths]
     if theorems is None:
         needed = any("theorem" in claim for file in files for claim in file.claims)
@@ -159,17 +159,24 @@ def merge(
     if not found:
         _read_ahead([file for file in files if file.before is None], theorems, kept, meanwhile)
     for file in files:
-        known = file.before.notation if file.before else None
-        file.notation = known or found.need(partial(_notation_of, file.chain))
-    below = next((file.chain[:-1] for file in files if len(file.chain) > 1 and len(files) > 1), ())
-    shared = found.past(lambda: kept.once("notation", below, lambda: _notation_of(below))) if below else None
+        file.notation = (
+            file.before.notation
+            if file.before
+            else found.past(stage(lambda *files: _notation_of(files), *file.chain))
+        )
+        if file.notation is None:
+            found.stop()
+    below = next((file.chain[:-1] for file in files if len(file.chain) > 1 and len(files) > 1), None)
+    shared = below and found.past(
+        stage(lambda *files: kept.once("notation", below, lambda: _notation_of(files)), *below)
+    )
     is_usable = not found
     claims: list[Claim] = []
     owners: dict[str, str] = {}
     skipped: list[str] = []
     for file in files:
         claims += file.read(owners, theorems, skipped, found, kept)
-        found.past(partial(_require_claims, file.toml, {*owners, *skipped}))
+        found.past(stage(partial(_require_claims, ids={*owners, *skipped}), file.toml))
     parts: dict[str, list[str]] = {name: [] for name in skipped}
     for claim in claims:
         parts.setdefault(owners[claim.id], []).append(claim.id)
@@ -238,23 +245,28 @@ class _PaperFile:
     notation: Notation | None = None
 
     @staticmethod
-    def open(path: Path, faults: Faults, kept: Kept) -> _PaperFile:
+    def open(path: Path, faults: ErrorLog, kept: Kept) -> _PaperFile:
         """Returns the file. Raises PaperError if its claims cannot even be listed."""
-        toml, past = TomlFile(path), faults.past
-        past(lambda: toml.allow_keys((), _PAPER_KEYS))
-        claims = past(lambda: toml.tables(("claim",)))
+        toml = TomlFile(path)
+
+        def past(read: Callable[[TomlFile], T]) -> T | None:
+            return faults.past(stage(read, toml))
+
+        past(lambda file: file.allow_keys((), _PAPER_KEYS))
+        claims = past(lambda file: file.tables(("claim",)))
         if not claims:
             faults.tell(toml.error_at_key((), ModelCode.NO_CLAIMS(claim="claim")))
-        past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
-        citation = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
-        chain = past(lambda: notation_chain(toml)) or [toml]
-        title = past(lambda: nearest(chain, lambda file: file.text(("title",))))
-        doi = past(lambda: nearest(chain, lambda file: file.text(("doi",))))
-        budget = past(partial(nearest, chain, budget_of))
+        past(lambda file: file.allow_keys(("citation",), CITATION_KEYS))
+        citation = {key: past(partial(TomlFile.text, path=("citation", key))) for key in CITATION_KEYS}
+        chain = faults.past(chain_stage(toml)) or [toml]
+        title, doi, budget = (
+            faults.past(stage(lambda *files, read=read: nearest(files, read), *chain))
+            for read in (lambda file: file.text(("title",)), lambda file: file.text(("doi",)), budget_of)
+        )
         if title is None:
             faults.tell(toml.error_at_key((), ModelCode.MISSING_KEY(key="title")))
-        section, key = past(lambda: toml.text(("section",))), kept.key("claims", chain)
-        sections = past(lambda: _section_names(toml)) or {}
+        section, key = past(lambda file: file.text(("section",))), kept.key("claims", chain)
+        sections = past(_section_names) or {}
         before: _Read | None = kept.get(key)
         return _PaperFile(
             toml, title or "", doi, section, chain, budget, citation, sections, claims or (), key, before
@@ -265,7 +277,7 @@ class _PaperFile:
         owners: dict[str, str],
         theorems: Mapping[str, Proven],
         skipped: list[str],
-        faults: Faults,
+        faults: ErrorLog,
         kept: Kept,
     ) -> Sequence[Claim]:
         """Returns the claims; ids of claims that cannot be read are appended to `skipped`."""
@@ -277,8 +289,12 @@ class _PaperFile:
         claims: list[Claim] = []
         notation = self.known_notation
         for index, claim in enumerate(self.claims):
-            table = ClaimTable(self.toml, ("claim", index), notation, self.section, owners, theorems)
-            made = faults.past(table.claims, whole=True)
+
+            def read(file: TomlFile, index: int = index) -> list[Claim]:
+                path = ("claim", index)
+                return ClaimTable(file, path, self.notation, self.section, owners, theorems).claims()
+
+            made = faults.whole(stage(read, self.toml))
             claims += made or ()
             if made is None and isinstance(name := claim.get("id"), str):
                 skipped.append(name)
@@ -299,8 +315,7 @@ class _PaperFile:
 
     def read_alone(self, theorems: Mapping[str, Proven]) -> _Read | None:
         """Returns the content of the file; None if it has a fault."""
-        faults = Faults()
-        owners: dict[str, str] = {}
+        faults, owners = ErrorLog(), {}
         try:
             notation = self.notation = _notation_of(self.chain)
             claims = self.read(owners, theorems, [], faults, Kept(None))
@@ -313,7 +328,7 @@ class _PaperFile:
         named = {claim.theorem for claim in before.claims} - {None}
         return not before.owners.keys() & owners.keys() and named <= theorems.keys()
 
-    def check_inheritance(self, known: Collection[str], sisters: Sequence[Path], faults: Faults) -> None:
+    def check_inheritance(self, known: Collection[str], sisters: Sequence[Path], faults: ErrorLog) -> None:
         elsewhere = f", here or in {', '.join(path.name for path in sisters)}" if sisters else ""
         for index, claim in enumerate(self.claims):
             named = [(("inherits", place), name) for place, name in enumerate(claim.get("inherits", ()))]

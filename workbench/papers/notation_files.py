@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
 from workbench.core.schema import key_names
+from workbench.papers.reading_stages import Stage, stage
 from workbench.runtime import Budget
 from workbench.source.toml.toml_file import TomlFile
 
@@ -30,6 +32,13 @@ def notation_chain(file: TomlFile) -> list[TomlFile]:
         chain.insert(0, TomlFile(path))
         chain[0].allow_keys((), NOTATION_KEYS)
     return chain
+
+
+def chain_stage(file: TomlFile) -> Stage[list[TomlFile]]:
+    """Returns the files of the chain with the errors of reading it."""
+    done = stage(notation_chain, file)
+    chain = done.value and [each.origin for each in done.value]
+    return replace(done, value=chain)
 
 
 def _notation_file(file: TomlFile) -> str | None:

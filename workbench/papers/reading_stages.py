@@ -1,15 +1,20 @@
-"""Collection of all errors in a file: a faulty entry is removed, and reading continues."""
+"""The stages of loading: each returns what it could read, and its errors as values.
+
+A stage reads views of files without the entries at fault; `ErrorLog` keeps the errors of all stages.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 from workbench.core.codes.model_codes import ModelCode
 from workbench.core.paper_errors import PaperError, PaperErrors
-from workbench.core.reasons import Reason
+from workbench.core.reasons import code_of
+from workbench.source.toml.toml_file import TomlFile
 
 T = TypeVar("T")
 
@@ -21,39 +26,72 @@ _NOTATION = ("symbols", "definitions", "notation", "frames", "points")
 _LETTERS = re.compile(r"\\[A-Za-z]+|[^\W_]")
 
 
-class Faults(list[PaperError]):
-    """A list of errors without duplicates and without errors that only follow from others."""
+@dataclass(frozen=True)
+class Stage(Generic[T]):
+    """What one stage of loading could read.
+
+    Attributes:
+        value: The value; None if the stage cannot do without a faulty entry.
+        errors: The errors, in the order in which they were found.
+        omitted: How many of them, from the first, are in an entry that was left out, or in a file that the
+            stage itself opened: other errors may follow from them.
+    """
+
+    value: T | None
+    errors: tuple[PaperError, ...] = ()
+    omitted: int = 0
+
+    @property
+    def whole(self) -> T | None:
+        """The value; None if an entry was left out."""
+        return None if self.omitted else self.value
+
+
+def stage(read: Callable[..., T], *files: TomlFile) -> Stage[T]:
+    """Returns what `read` makes of the files, without the entries that it raises PaperError for.
+
+    The files are not changed: `read` gets views of them. Each step leaves out one entry more, so it ends.
+    """
+    views, errors = files, list[PaperError]()
+    while True:
+        try:
+            return Stage(read(*views), tuple(errors), len(errors))
+        except PaperError as error:
+            smaller = [view.without(error.path) if error.toml is view.origin else None for view in views]
+            if not any(smaller):
+                return Stage(None, (*errors, error), len(errors) + _is_of_another(error, views))
+            errors.append(error)
+            views = tuple(less or view for less, view in zip(smaller, views, strict=True))
+
+
+def _is_of_another(error: PaperError, views: Sequence[TomlFile]) -> bool:
+    """True for an entry of a file that the stage itself opened, which others may follow from."""
+    is_given = any(error.toml is view.origin for view in views)
+    return not is_given and error.toml is not None and error.toml.without(error.path) is not None
+
+
+class ErrorLog(list[PaperError]):
+    """The errors of the stages, each once, without those that only follow from another."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._aside: list[PaperError] = []
+        self._omitted: list[PaperError] = []
 
-    def past(self, make: Callable[[], T], whole: bool = False) -> T | None:
-        """Returns the result of `make` with the faulty entries removed.
+    def past(self, done: Stage[T]) -> T | None:
+        """Adds the errors of a stage. Returns its value."""
+        self._add(done)
+        return done.value
 
-        Returns None if `make` fails without them, or if an entry was removed and `whole` is set.
-        """
-        put_back: list[Callable[[], None]] = []
-        met: set[str] = set()
-        try:
-            while len(put_back) < MOST:
-                try:
-                    made = make()
-                    return None if whole and put_back else made
-                except PaperError as error:
-                    self.tell(error)
-                    if error.toml is None or str(error) in met:
-                        return None
-                    met.add(str(error))
-                    undo = error.toml.set_aside(error.path)
-                    if undo is None:
-                        return None
-                    put_back.append(undo)
-                    self._aside.append(error)
-            return None
-        finally:
-            for undo in reversed(put_back):
-                undo()
+    def whole(self, done: Stage[T]) -> T | None:
+        """Adds the errors of a stage. Returns its value if no entry was left out."""
+        self._add(done)
+        return done.whole
+
+    def _add(self, done: Stage[T]) -> None:
+        for number, error in enumerate(done.errors):
+            self.tell(error)
+            if number < done.omitted:
+                self._omitted.append(error)
 
     def need(self, make: Callable[[], T]) -> T:
         """What `make` gives without the entries at fault. Raises PaperError where it cannot do without."""
@@ -75,20 +113,20 @@ class Faults(list[PaperError]):
             raise self[0] if len(self) == 1 else PaperErrors(sorted(self, key=_place))
 
     def _follows(self, error: PaperError) -> bool:
-        return any(_follows(error, known) for known in self._aside)
+        return any(_follows(error, known) for known in self._omitted)
 
 
-def _follows(error: PaperError, aside: PaperError) -> bool:
+def _follows(error: PaperError, omitted: PaperError) -> bool:
     """True if the error may be a consequence of removing an entry: a missing key, a key that depends on it,
     or a formula with a symbol that it declares."""
-    path = aside.path
+    path = omitted.path
     while isinstance(path[-1], int):
         path = path[:-1]
-    *table, last = path
-    key = str(last)
-    if error.toml is aside.toml and list(error.path[: len(table)]) == table:
-        missing = _missing_keys(error.message) if len(error.path) == len(table) else ()
-        if key in _GROUNDS or error.message == aside.message or get_close_matches(key, missing, 1):
+    *table, key = path
+    if error.toml is omitted.toml and list(error.path[: len(table)]) == table:
+        is_of_table = len(error.path) == len(table) and isinstance(code_of(error.message), ModelCode)
+        missing = error.message.arguments.values() if is_of_table else ()
+        if key in _GROUNDS or error.message == omitted.message or get_close_matches(key, missing, 1):
             return True
     is_notation = any(get_close_matches(str(part), _NOTATION, 1, cutoff=0.8) for part in path[:3:2])
     if error.latex is None or not is_notation:

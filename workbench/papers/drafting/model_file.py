@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from workbench.papers.collected_errors import Faults
 from workbench.papers.drafting.draft_model import Ingested, Proposed
 from workbench.papers.drafting.model_proposal import tables_of
 from workbench.papers.drafting.redefinitions import Scope
+from workbench.papers.reading_stages import ErrorLog
 from workbench.papers.texts.load_texts import model_of
 from workbench.papers.texts.text_model import TextModel
 from workbench.source.documents.titles import own_title
@@ -32,7 +32,7 @@ def loaded_model(ingested: Ingested, path: Path, is_confirmed: bool) -> tuple[st
     ingested = replace(ingested, scopes=list(ingested.scopes))
     while True:
         written = "\n".join(_lines(ingested, path, chosen, refused, is_confirmed)) + "\n"
-        faults = Faults()
+        faults = ErrorLog()
         model = model_of(TomlFile(path, written), ingested.text, faults)
         model.notations()
         wrong = {str(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("definitions",)}

@@ -8,8 +8,8 @@ from functools import partial
 from pathlib import Path
 
 from workbench.context.claims import CITATION_KEYS
-from workbench.papers.collected_errors import Faults
-from workbench.papers.notation_files import budget_of, nearest, notation_chain
+from workbench.papers.notation_files import budget_of, chain_stage, nearest
+from workbench.papers.reading_stages import ErrorLog, stage
 from workbench.papers.texts.text_model import (
     MODEL_KEYS,
     TextModel,
@@ -37,15 +37,18 @@ def load_text(path: Path) -> TextPaper:
 
 def load_model(toml: TomlFile) -> TextPaper:
     """Returns a model with the text that it names. Raises PaperError."""
-    path, faults = _beside(toml, "source"), Faults()
-    assert path is not None, "a model names its text"
-    text = faults.need(partial(_with_macros, toml, path))
-    model, past = model_of(toml, text, faults), faults.past
-    title, doi = past(lambda: toml.text(("title",))), past(lambda: toml.text(("doi",)))
-    past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
-    told = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
+    path, faults = _beside(toml, "source"), ErrorLog()
+    text = faults.past(stage(lambda file: _with_macros(file, path), toml))
+    if text is None:
+        faults.stop()
+    model = model_of(toml, text, faults)
+    title, doi = (faults.past(stage(partial(TomlFile.text, path=(key,)), toml)) for key in ("title", "doi"))
+    faults.past(stage(lambda file: file.allow_keys(("citation",), CITATION_KEYS), toml))
+    told = {
+        key: faults.past(stage(partial(TomlFile.text, path=("citation", key)), toml)) for key in CITATION_KEYS
+    }
     citation = {key: text for key, text in told.items() if text}
-    budget = past(partial(nearest, model.chain, budget_of))
+    budget = faults.past(stage(lambda *files: nearest(files, budget_of), *model.chain))
     paper = text_paper(
         text, model, title or own_title(text) or text.path.name, doi, (toml.path, text.path), citation
     )
@@ -60,12 +63,12 @@ def _with_macros(toml: TomlFile, path: Path) -> Text:
     return read_text(path, _beside(toml, "macros", "from"), bodies=bodies)
 
 
-def model_of(toml: TomlFile, text: Text, faults: Faults) -> TextModel:
+def model_of(toml: TomlFile, text: Text, faults: ErrorLog) -> TextModel:
     """Returns the content of the model and of the comments in its text. Raises PaperError if it names no
     notation."""
-    faults.past(lambda: toml.allow_keys((), MODEL_KEYS))
-    chain = faults.past(lambda: notation_chain(toml))
-    guessed = faults.past(lambda: toml.texts(("guessed",)))
+    faults.past(stage(lambda file: file.allow_keys((), MODEL_KEYS), toml))
+    chain = faults.past(chain_stage(toml))
+    guessed = faults.past(stage(lambda file: file.texts(("guessed",)), toml))
     if chain is None:
         faults.stop()
     assert chain is not None, "no files, and no fault is told"

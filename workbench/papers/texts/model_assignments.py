@@ -10,7 +10,7 @@ from functools import partial
 from workbench.context.claims import Notation
 from workbench.core.close_names import did_you_mean
 from workbench.core.paper_errors import PaperError
-from workbench.papers.texts.text_model import Entry, TextModel, names_of
+from workbench.papers.texts.text_model import Entry, TextModel, names_of, with_entries
 from workbench.source.documents import Display
 from workbench.source.rows.chains import Step
 
@@ -35,14 +35,15 @@ def assigned(
         found = [each for each in placed if means(entry.at, each)]
         if not found:
             model.faults.tell(_nowhere(entry, placed, displays))
-        elif model.faults.past(partial(_fits, entry, found, placed), whole=True):
+        elif model.faults.whole(with_entries(partial(_fits, found=found, placed=placed), [entry])):
             for each in found:
                 assigned.setdefault(each.id, []).append(entry)
     return assigned
 
 
-def _fits(entry: Entry, found: Sequence[Placed], placed: Sequence[Placed]) -> bool:
+def _fits(entries: Sequence[Entry], found: Sequence[Placed], placed: Sequence[Placed]) -> bool:
     """True if the entry fits its claims. Raises PaperError if the text has another formula, or several."""
+    (entry,) = entries
     _check_printed(entry, found, placed)
     _check_single(entry, found)
     return True

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from workbench.context.claims import Notation
 from workbench.core.codes.model_codes import ModelCode
@@ -16,11 +16,13 @@ from workbench.core.paper_errors import KeyPath, PaperError
 from workbench.core.schema import key_names
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import INDEX_LETTERS
-from workbench.papers.collected_errors import Faults
 from workbench.papers.notation_tables import notation_of
+from workbench.papers.reading_stages import ErrorLog, Stage, stage
 from workbench.source.documents import Directive, Display, Text
 from workbench.source.documents.surrounding_words import headings
 from workbench.source.toml.toml_file import TomlFile, present_text
+
+T = TypeVar("T")
 
 MODEL_KEYS = key_names("model")
 CLAIM_KEYS = key_names("claim of a model")
@@ -39,6 +41,10 @@ class Table:
     @property
     def path(self) -> Path:
         return self.toml.path
+
+    def of(self, file: TomlFile) -> Table:
+        """Returns the same table of a view of the file."""
+        return replace(self, toml=file)
 
     def value(self, path: KeyPath, expected: type, default: Any = None) -> Any:
         return self.toml.value((*self.prefix, *path), expected, default)
@@ -90,7 +96,7 @@ class TextModel:
     scopes: list[tuple[int, Table, tuple[Path, int]]] = field(default_factory=list)
     guessed: tuple[str, ...] = ()
     entries: list[Entry] = field(default_factory=list)
-    faults: Faults = field(default_factory=Faults)
+    faults: ErrorLog = field(default_factory=ErrorLog)
     _made: list[tuple[int, Notation]] | None = None
 
     def notations(self) -> list[tuple[int, Notation]]:
@@ -105,12 +111,21 @@ class TextModel:
         for count in range(len(self.scopes) + 1):
             start = self.scopes[count - 1][0] if count else 0
             tables = [table for _, table, _ in self.scopes[:count]]
-            notation = self.faults.past(partial(notation_of, self.chain, tables))
-            if notation is not None:
-                made.append((start, self._with_places(notation, count)))
-        if len(made) <= len(self.scopes):
+            notation = self.faults.past(self._notation(tables))
+            made.append((start, notation and self._with_places(notation, count)))
+        if any(notation is None for _, notation in made):
             self.faults.stop()
         return made
+
+    def _notation(self, tables: Sequence[Table]) -> Stage[Notation]:
+        """Returns the notation of the chain with these scopes."""
+
+        def read(*files: TomlFile) -> Notation:
+            count = len(self.chain)
+            scopes = [table.of(file) for table, file in zip(tables, files[count:], strict=True)]
+            return notation_of(files[:count], scopes)
+
+        return stage(read, *self.chain, *(table.toml for table in tables))
 
     def _with_places(self, notation: Notation, count: int) -> Notation:
         """Returns the notation of the first `count` scopes, with the positions where they redeclare
@@ -123,13 +138,24 @@ class TextModel:
         return replace(notation, since=since)
 
 
-def read_entries(toml: TomlFile, faults: Faults) -> list[Entry]:
+def with_entries(read: Callable[[Sequence[Entry]], T], entries: Sequence[Entry]) -> Stage[T]:
+    """Returns what `read` makes of the entries, without the keys at fault."""
+
+    def of(*files: TomlFile) -> T:
+        views = zip(entries, files, strict=True)
+        return read([replace(entry, table=entry.table.of(file)) for entry, file in views])
+
+    return stage(of, *(entry.table.toml for entry in entries))
+
+
+def read_entries(toml: TomlFile, faults: ErrorLog) -> list[Entry]:
     """Returns the [[claim]] tables that state their position."""
     entries = []
-    for index in range(len(faults.past(lambda: toml.tables(("claim",))) or ())):
+    for index in range(len(faults.past(stage(lambda file: file.tables(("claim",)), toml)) or ())):
         path = ("claim", index)
-        faults.past(partial(toml.allow_keys, path, CLAIM_KEYS))
-        entries += [Entry(Table(toml, path), at) for at in faults.past(partial(_places, toml, path)) or ()]
+        faults.past(stage(partial(TomlFile.allow_keys, path=path, allowed=CLAIM_KEYS), toml))
+        places = faults.past(stage(partial(_places, path=path), toml)) or ()
+        entries += [Entry(Table(toml, path), at) for at in places]
     return entries
 
 
@@ -145,10 +171,10 @@ def _places(toml: TomlFile, path: KeyPath) -> Sequence[str]:
 
 def read_scopes(toml: TomlFile, text: Text, model: TextModel) -> None:
     """Adds the [[scope]] tables to the model, each from its position on."""
-    for index in range(len(model.faults.past(lambda: toml.tables(("scope",))) or ())):
+    for index in range(len(model.faults.past(stage(lambda file: file.tables(("scope",)), toml)) or ())):
         path = ("scope", index)
-        model.faults.past(partial(toml.allow_keys, path, _SCOPE_KEYS))
-        place = model.faults.past(partial(_start, toml, path, text))
+        model.faults.past(stage(partial(TomlFile.allow_keys, path=path, allowed=_SCOPE_KEYS), toml))
+        place = model.faults.past(stage(partial(_start, path=path, text=text), toml))
         if place is not None:
             model.scopes.append((place, Table(toml, path), _beginning(place, text.displays)))
     model.scopes.sort(key=lambda scope: scope[0])
@@ -217,13 +243,14 @@ def read_directives(directives: Sequence[Directive], displays: Sequence[Display]
         at = text.find(directive.text, column - 1)
         payload = " " * at + directive.text
         if _CLAIM_KEY.match(directive.text):
-            toml = model.faults.past(partial(TomlFile, directive.source.path, "\n" * (line - 1) + payload))
+            content = "\n" * (line - 1) + payload
+            toml = model.faults.past(stage(partial(TomlFile, directive.source.path, content)))
             display = _following(directive, displays)
             if display is None:
                 message = "no display follows this comment"
                 model.faults.tell(PaperError(directive.source.path, line, column, message))
             elif toml is not None:
-                model.faults.past(partial(toml.allow_keys, (), CLAIM_KEYS))
+                model.faults.past(stage(lambda file: file.allow_keys((), CLAIM_KEYS), toml))
                 model.entries.append(Entry(Table(toml, ()), display))
         else:
             notation.setdefault(directive.source.path, {})[line] = payload
@@ -231,7 +258,7 @@ def read_directives(directives: Sequence[Directive], displays: Sequence[Display]
         text = "\n".join(lines.get(number, "") for number in range(1, max(lines) + 1))
         toml = TomlFile(path, text)
         known = key_names("directive")
-        model.faults.past(partial(toml.allow_keys, (), known))
+        model.faults.past(stage(partial(TomlFile.allow_keys, path=(), allowed=known), toml))
         model.chain.append(toml)
 
 

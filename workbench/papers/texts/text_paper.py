@@ -32,7 +32,7 @@ from workbench.language.reader import unclaimed
 from workbench.papers.corrections import MEND_KEYS, fault_of, mend_of
 from workbench.papers.numbered_symbols import written_out
 from workbench.papers.texts.model_assignments import Placed, assigned, means, unknown_ids
-from workbench.papers.texts.text_model import Entry, Table, TextModel
+from workbench.papers.texts.text_model import Entry, TextModel, with_entries
 from workbench.source.documents import Display, Text, Token, spelled
 from workbench.source.rows.chains import Step, steps_of
 from workbench.source.rows.display_vocabulary import RELATIONS
@@ -72,8 +72,8 @@ def text_paper(
     entries = assigned(model, placed, text.displays)
     claims = [_usable_claim(each, entries.get(each.id, ()), model) for each in placed]
     claims = [
-        model.faults.past(
-            partial(_with_given, claim, placed[: at + 1], entries.get(claim.id, ())), whole=True
+        model.faults.whole(
+            with_entries(partial(_with_given, claim, placed[: at + 1]), entries.get(claim.id, ()))
         )
         or _unusable(claim)
         for at, claim in enumerate(claims)
@@ -224,7 +224,7 @@ def _spoils(fault: PaperError, chain: Sequence[TomlFile]) -> bool:
 
 
 def _usable_claim(placed: Placed, entries: Sequence[Entry], model: TextModel) -> Claim:
-    claim = model.faults.past(partial(_claim, placed, entries, model.guessed), whole=True)
+    claim = model.faults.whole(with_entries(partial(_claim, placed, guessed=model.guessed), entries))
     if claim is not None:
         return claim
     return _unusable(_claim(placed, (), model.guessed))

@@ -5,7 +5,8 @@ from __future__ import annotations
 import difflib
 import re
 import tomllib
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from copy import copy
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -65,6 +66,7 @@ class TomlFile:
 
     def __init__(self, path: Path, text: str | None = None) -> None:
         self.path = path
+        self._origin: TomlFile | None = None
         text = self._text() if text is None else text
         if _LONG_KEY.search(text) and (offset := deep_place(text)) is not None:  # tomllib would take minutes
             raise self._too_deep(text, offset)
@@ -134,41 +136,39 @@ class TomlFile:
                 hint = f"did you mean {near[0]}?" if near else f"expected one of {', '.join(allowed)}"
                 raise self.error_at_key((*path, key), f"unknown key {key!r}; {hint}")
 
-    def set_aside(self, path: KeyPath) -> Callable[[], None] | None:
-        """Removes the entry, so that the rest can be read; returns a function that restores it.
+    @property
+    def origin(self) -> TomlFile:
+        """The file that this is a view of; the file itself if it is no view."""
+        return self._origin or self
 
-        Returns None if there is no entry, or if it is a table of a list.
-        """
+    def without(self, path: KeyPath) -> TomlFile | None:
+        """Returns a view of the file without the entry. Returns None if there is no such entry, or if it is a
+        table of a list."""
         *above, key = path or ("",)
         holder: Any = self.data
         for part in above:
             holder = holder[part]
         if isinstance(key, int):
-            return None if isinstance(holder[key], dict) else self.set_aside(tuple(above))
+            return None if isinstance(holder[key], dict) else self.without(tuple(above))
         if key not in holder:
             return None
-        before = dict(holder)
-        del holder[key]
-
-        def put_back() -> None:
-            holder.clear()
-            holder.update(before)
-
-        return put_back
+        view = copy(self)
+        view._origin, view.data = self.origin, _removed(self.data, path)
+        return view
 
     def error_at_key(self, path: KeyPath, message: str) -> PaperError:
-        return PaperError(self.path, *self.places.of_key(path), message, self, path)
+        return PaperError(self.path, *self.places.of_key(path), message, self.origin, path)
 
     def error_at_value(self, path: KeyPath, message: str) -> PaperError:
-        return PaperError(self.path, *self.places.of_value(path), message, self, path)
+        return PaperError(self.path, *self.places.of_value(path), message, self.origin, path)
 
     def error_in_string(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
         place = self.places.in_string(path, line, column)
-        return PaperError(self.path, *place, message, self, path, self.value(path, str))
+        return PaperError(self.path, *place, message, self.origin, path, self.value(path, str))
 
     def error_in_key(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
         place = self.places.in_key(path, line, column)
-        return PaperError(self.path, *place, message, self, path, str(path[-1]))
+        return PaperError(self.path, *place, message, self.origin, path, str(path[-1]))
 
     def _text(self) -> str:
         raw = file_bytes(self.path, "a TOML file", MOST_BYTES)
@@ -196,3 +196,13 @@ class TomlFile:
             line = int(match[2]) if match[2] else text.count("\n") + 1
             column = int(match[3]) if match[3] else len(text) - text.rfind("\n")
         return PaperError(self.path, line or 1, column or 1, f"not TOML: {message}")
+
+
+def _removed(node: Any, path: KeyPath) -> Any:
+    """Returns a copy of the data without the entry; the rest is shared."""
+    first, *rest = path
+    if not rest:
+        return {key: value for key, value in node.items() if key != first}
+    made = node.copy()
+    made[first] = _removed(node[first], tuple(rest))
+    return made

@@ -68,7 +68,7 @@ def load_notation(path: Path | str) -> Notation:
     PaperError."""
     toml, faults = TomlFile(Path(path)), ErrorLog()
     faults.past(stage(lambda file: file.allow_keys((), _PAPER_KEYS), toml))
-    notation = faults.past(stage(lambda file: _notation_of(notation_chain(file)), toml))
+    notation = faults.need(stage(lambda file: _notation_of(notation_chain(file)), toml))
     faults.stop()
     return notation
 
@@ -292,7 +292,7 @@ class _PaperFile:
 
             def read(file: TomlFile, index: int = index) -> list[Claim]:
                 path = ("claim", index)
-                return ClaimTable(file, path, self.notation, self.section, owners, theorems).claims()
+                return ClaimTable(file, path, notation, self.section, owners, theorems).claims()
 
             made = faults.whole(stage(read, self.toml))
             claims += made or ()
@@ -315,7 +315,8 @@ class _PaperFile:
 
     def read_alone(self, theorems: Mapping[str, Proven]) -> _Read | None:
         """Returns the content of the file; None if it has a fault."""
-        faults, owners = ErrorLog(), {}
+        faults = ErrorLog()
+        owners: dict[str, str] = {}
         try:
             notation = self.notation = _notation_of(self.chain)
             claims = self.read(owners, theorems, [], faults, Kept(None))

@@ -13,7 +13,7 @@ from typing import Generic, TypeVar
 
 from workbench.core.codes.model_codes import ModelCode
 from workbench.core.paper_errors import PaperError, PaperErrors
-from workbench.core.reasons import code_of
+from workbench.core.reasons import Reason
 from workbench.source.toml.toml_file import TomlFile
 
 T = TypeVar("T")
@@ -93,12 +93,12 @@ class ErrorLog(list[PaperError]):
             if number < done.omitted:
                 self._omitted.append(error)
 
-    def need(self, make: Callable[[], T]) -> T:
-        """What `make` gives without the entries at fault. Raises PaperError where it cannot do without."""
-        made = self.past(make)
+    def need(self, done: Stage[T]) -> T:
+        """Adds the errors of a stage. Returns its value; raises PaperError if it has none."""
+        made = self.past(done)
         if made is None:
             self.stop()
-        assert made is not None, "nothing is made, and no fault is told"
+        assert made is not None, "a stage without a value has an error"
         return made
 
     def tell(self, error: PaperError) -> None:
@@ -122,10 +122,10 @@ def _follows(error: PaperError, omitted: PaperError) -> bool:
     path = omitted.path
     while isinstance(path[-1], int):
         path = path[:-1]
-    *table, key = path
+    *table, last = path
+    key = str(last)
     if error.toml is omitted.toml and list(error.path[: len(table)]) == table:
-        is_of_table = len(error.path) == len(table) and isinstance(code_of(error.message), ModelCode)
-        missing = error.message.arguments.values() if is_of_table else ()
+        missing = _missing_keys(error.message) if len(error.path) == len(table) else ()
         if key in _GROUNDS or error.message == omitted.message or get_close_matches(key, missing, 1):
             return True
     is_notation = any(get_close_matches(str(part), _NOTATION, 1, cutoff=0.8) for part in path[:3:2])

@@ -38,9 +38,8 @@ def load_text(path: Path) -> TextPaper:
 def load_model(toml: TomlFile) -> TextPaper:
     """Returns a model with the text that it names. Raises PaperError."""
     path, faults = _beside(toml, "source"), ErrorLog()
-    text = faults.past(stage(lambda file: _with_macros(file, path), toml))
-    if text is None:
-        faults.stop()
+    assert path is not None, "a model names its text"
+    text = faults.need(stage(lambda file: _with_macros(file, path), toml))
     model = model_of(toml, text, faults)
     title, doi = (faults.past(stage(partial(TomlFile.text, path=(key,)), toml)) for key in ("title", "doi"))
     faults.past(stage(lambda file: file.allow_keys(("citation",), CITATION_KEYS), toml))

@@ -107,13 +107,14 @@ class TextModel:
         return self._made
 
     def _notations(self) -> list[tuple[int, Notation]]:
-        made = []
+        made: list[tuple[int, Notation]] = []
         for count in range(len(self.scopes) + 1):
             start = self.scopes[count - 1][0] if count else 0
             tables = [table for _, table, _ in self.scopes[:count]]
             notation = self.faults.past(self._notation(tables))
-            made.append((start, notation and self._with_places(notation, count)))
-        if any(notation is None for _, notation in made):
+            if notation is not None:
+                made.append((start, self._with_places(notation, count)))
+        if len(made) <= len(self.scopes):
             self.faults.stop()
         return made
 

@@ -32,7 +32,7 @@ from workbench.language.reader import unclaimed
 from workbench.papers.corrections import MEND_KEYS, fault_of, mend_of
 from workbench.papers.numbered_symbols import written_out
 from workbench.papers.texts.model_assignments import Placed, assigned, means, unknown_ids
-from workbench.papers.texts.text_model import Entry, TextModel, with_entries
+from workbench.papers.texts.text_model import Entry, Table, TextModel, with_entries
 from workbench.source.documents import Display, Text, Token, spelled
 from workbench.source.rows.chains import Step, steps_of
 from workbench.source.rows.display_vocabulary import RELATIONS

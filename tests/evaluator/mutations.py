@@ -85,7 +85,7 @@ def _is_free(term: Term, table: SymbolTable) -> bool:
         own.clock,
         own.coordinate,
     )
-    return not any((*flags, own.independent, own.of, own.name in table.defined))
+    return not any((*flags, own.independent, own.of, own.name in table.defined.members))
 
 
 def _paths(term: Term, path: tuple[int, ...] = ()) -> Iterator[tuple[int, ...]]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -15,8 +14,8 @@ from workbench.context.facts import Act, Fact, Origin, Provider
 from workbench.context.formula_acts import act_of, declared_anew
 from workbench.context.formula_facts import with_acts, with_formula_facts, with_laws
 from workbench.context.free_symbols import names_in, terms_of
-from workbench.context.index_values import Orders, orders_within
-from workbench.context.read_formulas import WORDS, FormulaReader, read_statement, with_intent
+from workbench.context.index_values import Orders
+from workbench.context.read_formulas import WORDS, FormulaReader, read_statement
 from workbench.context.sentence_facts import TextSentences
 from workbench.context.unread_facts import Unread, said_unread, unread_facts
 from workbench.core.codes.syntax_codes import SyntaxCode
@@ -24,23 +23,24 @@ from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.names import Name
 from workbench.core.paper_errors import PaperError
-from workbench.core.reasons import Reason, reason_of
-from workbench.core.spans import Span
 from workbench.core.terms import Apply, Statement, Symbol
 from workbench.core.verdict import Strength
-from workbench.language.reader import unclaimed
 from workbench.papers.corrections import MEND_KEYS, fault_of, mend_of
-from workbench.papers.numbered_symbols import written_out
 from workbench.papers.texts.model_assignments import Placed, assigned, means, unknown_ids
+from workbench.papers.texts.step_formulas import (
+    assumed_formulas,
+    printed_formula,
+    reasons_of,
+    side_formula,
+    span_of,
+    unreadable,
+)
 from workbench.papers.texts.text_model import Entry, Table, TextModel, with_entries
-from workbench.source.documents import Display, Text, Token, spelled
+from workbench.source.documents import Display, Text, Token
 from workbench.source.rows.chains import Step, steps_of
-from workbench.source.rows.display_vocabulary import RELATIONS
 from workbench.source.toml.toml_file import TomlFile
 
-_IN_WORDS = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*(?:is|are|denotes?|represents?)\b")
 _FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
-_TILDE = re.compile(r"\\(?:wide)?tilde(?![A-Za-z])")
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _STAR = "^* as the adjugate, of which the text does not speak ([notation] can say what it is)"
 _NO_ID = re.compile(r"[^\w.+*'-]+")
@@ -241,9 +241,9 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
     display, step = placed.display, placed.step
     orders = _orders(tables)
     has_reading = any(table.text(("reading",)) for table in tables)
-    printed, within = _printed(placed, orders, has_reading)
-    assume, printed = _assumed(placed, printed)
-    reasons, unread_reasons = _reasons(placed, _names_of(printed))
+    printed, within = printed_formula(placed, orders, has_reading)
+    assume, printed = assumed_formulas(placed, printed)
+    reasons, unread_reasons = reasons_of(placed, _names_of(printed))
     span = span_of(step.own, display)
     claim = Claim(
         placed.id,
@@ -260,9 +260,9 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         guessed=_used(printed, step.tokens, guessed),
         act=act_of(printed, placed.notation),
         facts=unread_reasons,
-        perhaps=tuple(_side_formula(tokens, placed) for tokens in step.perhaps),
-        serves=tuple(_side_formula(tokens, placed) for tokens in step.serves),
-        otherwise=tuple(_side_formula(tokens, placed) for tokens in step.otherwise),
+        perhaps=tuple(side_formula(tokens, placed) for tokens in step.perhaps),
+        serves=tuple(side_formula(tokens, placed) for tokens in step.serves),
+        otherwise=tuple(side_formula(tokens, placed) for tokens in step.otherwise),
         question=step.question,
     )
     for table in tables:
@@ -284,7 +284,7 @@ def _with_keys(claim: Claim, table: Table) -> Claim:
         mend_of(table, (), "")
     inherits = table.texts(("inherits",))
     if reading is not None and printed.unread is not None:
-        printed = replace(printed, unread=None, ill_formed=_unreadable(printed.unread))
+        printed = replace(printed, unread=None, ill_formed=unreadable(printed.unread))
     return replace(
         claim,
         printed=printed,
@@ -329,115 +329,3 @@ def _orders(tables: Sequence) -> Orders | None:
             except ValueError as error:
                 raise table.error_at_value(("orders",), str(error)) from None
     return None
-
-
-def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Formula, Orders | None]:
-    latex, owners = placed.step.spelled()
-    if placed.step.denied is not None:
-        return Formula(latex, unread=SyntaxCode.DENIED(words=placed.step.denied)), orders
-    opaque = sorted(
-        name for name in placed.display.opaque if re.search(rf"\\{re.escape(name)}(?![A-Za-z])", latex)
-    )
-    if opaque:
-        names = ", ".join(f"\\{name}" for name in opaque)
-        return Formula(latex, unread=SyntaxCode.OPAQUE_MACROS(names=names)), orders
-    try:
-        statement, ranges = read_statement(latex, placed.notation, orders)
-        return Formula(latex, statement), orders_within(orders, ranges)
-    except IllFormedAt as error:
-        at = _at(latex, owners, error.line, error.column)
-        if _TILDE.search(latex):
-            return Formula(
-                latex, unread=SyntaxCode.CANNOT_BE_READ(why=SyntaxCode.TILDE_DOES_NOT_FIT()), at=at
-            ), orders
-        return Formula(latex, ill_formed=_message(error), at=at), orders
-    except ReadError as error:
-        if placed.step.ranges:
-            bare = replace(placed, step=placed.step.without_ranges())
-            if (found := _printed(bare, orders, excused))[0].statement is not None:
-                return found
-        if (said := written_out(latex, placed.notation)) is not None:
-            return Formula(latex, said), orders
-        if _IN_WORDS.search(latex) and not any(token.text in RELATIONS for token in placed.step.tokens):
-            return Formula(latex, unread=SyntaxCode.SAYS_IN_WORDS()), orders
-        at = _at(latex, owners, error.line, error.column)
-        return Formula(latex, unread=_why_unread(error, latex, placed.notation), at=at), orders
-    except ValueError as error:
-        return Formula(latex, unread=SyntaxCode.UNUSABLE_ORDERS(orders_fault=error)), orders
-
-
-def _why_unread(error: ReadError, latex: str, notation: Notation) -> Reason:
-    with suppress(ReadError, IllFormedAt):
-        return unclaimed(error, latex, notation.symbols)
-    return _unreadable(error.message)
-
-
-def _unreadable(why: Reason) -> Reason:
-    return why if why.code is SyntaxCode.CANNOT_BE_READ else SyntaxCode.CANNOT_BE_READ(why=why)
-
-
-def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:
-    """Returns the conditions next to the formula, and the formula, which is unread if a condition is."""
-    made: list[Formula] = []
-    for tokens in placed.step.assumed:
-        latex, owners = spelled(tokens)
-        try:
-            made.append(Formula(latex, read_statement(latex, placed.notation, None)[0]))
-        except (ReadError, IllFormedAt) as error:
-            why = SyntaxCode.CONDITION_UNREAD(formula=latex, why=error.message)
-            return (), replace(
-                printed, statement=None, unread=why, at=_at(latex, owners, error.line, error.column)
-            )
-    return tuple(made), printed
-
-
-def _reasons(placed: Placed, about: frozenset[Name]) -> tuple[list[Formula], tuple[Fact, ...]]:
-    """Returns the reasons that the author gives for the step, and opaque facts for unreadable ones."""
-    made: list[Formula] = []
-    unread: list[Fact] = []
-    for tokens in placed.step.reasons:
-        formula = _side_formula(tokens, placed)
-        if formula.statement is not None:
-            made.append(formula)
-        elif about:
-            unread.append(opaque(formula.latex, placed.display.source.place(tokens[0].start)[0], about))
-    return made, tuple(unread)
-
-
-def _side_formula(tokens: Sequence[Token], placed: Placed) -> Formula:
-    """Returns the formula of tokens next to a step or in its place, with the reason if it cannot be read."""
-    latex, _ = spelled(tokens)
-    try:
-        return Formula(latex, read_statement(latex, placed.notation, None)[0])
-    except IllFormedAt as error:
-        return Formula(latex, ill_formed=_message(error))
-    except (ReadError, ValueError) as error:
-        return Formula(latex, unread=_unreadable(reason_of(error)))
-
-
-def _message(error: IllFormedAt) -> Reason:
-    """Returns why it is ill-formed, without the position, which is that of the claim."""
-    return with_intent(error.message, error)
-
-
-def _at(latex: str, owners: Sequence[Token], line: int, column: int) -> Span:
-    """Returns the span of the author's characters at a position of the formula."""
-    offset = sum(len(text) + 1 for text in latex.split("\n")[: line - 1]) + column - 1
-    token = owners[min(max(offset, 0), len(owners) - 1)]
-    return _span([token])
-
-
-def span_of(tokens: Sequence[Token], display: Display) -> Span:
-    """Returns the span of the author's characters; macros stand where they are called."""
-    own = [token for token in tokens if token.source is display.source]
-    own = [token for token in own if display.start <= token.start and token.end <= display.end]
-    if own:
-        return _span(own)
-    source = display.source
-    return Span(source.path, *source.place(display.start), *source.place(display.end))
-
-
-def _span(tokens: Sequence[Token]) -> Span:
-    first = min(tokens, key=lambda token: token.start)
-    last = max(tokens, key=lambda token: token.end)
-    return Span(first.source.path, *first.source.place(first.start), *last.source.place(last.end))

@@ -35,7 +35,7 @@ from workbench.language.naming.notations import Notations
 from workbench.language.naming.reading_conventions import Conventions, Gradient, Points, Relaxation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.papers import load_paper
-from workbench.prover.explain.canonical_text import by_fields, told
+from workbench.prover.explain.canonical_text import by_fields, canonical_text
 from workbench.prover.explain.judged_parts import UNSEEN, JudgedParts
 
 HEAD = "%! workbench: symbols.'a' = { kind = \"vector\" }\n"
@@ -271,7 +271,9 @@ def test_judges_see_each_field_in_the_key_and_no_other(field: Field) -> None:
         return
     one, other = (replace(CLAIM, **{field.name: value}) for value in values_of(field))
     parts = [
-        told([getattr(JudgedParts().of(each), f.name) for f in fields(Claim) if f.name != "notation"])
+        canonical_text(
+            [getattr(JudgedParts().of(each), f.name) for f in fields(Claim) if f.name != "notation"]
+        )
         for each in (one, other)
     ]
     assert (parts[0] == parts[1]) == (field.name in UNSEEN)

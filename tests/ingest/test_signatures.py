@@ -9,7 +9,7 @@ import pytest
 from workbench.core.construct import apply, relation, symbol
 from workbench.core.names import Name
 from workbench.core.operations import OPERATORS
-from workbench.core.terms import IllFormed, Term, Unread
+from workbench.core.terms import IllFormed, Term, Unsupported
 from workbench.core.types import QUATERNION as QUATERNION_TYPE
 from workbench.core.types import Declaration, Type
 from workbench.papers.drafting.inference.kind_signatures import (
@@ -99,7 +99,7 @@ def test_a_plain_row_is_what_the_typed_layer_does(op: str, patterns: tuple[str, 
             continue  # the typed layer wants its terms to be functions of the symbol
         try:
             made = kind_of(apply(HEADS[op], *(term(kind, "abc"[at]) for at, kind in enumerate(parts))))
-        except (IllFormed, Unread) as refused:
+        except (IllFormed, Unsupported) as refused:
             pytest.fail(f"{op} of {parts}: {refused}")
         assert given.get(made) == 0, (op, parts, made)
 
@@ -113,7 +113,7 @@ def test_well_typed_operations_are_no_misfits(op: str) -> None:
     for parts in product(KINDS, repeat=count):
         try:
             made = kind_of(apply(HEADS[op], *(term(kind, "abc"[at]) for at, kind in enumerate(parts))))
-        except (IllFormed, Unread):
+        except (IllFormed, Unsupported):
             continue
         if (op, parts) not in STRICTER:
             assert dict(values(op, parts)).get(made, MISFIT) < MISFIT // 2, (op, parts, made)
@@ -124,7 +124,7 @@ def test_sides_of_an_equation_have_one_kind(one: Kind, other: Kind) -> None:
     cost = min(cost for _, cost in values("equal", (one, other)))
     try:
         relation("=", term(one, "a"), term(other, "b"))
-    except (IllFormed, Unread):
+    except (IllFormed, Unsupported):
         assert cost >= MISFIT // 2
     else:
         assert cost == 0 or (QUATERNION in (one, other) and cost < MISFIT // 2)

@@ -7,7 +7,7 @@ from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.formula_errors import ReadError
 from workbench.core.verdict import Outcome
 from workbench.papers import PaperError, load_paper
-from workbench.prover.explain.decide_under_facts import undisturbed
+from workbench.prover.explain.decide_under_facts import judged_or_unchecked
 
 F = {"f": "scalar", "s_n": "scalar"}
 
@@ -373,7 +373,7 @@ def test_too_deep_nesting_is_unchecked():
     def judge():
         raise RecursionError
 
-    assert undisturbed(judge).outcome == Outcome.UNCHECKED
+    assert judged_or_unchecked(judge).outcome == Outcome.UNCHECKED
 
 
 class TestReachOfARate:

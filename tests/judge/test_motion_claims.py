@@ -24,7 +24,7 @@ from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.goals import Scope
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
-from workbench.prover.goals.goal_equations import said
+from workbench.prover.goals.goal_equations import equations_of_goal
 from workbench.prover.motions.motion_check import Subject, witness
 from workbench.prover.motions.motion_source import bindings_of
 
@@ -53,7 +53,7 @@ def test_equations_behind_no_existence_are_said(goal, expected):
     table = SymbolTable.build({"a": {"kind": "vector"}, "b": {"kind": "vector"}})
     found = [
         (to_latex(part.statement), [to_latex(p) for p in part.premises], list(part.integers))
-        for part in said(read_goal(goal, Scope(table, (), {})))
+        for part in equations_of_goal(read_goal(goal, Scope(table, (), {})))
     ]
     assert found == expected
 

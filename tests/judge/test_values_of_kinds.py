@@ -29,10 +29,10 @@ from workbench.core.construct import apply, derivative, number, relation, symbol
 from workbench.core.names import Name
 from workbench.core.terms import IllFormed, Implication, Statement, Zero
 from workbench.core.verdict import Outcome, Verdict
-from workbench.language.author_notation import Hand
+from workbench.language.author_notation import AuthorNotation
 from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.papers.load import load_notation
 from workbench.prover.decide.decide import Judge
@@ -145,7 +145,7 @@ def fails_at(kind: str, statement: Statement, instances: list[dict], verdict: Ve
 
 
 def shown(kind: str, statement: Statement) -> str:
-    with in_the_hand_of(Hand(notation_of(kind).symbols)):
+    with printed_for(AuthorNotation(notation_of(kind).symbols)):
         return to_latex(statement)
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import pytest
 
-from workbench.core.formula_errors import Fault, IllFormedAt, Misfit, ReadError
+from workbench.core.formula_errors import Fault, IllFormedAt, ReadError, TypeMismatch
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.statements import clauses_of
 from workbench.language.grammar.parser import parse
@@ -263,7 +263,7 @@ def test_a_fault_leaves_nothing_behind(latex: str) -> None:
         for clause in clauses_of(parse(latex)):
             for side in clause.sides if isinstance(clause, Chain) else (clause,):
                 scope = Elaborator(TABLE, frozenset({"n"}))
-                with suppress(Fault, Misfit):
+                with suppress(Fault, TypeMismatch):
                     scope.term(side)
                 assert (scope.depth, scope.variables) == (0, {"n"})
 

@@ -14,11 +14,11 @@ from workbench.core.construct import zero
 from workbench.core.formula_errors import ReadError
 from workbench.core.integer_instances import free_integers
 from workbench.core.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term
-from workbench.language.author_notation import Hand
+from workbench.language.author_notation import AuthorNotation
 from workbench.language.naming.known_frames import KnownFrames
 from workbench.language.naming.reading_conventions import Conventions, Gradient
 from workbench.language.naming.symbols import SymbolTable
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
 from workbench.papers.installed_papers import installed_names
@@ -51,7 +51,7 @@ HANDS = (
     },
 )
 TABLES = [TABLE.with_notations({k: v for k, v in specs.items() if k != "1"}) for specs in HANDS]
-KNOWN = [Hand(table) for table in TABLES]
+KNOWN = [AuthorNotation(table) for table in TABLES]
 
 
 def relations(statement: Statement) -> Iterator[Relation]:
@@ -65,8 +65,8 @@ def relations(statement: Statement) -> Iterator[Relation]:
             yield from (*relations(left), *relations(right))
 
 
-def written(term, hand: Hand) -> str:
-    with in_the_hand_of(hand):
+def written(term, hand: AuthorNotation) -> str:
+    with printed_for(hand):
         return to_latex(term)
 
 
@@ -96,7 +96,7 @@ def test_all_that_an_installed_paper_says_reads_as_it_was(name: str) -> None:
     hands = {}
     for claim in load_installed(name).claims:
         table = claim.notation.symbols
-        hand = hands.setdefault(id(table), Hand(table))
+        hand = hands.setdefault(id(table), AuthorNotation(table))
         if hand.is_plain:
             continue
         forms = [form for form in (claim.printed, claim.reading, claim.corrected) if form is not None]
@@ -146,15 +146,15 @@ OWN = SymbolTable.build(
 )
 def test_a_term_is_spelt_as_its_author_spells_it(formula: str, shown: str) -> None:
     (said,) = read(formula, OWN)
-    assert written(said, Hand(OWN)) == shown
+    assert written(said, AuthorNotation(OWN)) == shown
     assert read(shown, OWN) == (said,)
 
 
 def test_with_a_bold_i_as_inertia_the_unit_tensor_shows_its_size() -> None:
     table = SymbolTable.build({"a": {"kind": "vector"}, r"\mathbf{I}": {"kind": "tensor"}})
     (said,) = read(r"\mathbf{I}_{3 \times 3} a = \mathbf{I} a", table)
-    assert written(said, Hand(table)) == r"\mathbf{I}_{3 \times 3} a = \mathbf{I} a"
-    assert read(written(said, Hand(table)), table) == (said,)
+    assert written(said, AuthorNotation(table)) == r"\mathbf{I}_{3 \times 3} a = \mathbf{I} a"
+    assert read(written(said, AuthorNotation(table)), table) == (said,)
 
 
 def test_verdicts_and_proposals_are_in_the_hand_of_the_author(tmp_path) -> None:
@@ -179,7 +179,7 @@ def test_the_gradient_of_a_scalar_is_printed_as_a_column() -> None:
     specs = {"w": {"kind": "vector"}, "f": {"kind": "scalar", "of": ["w"]}}
     table = replace(SymbolTable.build(specs), conventions=Conventions(gradient=Gradient.COLUMN))
     (said,) = read(r"\frac{\partial f}{\partial w} \cdot \dot{w} = \dot{f}", table)
-    assert read(written(said, Hand(table)), table) == (said,)
+    assert read(written(said, AuthorNotation(table)), table) == (said,)
 
 
 @pytest.mark.parametrize("order", [2, 3])
@@ -232,7 +232,7 @@ WORDS = SymbolTable.build(
 )
 def test_a_word_is_an_operation_of_the_paper(formula: str, shown: str) -> None:
     (said,) = read(formula, WORDS)
-    assert written(said, Hand(WORDS)) == shown
+    assert written(said, AuthorNotation(WORDS)) == shown
     assert read(shown, WORDS) == (said,)
 
 

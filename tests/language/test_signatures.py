@@ -11,7 +11,7 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.operations import OPERATORS
 from workbench.core.signatures import function, of_square, times
-from workbench.core.terms import IllFormed, Symbol, Unread
+from workbench.core.terms import IllFormed, Symbol, Unsupported
 from workbench.core.types import OPERATOR, QUATERNION, Declaration, Type, Weight
 
 SIZES = {
@@ -98,7 +98,7 @@ def test_a_root_has_half_the_weight(weight: int, half: int) -> None:
 
 @pytest.mark.parametrize("weight", [Linear(1), Linear(-3), Linear.variable("n"), Linear.variable("n") * 2])
 def test_a_root_of_no_square_is_not_read(weight: Linear) -> None:
-    with pytest.raises(Unread, match="the root of a quantity of weight"):
+    with pytest.raises(Unsupported, match="the root of a quantity of weight"):
         apply("root", of("s", weight))
 
 
@@ -107,7 +107,7 @@ def test_the_root_of_a_square_matrix_has_a_meaning_elsewhere(letter: str) -> Non
     if letter != "s":
         with pytest.raises(IllFormed) as refused:
             apply("root", of(letter, Linear(0)))
-        assert isinstance(refused.value, Unread) == (letter in "th")
+        assert isinstance(refused.value, Unsupported) == (letter in "th")
 
 
 def product_of(left: str, right: str) -> Type | None:
@@ -218,7 +218,7 @@ def test_addends_are_of_one_kind(left: str, right: str) -> None:
     if expected is None:
         with pytest.raises(IllFormed, match="the addends differ in type") as refused:
             apply("add", of(left), of(right))
-        assert isinstance(refused.value, Unread) == ({left, right} == {"v", "f"})
+        assert isinstance(refused.value, Unsupported) == ({left, right} == {"v", "f"})
         return
     for duals in product((False, True), repeat=2):
         made = apply("add", of(left, Linear(2), duals[0]), of(right, Linear(2), duals[1]))
@@ -234,7 +234,7 @@ def test_a_quotient_by_a_quaternion_raises_a_question(letter: str) -> None:
     if letter != "s":
         with pytest.raises(IllFormed) as refused:
             apply("div", of("s"), of(letter))
-        assert isinstance(refused.value, Unread) == (letter == "q")
+        assert isinstance(refused.value, Unsupported) == (letter == "q")
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.context.read_formulas import read_statement
 from workbench.core.verdict import Outcome
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.papers import PaperError, load_paper
 
@@ -150,7 +150,7 @@ def test_the_laws_of_matrices_that_two_frames_name(tmp_path: Path) -> None:
     assert found == ["proved"] * len(OF_MATRICES) + ["refuted"] * len(NOT_OF_MATRICES)
     for claim in load_paper(tmp_path / "p.toml").claims:
         statement = claim.printed.statement
-        with in_the_hand_of(claim.notation.hand):
+        with printed_for(claim.notation.author_notation):
             assert read_statement(to_latex(statement), claim.notation, None)[0] == statement
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.papers import load_paper
 
@@ -67,7 +67,7 @@ def test_components_are_differentiated_as_they_are(tmp_path: Path, formula: str,
 
 def test_a_dot_is_printed_as_a_dot(tmp_path: Path) -> None:
     (claim,) = load_paper(paper(tmp_path, TRUE[1])).claims
-    with in_the_hand_of(claim.notation.hand):
+    with printed_for(claim.notation.author_notation):
         shown = to_latex(claim.printed.statement)
     assert r"\ddot{r}_{\beta \alpha}^{\beta}" in shown and r"\frac" not in shown
 

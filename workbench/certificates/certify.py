@@ -13,7 +13,7 @@ from workbench.certificates.handwritten import by_hand
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
 from workbench.core.verdict import Outcome, Verdict
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.papers import Paper
 from workbench.prover.results.claim_results import Certification, ClaimResult
 
@@ -118,7 +118,9 @@ def written(form: Form, verdict: Verdict) -> Certified:
     """Returns the certificate of a form, not yet checked."""
     try:
         if verdict.outcome == Outcome.REFUTED:
-            with in_the_hand_of(form.claim.notation.hand):  # the counterexample spells symbols that way
+            with printed_for(
+                form.claim.notation.author_notation
+            ):  # the counterexample spells symbols that way
                 made = refutation(form, verdict)
             return Certified(form, verdict.outcome, made, misread=made.misread)
         made = certificate(form, every=verdict.scope is not None and verdict.is_for_all)

@@ -20,7 +20,7 @@ from workbench.runtime import Budget
 if TYPE_CHECKING:
     from workbench.core.names import Name
     from workbench.core.terms import Statement, Symbol
-    from workbench.language.author_notation import Hand
+    from workbench.language.author_notation import AuthorNotation
     from workbench.language.definitions import Definitions
     from workbench.language.goals.goals import Goal
     from workbench.language.goals.proofs import Proven
@@ -157,11 +157,11 @@ class Notation:
     since: Mapping[Name, tuple[Path, int]] = field(default_factory=dict)
 
     @cached_property
-    def hand(self) -> Hand:
+    def author_notation(self) -> AuthorNotation:
         """The spelling conventions of the author."""
-        from workbench.language.author_notation import Hand
+        from workbench.language.author_notation import AuthorNotation
 
-        return Hand(self.symbols)
+        return AuthorNotation(self.symbols)
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ from workbench.core.terms import (
     Symbol,
     Term,
     TimeOperator,
-    Unread,
+    Unsupported,
     Zero,
 )
 from workbench.core.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
@@ -224,7 +224,7 @@ def as_quaternion(term: Term) -> Term:
         case Apply(head="mul", arguments=(factor, column)) if column.type == term.type:
             return apply("mul", factor, as_quaternion(column))
     if isinstance(term, Block):
-        raise Unread(TypeCode.COLUMN_BESIDE_QUATERNION())
+        raise Unsupported(TypeCode.COLUMN_BESIDE_QUATERNION())
     first, *rest = ([number(int(i == j)) if i == j else zero() for j in range(4)] for i in range(4))
     return apply("quaternion", apply("mul", block([first]), term), apply("mul", block(rest), term))
 

@@ -80,7 +80,7 @@ class Unranged(Fault):
         self.variable = variable
 
 
-class Misfit(Exception):
+class TypeMismatch(Exception):
     """An IllFormedAt whose position is still an offset in the text."""
 
     def __init__(self, fault: IllFormed, at: int) -> None:

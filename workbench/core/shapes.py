@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.integer_expressions import Linear
-from workbench.core.terms import Apply, Block, Identity, IllFormed, Number, Term, Unread, Zero
+from workbench.core.terms import Apply, Block, Identity, IllFormed, Number, Term, Unsupported, Zero
 from workbench.core.types import SCALAR, TENSOR, VECTOR, Type
 
 
@@ -97,7 +97,7 @@ def _of_one_number(term: Zero, size: int, type_: Type) -> Zero:
     if type_.rows != size or type_.columns not in (1, size) or type_.kind == "quaternion":
         message = TypeCode.ZERO_OF_ANOTHER_SIZE(size=size, place=sizes([type_]))
         if (type_.rows, type_.columns) == (1, size):
-            raise Unread(TypeCode.ROW_OF_ZEROS(message=message, size=size))
+            raise Unsupported(TypeCode.ROW_OF_ZEROS(message=message, size=size))
         raise IllFormed(message)
     return replace(term, type=type_.with_dual(False))
 

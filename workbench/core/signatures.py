@@ -8,7 +8,7 @@ from dataclasses import replace
 from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.integer_expressions import Linear
 from workbench.core.shapes import filling, has_open_zeros, is_sized, shaped, sizes, stretched
-from workbench.core.terms import Apply, Block, Identity, IllFormed, Symbol, Term, Unread, Zero
+from workbench.core.terms import Apply, Block, Identity, IllFormed, Symbol, Term, Unsupported, Zero
 from workbench.core.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
 Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
@@ -52,7 +52,7 @@ def agree(terms: Sequence[Term], what: Compared) -> tuple[Term, ...]:
         if any(map(is_sized, firm)):
             raise IllFormed(TypeCode.DIFFERENT_SIZES(message=message, sizes=sizes(t.type for t in firm)))
         if (usual := _abbreviated(firm)) is not None:
-            raise Unread(TypeCode.ABBREVIATED_SUMMAND(message=message, usual=usual))
+            raise Unsupported(TypeCode.ABBREVIATED_SUMMAND(message=message, usual=usual))
         raise IllFormed(message)
     else:
         of_one_number = [t for t in terms if isinstance(t, Zero) and t.printed]
@@ -153,7 +153,7 @@ def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         if "matrix" in (left.kind, right.kind):
             message = TypeCode.MATRIX_PRODUCT(left=left, right=right)
             if any(map(has_open_zeros, arguments)):
-                raise Unread(TypeCode.OPEN_ZEROS(message=message))
+                raise Unsupported(TypeCode.OPEN_ZEROS(message=message))
             raise IllFormed(message)
         raise IllFormed(TypeCode.JUXTAPOSITION(left=left, right=right), _INTENTS.get((left.kind, right.kind)))
     return product.with_dual(dual), weight
@@ -177,7 +177,7 @@ def compose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 def div(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     numerator, denominator = arguments
     if denominator.type.kind == "quaternion":
-        raise Unread(TypeCode.DIVISION_BY_QUATERNION())
+        raise Unsupported(TypeCode.DIVISION_BY_QUATERNION())
     if denominator.type.kind != "scalar":
         raise IllFormed(TypeCode.DIVISION_BY_NO_SCALAR(type=denominator.type))
     weight = None
@@ -243,13 +243,13 @@ def norm(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 def root(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     if arguments[0].type.is_square and arguments[0].type.kind != "scalar":
-        raise Unread(TypeCode.ROOT(type=arguments[0].type))
+        raise Unsupported(TypeCode.ROOT(type=arguments[0].type))
     _expect(arguments, {"scalar"})
     weight = arguments[0].weight
     if weight is None:
         return arguments[0].type, None
     if not weight.is_number or weight.constant % 2:
-        raise Unread(TypeCode.ROOT_OF_WEIGHT(weight=weight))
+        raise Unsupported(TypeCode.ROOT_OF_WEIGHT(weight=weight))
     return arguments[0].type, Linear(weight.constant // 2)
 
 
@@ -310,10 +310,10 @@ def partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     if body.type.kind == "operator":
         raise IllFormed(TypeCode.PARTIAL_DERIVATIVE_OF_OPERATOR())
     if by.type.dual or not (by.type.kind == "scalar" or by.type.is_column):
-        raise Unread(TypeCode.PARTIAL_DERIVATIVE_BY(type=by.type))
+        raise Unsupported(TypeCode.PARTIAL_DERIVATIVE_BY(type=by.type))
     weight = None if body.weight is None or by.weight is None else body.weight - by.weight
     if by.type.kind == "scalar":
         return body.type, weight
     if body.type.kind != "scalar" and not body.type.is_column:
-        raise Unread(TypeCode.DERIVATIVE_BY_VECTOR(type=body.type))
+        raise Unsupported(TypeCode.DERIVATIVE_BY_VECTOR(type=body.type))
     return Type(body.type.rows, by.type.rows, body.type.dual), weight

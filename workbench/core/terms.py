@@ -32,7 +32,7 @@ class IllFormed(ValueError):
         return self.reason.code
 
 
-class Unread(IllFormed):
+class Unsupported(IllFormed):
     """A construct that terms cannot represent, although it has a meaning. A claim with it is not
     ill-formed."""
 

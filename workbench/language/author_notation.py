@@ -20,7 +20,7 @@ from workbench.language.reader import meaning_of, read_term
 _PLACE = ("a place",)
 
 
-class Hand:
+class AuthorNotation:
     """The notation of one table by its meanings. Spellings that the reader would misread are left out."""
 
     def __init__(self, table: SymbolTable) -> None:

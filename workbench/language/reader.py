@@ -12,7 +12,7 @@ from typing import TypeVar
 
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
-from workbench.core.formula_errors import Fault, IllFormedAt, Misfit, ReadError, place
+from workbench.core.formula_errors import Fault, IllFormedAt, ReadError, TypeMismatch, place
 from workbench.core.reasons import Reason
 from workbench.core.terms import Relation, Statement, Term
 from workbench.core.types import SCALAR
@@ -92,7 +92,7 @@ def meaning_of(node: Node, table: SymbolTable) -> Term | None:
     """Returns the term of a tree that may contain terms; None if it has none."""
     try:
         return Elaborator(table, frozenset()).term(node)
-    except (Fault, Misfit, RecursionError):
+    except (Fault, TypeMismatch, RecursionError):
         return None
 
 
@@ -130,7 +130,7 @@ def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable],
         return make(parse(latex), table)
     except Fault as fault:
         raise ReadError(_short(fault.reason), *place(latex, fault.at)) from None
-    except Misfit as misfit:
+    except TypeMismatch as misfit:
         at = place(latex, misfit.at)
         if (question := _question(lambda loose: make(parse(latex), loose), table)) is not None:
             raise ReadError(question, *at) from None
@@ -145,13 +145,13 @@ def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reas
     Only readings that the reader asked for can change the result.
     """
     conventions = table.conventions.logged()
-    with suppress(Fault, Misfit):
+    with suppress(Fault, TypeMismatch):
         make(replace(table, conventions=conventions))
     asked = conventions.queries or set()
     for several in (*((each,) for each in _QUESTIONS), (Relaxation.DYADS, Relaxation.UNIT_TENSOR)):
         if asked.isdisjoint(several) or not conventions.excluded.isdisjoint(several):
             continue
-        with suppress(Fault, Misfit):
+        with suppress(Fault, TypeMismatch):
             make(replace(table, conventions=conventions.relaxed(*several)))
             questions = [_QUESTIONS[each] for each in several if each not in conventions.loose]
             return (

@@ -7,7 +7,7 @@ from contextlib import suppress
 from pickle import UnpicklingError
 from typing import Any, TypeVar
 
-from workbench.runtime.fingerprint import digest, ground
+from workbench.runtime.fingerprint import code_digest, digest
 from workbench.runtime.store import Store
 from workbench.runtime.stored_objects import packed, unpacked
 from workbench.source.toml.toml_file import TomlFile
@@ -24,7 +24,7 @@ class Kept:
     def key(self, what: str, files: Sequence[TomlFile]) -> str:
         """Returns the key of the content of these files, without entries that were removed."""
         said = [(str(file.path), file.places.text, file.data) for file in files]
-        return digest(repr((what, said, ground(("workbench",), ("lark",)))))
+        return digest(repr((what, said, code_digest(("workbench",), ("lark",)))))
 
     def get(self, key: str) -> Any:
         with suppress(UnpicklingError, AttributeError, ImportError, TypeError, ValueError):

@@ -20,7 +20,7 @@ from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.terms import Statement, Symbol
 from workbench.core.verdict import Outcome
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
 from workbench.prover.results.claim_results import ClaimResult
@@ -237,7 +237,7 @@ class _Editor:
         if statement is None:
             return found
         names = {term for _, term in places(statement) if isinstance(term, Symbol)}
-        with in_the_hand_of(self._claim.notation.hand):
+        with printed_for(self._claim.notation.author_notation):
             printed = {tuple(each.text for each in _atoms(to_latex(name))) for name in names}
         texts = [each.text for each in self._before]
         for keys in sorted(printed, key=len, reverse=True):

@@ -15,7 +15,7 @@ def digest(text: str) -> str:
     return sha256(text.encode()).hexdigest()
 
 
-def ground(packages: Iterable[str], rests_on: Iterable[str]) -> str:
+def code_digest(packages: Iterable[str], rests_on: Iterable[str]) -> str:
     """Returns a digest of the code of the packages, and of the versions of Python and of the libraries."""
     code = [(name, _code_of(name)) for name in packages]
     return digest(repr((code, [(name, version(name)) for name in rests_on], sys.version_info[:2])))

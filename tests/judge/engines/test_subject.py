@@ -11,7 +11,7 @@ from workbench.engines.inventory.divisions import never_divides
 from workbench.engines.inventory.exponentials import without_exponentials
 from workbench.engines.inventory.inventory import take_inventory
 from workbench.engines.inventory.parameters import parts
-from workbench.engines.inventory.rodrigues import angle_and_axis, turned_vector
+from workbench.engines.inventory.rodrigues import angle_and_axis, rotation_vector
 from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import expand
 from workbench.language.naming.symbols import SymbolTable
@@ -182,7 +182,7 @@ def test_angle_and_axis_of_an_exponential_are_found(latex, turn, vector):
     read = read_term(latex, read_definitions(DEFINED, table)[1], {})
     found = angle_and_axis(read, DEFINITIONS)
     assert (found and tuple(map(to_latex, found))) == turn
-    moved = turned_vector(read, DEFINITIONS)
+    moved = rotation_vector(read, DEFINITIONS)
     assert (moved and to_latex(moved)) == vector
 
 

@@ -8,7 +8,7 @@ from workbench.language.definition_entries import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.prover.decide.premise_consequences import equal_turns, put_in
+from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
 
 SYMBOLS = (
     dict.fromkeys("xyz", "scalar")
@@ -101,7 +101,7 @@ def test_only_equations_of_angles_give_equal_sines(premise):
         SYMBOLS | {name: {"kind": spec} for name, spec in SYMBOLS.items() if isinstance(spec, str)}
     )
     (given,), (said,) = read(premise, table), read(r"\dot{x} \sin x = 0", table)
-    assert equal_turns(said, [given], Definitions()) == []
+    assert equal_sines_and_cosines(said, [given], Definitions()) == []
 
 
 FREE = {"kind": "scalar"}
@@ -137,13 +137,13 @@ def test_unsolvable_premises_define_no_symbol(premise, claim, more):
         found.append(definition)
     definitions = Definitions(found)
     (given,), (said,) = read(premise, table), read(claim, table)
-    assert put_in(said, [given], definitions, ()) is None
+    assert with_premise_as_definition(said, [given], definitions, ()) is None
 
 
 def test_a_symbol_that_is_bound_to_a_motion_is_not_free():
     table = SymbolTable().with_specs({"x": FREE, "y": FREE})
     (given,), (said,) = read("x = y", table), read(r"\cos x = \cos y", table)
     x, y = given.left.declaration.name, given.right.declaration.name
-    assert put_in(said, [given], Definitions(), ()) is not None
-    assert put_in(said, [given], Definitions(), (x,))[2].lookup(given.right) == given.left
-    assert put_in(said, [given], Definitions(), (x, y)) is None
+    assert with_premise_as_definition(said, [given], Definitions(), ()) is not None
+    assert with_premise_as_definition(said, [given], Definitions(), (x,))[2].lookup(given.right) == given.left
+    assert with_premise_as_definition(said, [given], Definitions(), (x, y)) is None

@@ -16,7 +16,7 @@ from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.prover.decide.objective import Varied, at_zero_part
+from workbench.prover.decide.objective import Objective, at_zero_part
 from workbench.prover.decide.quadratic_forms import Quadratic, solved
 
 FREE = Definitions()
@@ -38,7 +38,7 @@ def symmetric(random, size, rank):
 def test_each_unknown_is_put_in_its_own_place():
     letters = r"x \in \mathbb{R}, y \in \mathbb{R}, z \in \mathbb{R}"
     (said,) = read(rf"\min_{{{letters}}} (x^2 + 2 y + 4 z + 8) = 0", THREE)
-    varied = Varied.of(said, FREE, ())
+    varied = Objective.of(said, FREE, ())
     assert [number(varied.at({place: 1})) for place in range(varied.count)] == [9, 10, 12]
     assert number(varied.at({0: 3, 1: 5, 2: 7})) == 9 + 10 + 28 + 8
 
@@ -61,7 +61,7 @@ def test_the_coefficients_are_those_that_were_written(seed):
         body += "".join(f" {c:+d} {y} {z}" for c, z in zip(row, letters, strict=True))
     for word, sign in (("min", 1), ("max", -1)):
         (said,) = read(rf"\{word}_{{x \in \mathbb{{R}}, b \in V_3}} ({body}) = 0", TABLE)
-        quadratic = Quadratic(Varied.of(said, FREE, ()), said.least)
+        quadratic = Quadratic(Objective.of(said, FREE, ()), said.least)
         a, b, c = quadratic.coefficients
         assert [[number(entry) * sign for entry in row] for row in a] == matrix
         assert ([number(entry) * sign for entry in b], number(c) * sign) == (slopes, rest)
@@ -194,7 +194,7 @@ def test_independent_symbols_do_not_vary(latex):
         MOVED, symbols=MOVED.symbols | SymbolTable.build({"T": {"kind": "tensor", "uniform": True}}).symbols
     )
     (said,) = read(latex, table)
-    assert Varied.of(said, FREE, ()).letters == said.letters
+    assert Objective.of(said, FREE, ()).letters == said.letters
 
 
 def test_a_sum_over_what_varies_is_refused():
@@ -202,7 +202,7 @@ def test_a_sum_over_what_varies_is_refused():
     total = big_sum(("k",), 1, 3, power(said.letters[0], 2))
     for body in (total, derivative(total, 1), apply("add", total, total)):
         with pytest.raises(NotExact, match="or a sum over n"):
-            Varied.of(replace(said, body=body), FREE, ())
+            Objective.of(replace(said, body=body), FREE, ())
 
 
 @pytest.mark.parametrize(
@@ -217,7 +217,7 @@ def test_a_sum_over_what_varies_is_refused():
 def test_premises_that_are_refused(premise, reason):
     (said,), supposed = read(r"\min_{b \in V_3} b^2 = 0", MOVED), read(premise, MOVED)
     with pytest.raises(NotExact) as refused:
-        Varied.of(said, FREE, supposed)
+        Objective.of(said, FREE, supposed)
     assert str(refused.value) == reason
 
 

@@ -10,7 +10,7 @@ from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read, read_term
 from workbench.prover.decide.decide import Judge
-from workbench.prover.decide.orders_past_literals import behind, beyond
+from workbench.prover.decide.orders_past_literals import integer_past_literals, values_past_literals
 from workbench.prover.decide.unbounded_indices import Distinct, judge_addends, ranges_apart
 
 FREE = Definitions()
@@ -47,36 +47,39 @@ def term(latex, integers="mn", table=TABLE):
 )
 def test_the_largest_literal_includes_those_of_definitions(latex, largest):
     definitions, table = defined(**{r"\Phi_1": r"\tilde{a}", r"\Phi_{n+1}": r"\dot{\Phi}_n + \Phi_n \Phi_1"})
-    assert behind([term(latex, table=table)], definitions) == largest + 1
-    assert behind([term("g"), term(latex, table=table)], definitions) == largest + 1
+    assert integer_past_literals([term(latex, table=table)], definitions) == largest + 1
+    assert integer_past_literals([term("g"), term(latex, table=table)], definitions) == largest + 1
     for name, last in (("n", 4), ("n", 0)):
         orders = Ranges({name: range(last + 1)}, endless=frozenset(name))
         further = [n for n in (largest, largest + 1) if n > last]
-        found = list(beyond([term(latex, table=table)], definitions, orders))
+        found = list(values_past_literals([term(latex, table=table)], definitions, orders))
         assert found == [{name: n} for n in further]
 
 
 def test_a_definition_is_looked_into_all_the_way_down():
     definitions, table = defined(**{"p_2": "f", "h": "f^{3} p_2", "k": "h g^5"})
     for latex, expected in (("k", 6), ("h", 4), ("p_2", 1), ("a^{(2)}", 3)):
-        assert behind([term(latex, "", table)], definitions) == expected
+        assert integer_past_literals([term(latex, "", table)], definitions) == expected
 
 
 def test_large_numbers_are_no_places():
     terms = [term("f^{n+13}"), term("f^{n+2}")]
-    assert behind(terms, FREE) is None and behind([], FREE) == 1
+    assert integer_past_literals(terms, FREE) is None and integer_past_literals([], FREE) == 1
     orders = Ranges({"n": range(2)}, endless=frozenset("n"))
-    assert list(beyond(terms, FREE, orders)) == [{"n": 2}, {"n": 3}]
+    assert list(values_past_literals(terms, FREE, orders)) == [{"n": 2}, {"n": 3}]
 
 
 def test_only_what_has_no_end_goes_on():
     """The first values of the others stay, and the first values of all are no news."""
     orders = Ranges({"m": range(1, 4), "n": range(2)}, endless=frozenset("n"))
-    assert list(beyond([term("f^{n+m+4}")], FREE, orders)) == [{"m": 1, "n": 4}, {"m": 1, "n": 5}]
+    assert list(values_past_literals([term("f^{n+m+4}")], FREE, orders)) == [
+        {"m": 1, "n": 4},
+        {"m": 1, "n": 5},
+    ]
     both = Ranges({"m": range(2), "n": range(4)}, endless=frozenset("mn"))
-    found = [(v["m"], v["n"]) for v in beyond([term("f^{n+m+3}")], FREE, both)]
+    found = [(v["m"], v["n"]) for v in values_past_literals([term("f^{n+m+3}")], FREE, both)]
     assert found == [(0, 4), (3, 0), (3, 4), (4, 0), (4, 4)]
-    assert not list(beyond([term("f^{n}")], FREE, both._replace(endless=frozenset())))
+    assert not list(values_past_literals([term("f^{n}")], FREE, both._replace(endless=frozenset())))
 
 
 def lasts_of(latex, generic, table=TABLE):

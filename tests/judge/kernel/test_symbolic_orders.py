@@ -18,7 +18,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
 from workbench.papers import load_paper
 from workbench.prover.decide.decide import Judge
-from workbench.prover.decide.symbolic_orders import freed, symbolic_orders, with_free_derivatives
+from workbench.prover.decide.symbolic_orders import symbolic_orders, with_free_derivatives, with_free_orders
 
 SYMBOLS = {
     "x": {"kind": "vector", "weight": 0},
@@ -155,7 +155,7 @@ def test_linear_derivatives_are_compared_as_a_difference():
     """Where both sides are one term as printed, they stay so: that is no claim."""
 
     def said(latex):
-        return freed(read(latex, SymbolTable.build(SYMBOLS), {"n"})[0])
+        return with_free_orders(read(latex, SymbolTable.build(SYMBOLS), {"n"})[0])
 
     one = said("(x + y)^{(n)} = x^{(n)} + y^{(n)}")
     left = with_free_derivatives(_read("x^{(n)} + y^{(n)}"))

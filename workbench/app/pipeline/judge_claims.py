@@ -22,10 +22,10 @@ from workbench.core.terms import Relation
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory.assumptions import Unsatisfiable
 from workbench.language.goals.proofs import Proven
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.papers.selection import select_claims
 from workbench.prover.explain.ambiguous_displays import in_both_readings, served_by, with_what_stands_beside
-from workbench.prover.explain.decide_under_facts import judged_alone, undisturbed
+from workbench.prover.explain.decide_under_facts import judged_alone, judged_or_unchecked
 from workbench.prover.explain.explain import Explainer
 from workbench.prover.preload import load_engines
 from workbench.prover.results.claim_results import FORMS, ClaimResult
@@ -183,7 +183,7 @@ class ClaimJudge:
     def _verdict_on(self, name_and_form: tuple[str, str]) -> Verdict:
         name, form = name_and_form
         claim = self._keys.parts.of(self._claims[name])
-        with in_the_hand_of(claim.notation.hand):
+        with printed_for(claim.notation.author_notation):
             try:
                 if form == "printed":
                     return self._printed(claim)
@@ -198,7 +198,7 @@ class ClaimJudge:
 
     def _printed(self, claim: Claim) -> Verdict:
         if claim.goal is not None:
-            verdict = undisturbed(lambda: self._of_theorems.verdict(claim))
+            verdict = judged_or_unchecked(lambda: self._of_theorems.verdict(claim))
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.LEFT_OUT(why=claim.skip))
@@ -234,7 +234,7 @@ class ClaimJudge:
         if claim.alone:
             judge = replace(judge, laws=False)
         try:
-            verdict = undisturbed(
+            verdict = judged_or_unchecked(
                 lambda: judge.judge(
                     formula.parsed,
                     assume=claim.supposed,
@@ -247,7 +247,7 @@ class ClaimJudge:
                 return Verdict(Outcome.UNCHECKED, reason=reason_of(error))
             raise PaperError(None, None, None, str(error)) from None
         if verdict.outcome is Outcome.PROVED and not verdict.is_for_all:
-            verdict = undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
+            verdict = judged_or_unchecked(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
         return self._seen(verdict, claim, formula, hypothesis)
 
     def _alone(self, claim: Claim) -> Verdict:

@@ -176,9 +176,9 @@ def course_on(motion: Motion, claim: Claim, form: Formula) -> tuple[list[float],
 def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Saying]:
     """Yields the equations of a form of the claim: its own, or those of its goal."""
     if form is claim.printed and claim.goal is not None:
-        from workbench.prover.goals.goal_equations import said
+        from workbench.prover.goals.goal_equations import equations_of_goal
 
-        for part in said(claim.goal.goal):
+        for part in equations_of_goal(claim.goal.goal):
             yield part.statement, (*claim.supposed, *part.premises), part
         return
     supposed = claim.supposed

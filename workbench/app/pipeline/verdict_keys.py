@@ -16,10 +16,10 @@ from workbench.context.claims import Claim, Notation
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.goals.proofs import Proven
 from workbench.prover.decide.inference import Seal
-from workbench.prover.explain.canonical_text import told
-from workbench.prover.explain.judged_parts import JudgedParts, seen_of
+from workbench.prover.explain.canonical_text import canonical_text
+from workbench.prover.explain.judged_parts import JudgedParts, judged_fields_of
 from workbench.prover.results.proposed_form import Proposed
-from workbench.runtime.fingerprint import digest, ground
+from workbench.runtime.fingerprint import code_digest, digest
 from workbench.runtime.store import Store
 
 _ENGINES = ("drake", "python-flint", "sympy", "numpy")
@@ -70,7 +70,7 @@ class Keys:
 
     def __init__(self, theorems: Mapping[str, Proven], options: Mapping[str, Any]) -> None:
         self._proofs = {name: digest(repr(proof)) for name, proof in theorems.items()}
-        self._ground = digest(repr((ground(["workbench"], _ENGINES), sorted(options.items()))))
+        self._ground = digest(repr((code_digest(["workbench"], _ENGINES), sorted(options.items()))))
         self.parts = JudgedParts()
         self._notations: dict[tuple[int, ...], tuple[Notation, str]] = {}
         self._last: tuple[Claim, str] | None = None  # a claim's forms are requested one after the other
@@ -91,7 +91,7 @@ class Keys:
         return digest(repr(("bindings", self._of_notation(self.parts.bound(notation)), self._ground)))
 
     def _of_part(self, claim: Claim) -> str:
-        text = told([*seen_of(claim).values(), claim.notation.on_motions]).text
+        text = canonical_text([*judged_fields_of(claim).values(), claim.notation.on_motions]).text
         proofs = [self._proofs.get(name or "", "") for name in (claim.theorem, claim.every_n)]
         return digest(repr((text, self._of_notation(claim.notation), proofs, self._ground)))
 
@@ -101,7 +101,7 @@ class Keys:
         key = tuple(map(id, parts.values()))
         if key not in self._notations:
             parts |= {"definitions": list(notation.definitions), "motion": None}
-            motion = sorted((told(symbol).text, bound) for symbol, bound in notation.motion.items())
+            motion = sorted((canonical_text(symbol).text, bound) for symbol, bound in notation.motion.items())
             urdf = notation.robot and notation.robot.urdf.read_bytes()
-            self._notations[key] = notation, digest(repr((told(parts).text, motion, urdf)))
+            self._notations[key] = notation, digest(repr((canonical_text(parts).text, motion, urdf)))
         return self._notations[key][1]

@@ -15,7 +15,7 @@ __all__ = ["Lookup", "NotExact", "With", "Without", "reached"]
 
 
 @dataclass(frozen=True)
-class With:
+class WithDefinitions:
     """Definitions extended by further ones, which take precedence."""
 
     definitions: Lookup
@@ -26,7 +26,7 @@ class With:
 
 
 @dataclass(frozen=True)
-class Without:
+class WithoutDefinitions:
     """Definitions without those of some symbols, which are free."""
 
     definitions: Lookup

@@ -15,8 +15,8 @@ from typing import TypeGuard
 from workbench.core.construct import apply, number, symbol
 from workbench.core.names import Name
 from workbench.core.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
-from workbench.engines.inventory import Lookup, NotExact, With
-from workbench.engines.inventory.rodrigues import angle_and_axis, turned_vector, turning_and_moving
+from workbench.engines.inventory import Lookup, NotExact, WithDefinitions
+from workbench.engines.inventory.rodrigues import angle_and_axis, rotation_vector, twist_parts
 from workbench.language.definitions import number_behind
 from workbench.language.printing.printer import to_latex
 
@@ -31,12 +31,12 @@ NESTED = "a sine or cosine of what holds another one"
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
     """Returns definitions under which each free angle in the terms is an integer multiple of a free angle."""
     denominators: dict[Symbol, int] = {}
-    for argument in round_terms(terms, definitions, set()):
+    for argument in trigonometric_terms(terms, definitions, set()):
         for angle, part in _parts(argument, definitions):
             if is_free_angle(angle) and part.denominator > 1:
                 denominators[angle] = lcm(denominators.get(angle, 1), part.denominator)
     multiples = {a: _multiple(a, size) for a, size in denominators.items()}
-    return With(definitions, multiples) if multiples else definitions
+    return WithDefinitions(definitions, multiples) if multiples else definitions
 
 
 def is_free_angle(angle: Term) -> TypeGuard[Symbol]:
@@ -61,7 +61,7 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
             for factor in factors[1:]:
                 term = apply("mul", term, factor)
             parts[term] = coefficient
-    if next(round_terms(parts, definitions, set()), None) is not None:
+    if next(trigonometric_terms(parts, definitions, set()), None) is not None:
         raise NotExact(NESTED)
     return parts
 
@@ -77,12 +77,12 @@ def angles_of(term: Apply, definitions: Lookup) -> dict[Term, Fraction]:
     (argument,) = term.arguments
     if term.head != "exp":
         return angle_parts(argument, definitions)
-    if (parts := turning_and_moving(argument, definitions)) is not None:
+    if (parts := twist_parts(argument, definitions)) is not None:
         argument = parts[0]
     turn = angle_and_axis(argument, definitions)
     if turn is not None:
         return angle_parts(turn[0], definitions)
-    vector = turned_vector(argument, definitions)
+    vector = rotation_vector(argument, definitions)
     return {} if vector is None else angle_parts(apply("norm", vector), definitions)
 
 
@@ -93,7 +93,7 @@ def _parts(argument: Apply, definitions: Lookup) -> Iterable[tuple[Term, Fractio
         return ()  # the inventory reports it
 
 
-def round_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> Iterator[Apply]:
+def trigonometric_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> Iterator[Apply]:
     """Yields the sines, cosines and exponentials in the terms and in their definitions."""
     for term in terms:
         if term in seen:
@@ -102,7 +102,9 @@ def round_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> 
         if isinstance(term, Apply) and term.head in _ROUND:
             yield term
         body = definitions.lookup(term) if isinstance(term, Symbol) else None
-        yield from round_terms(term.children if body is None else (body, *term.children), definitions, seen)
+        yield from trigonometric_terms(
+            term.children if body is None else (body, *term.children), definitions, seen
+        )
 
 
 def sum_of_products(term: Term, definitions: Lookup) -> Sum:

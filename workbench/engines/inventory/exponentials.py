@@ -21,7 +21,7 @@ from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term
 from workbench.core.types import SCALAR, Declaration
 from workbench.engines.inventory import NotExact
-from workbench.engines.inventory.angle_combinations import Sum, round_terms, sum_of_products
+from workbench.engines.inventory.angle_combinations import Sum, sum_of_products, trigonometric_terms
 from workbench.language.definitions import Lookup, expand
 from workbench.language.printing.printer import to_latex
 
@@ -37,7 +37,7 @@ class Exponentials(NamedTuple):
 
 
 def holds_exponentials(said: Relation, definitions: Lookup) -> bool:
-    return any(map(_is_exponential, round_terms((said.left, said.right), definitions, set())))
+    return any(map(_is_exponential, trigonometric_terms((said.left, said.right), definitions, set())))
 
 
 def without_exponentials(said: Relation, definitions: Lookup) -> Exponentials:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from workbench.core.construct import apply
 from workbench.core.terms import Apply, Symbol, Term
 from workbench.engines.inventory import Lookup
-from workbench.engines.inventory.rodrigues import turned_vector
+from workbench.engines.inventory.rodrigues import rotation_vector
 
 #: Function that inverts the exponential of a square matrix, given the exponent.
 OfExponential = Callable[[Term], Term]
@@ -17,12 +17,12 @@ def negated(exponent: Term) -> Term:
     return apply("exp", apply("neg", exponent))
 
 
-def turned_back(definitions: Lookup) -> OfExponential:
+def inverse_of_exponential(definitions: Lookup) -> OfExponential:
     """Returns a function that inverts exponentials: transposes that of a skew tensor, negates other
     exponents."""
 
     def inverse(exponent: Term) -> Term:
-        is_turn = exponent.type.kind == "tensor" and turned_vector(exponent, definitions) is not None
+        is_turn = exponent.type.kind == "tensor" and rotation_vector(exponent, definitions) is not None
         return apply("transpose", apply("exp", exponent)) if is_turn else negated(exponent)
 
     return inverse

@@ -63,20 +63,20 @@ def _is_unit(term: Term) -> bool:
     return sum(entry.value**2 for entry in entries if isinstance(entry, Number)) == 1
 
 
-def turned_vector(term: Term, definitions: Lookup) -> Term | None:
+def rotation_vector(term: Term, definitions: Lookup) -> Term | None:
     """Returns x if the term is the skew tensor of x or the quaternion (0, x), both real; else None."""
     if term.type.dual:
         return None
     match term:
         case Symbol() if (body := definitions.lookup(term)) is not None:
-            return turned_vector(body, definitions)
+            return rotation_vector(body, definitions)
         case Apply(head="skew", arguments=(inner,)):
             return inner
         case Apply(head="quaternion", arguments=(scalar, inner)) if filling(scalar) == "zero":
             return inner
         case Apply(head="neg" | "div" | "mul" | "add", arguments=arguments):
             places = [i for i, a in enumerate(arguments) if a.type.kind in ("tensor", "quaternion")]
-            vectors = [turned_vector(arguments[i], definitions) for i in places]
+            vectors = [rotation_vector(arguments[i], definitions) for i in places]
             found = [vector for vector in vectors if vector is not None]
             if not found or len(found) < len(vectors) or not (len(places) == 1 or term.head == "add"):
                 return None
@@ -90,19 +90,19 @@ def turned_vector(term: Term, definitions: Lookup) -> Term | None:
     return None
 
 
-def turning_and_moving(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
+def twist_parts(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
     """Returns (X, v) of a 4×4 matrix [X v; 0 0] with a real tensor and a vector, or of multiples and sums of
     such."""
     if term.type.dual:
         return None
     match term:
         case Symbol() if (body := definitions.lookup(term)) is not None:
-            return turning_and_moving(body, definitions)
+            return twist_parts(body, definitions)
         case Block(entries=((turning, moving), lowest)) if turning.type == TENSOR and moving.type == VECTOR:
             return (turning, moving) if all(multiple(each) == "zero" for each in lowest) else None
         case Apply(head="neg" | "div" | "mul" | "add", arguments=arguments):
             places = [i for i, a in enumerate(arguments) if a.type == term.type]
-            pairs = [turning_and_moving(arguments[i], definitions) for i in places]
+            pairs = [twist_parts(arguments[i], definitions) for i in places]
             found = [pair for pair in pairs if pair is not None]
             if len(found) < len(pairs) or not (len(places) == 1 or term.head == "add"):
                 return None

@@ -16,8 +16,8 @@ from workbench.engines.inventory.inventory import Lookup, NotExact
 from workbench.engines.inventory.rodrigues import (
     NO_EXPONENT,
     angle_and_axis,
-    turned_vector,
-    turning_and_moving,
+    rotation_vector,
+    twist_parts,
 )
 from workbench.engines.jet.components import (
     Value,
@@ -50,7 +50,7 @@ class Engine(Protocol):
     def one(self, type_: Type, depth: int) -> Value: ...
 
 
-class Turns:
+class Trigonometry:
     """Evaluation of rotations: angles by their sine and cosine, exponentials by Rodrigues' formula."""
 
     def __init__(self, engine: Engine, source: Source, algebra: JetAlgebra, definitions: Lookup) -> None:
@@ -156,10 +156,10 @@ class Turns:
         For a purely dual x it is 1 + x. For α ũ with a unit vector u it is I cos α + ũ sin α + (1 − cos α) u
         ⊗ u. For [α ũ v; 0 0] the last column is (u · v) u + sin α/α (v − (u · v) u) + (1 − cos α)/α u × v.
         """
-        if (parts := turning_and_moving(argument, self._definitions)) is not None:
+        if (parts := twist_parts(argument, self._definitions)) is not None:
             return self._moved(*parts, depth)
         turn = angle_and_axis(argument, self._definitions)
-        vector = None if turn is not None else turned_vector(argument, self._definitions)
+        vector = None if turn is not None else rotation_vector(argument, self._definitions)
         if turn is not None:
             cosine, sine = self.circle(turn[0], depth)
             return self._turned(argument, cosine, sine, self._engine.value(turn[1], depth))
@@ -175,7 +175,7 @@ class Turns:
 
     def _moved(self, turning: Term, moving: Term, depth: int) -> Value:
         turn = angle_and_axis(turning, self._definitions)
-        vector = None if turn is not None else turned_vector(turning, self._definitions)
+        vector = None if turn is not None else rotation_vector(turning, self._definitions)
         if turn is not None:
             angle, axis_term = turn
             alpha, axis = self._engine.value(angle, depth), self._engine.value(axis_term, depth)

@@ -32,7 +32,7 @@ from workbench.core.terms import (
 )
 from workbench.core.types import Type
 from workbench.engines.inventory.inventory import Lookup, NotExact
-from workbench.engines.inventory.inverses import inverted, turned_back
+from workbench.engines.inventory.inverses import inverse_of_exponential, inverted
 from workbench.engines.inventory.partial_derivatives import Seed, indices, seeds
 from workbench.engines.jet.components import (
     BILINEAR,
@@ -56,7 +56,7 @@ from workbench.engines.jet.components import (
 )
 from workbench.engines.jet.jet_algebra import JetAlgebra
 from workbench.engines.jet.jet_quaternions import conjugated, quaternion_product
-from workbench.engines.jet.jet_trigonometry import Turns
+from workbench.engines.jet.jet_trigonometry import Trigonometry
 from workbench.engines.jet.tangents import changes, commuted, composed
 from workbench.engines.jet.term_source import Source
 
@@ -73,7 +73,7 @@ class JetEngine:
         self._source = source
         self._algebra = JetAlgebra(source.ring)
         self._definitions = definitions
-        self._turns = Turns(self, source, self._algebra, definitions)
+        self._turns = Trigonometry(self, source, self._algebra, definitions)
         self._known: dict[Term, Value] = {}
         self._moved: dict[Seed, JetEngine] = {}
         self.origin = self  # the engine without displacements
@@ -267,7 +267,7 @@ class JetEngine:
         """The adjugate, determinant or inverse of a matrix; the inverse or conjugate of a quaternion."""
         argument = term.arguments[0]
         if term.head == "inverse":
-            known = inverted(argument, self._definitions, turned_back(self._definitions))
+            known = inverted(argument, self._definitions, inverse_of_exponential(self._definitions))
             if known is not None:
                 return self.value(known, depth)
         value = self.value(argument, depth)

@@ -69,7 +69,7 @@ from workbench.engines.polynomial.polynomial_operators import (
 )
 from workbench.engines.polynomial.polynomial_quaternions import conjugate, hamilton
 from workbench.engines.polynomial.polynomial_symbols import FreeSymbols, rank
-from workbench.engines.polynomial.polynomial_trigonometry import Turns
+from workbench.engines.polynomial.polynomial_trigonometry import Trigonometry
 
 
 class ExactEngine:
@@ -87,7 +87,7 @@ class ExactEngine:
         for symbol in inventory.orders:
             self._values[symbol] = self._furnished(symbol)
         circles = list(inventory.circles.values())
-        self._turns = Turns(self.value, self._algebra, self._free, circles, definitions)
+        self._turns = Trigonometry(self.value, self._algebra, self._free, circles, definitions)
         for circle in circles:
             self._free.furnish_circle(circle, partial(self._turns.part_of, circle))
 

@@ -13,15 +13,15 @@ from workbench.engines.inventory.inventory import Lookup, NotExact
 from workbench.engines.inventory.rodrigues import (
     NO_EXPONENT,
     angle_and_axis,
-    turned_vector,
-    turning_and_moving,
+    rotation_vector,
+    twist_parts,
 )
 from workbench.engines.polynomial.polynomial_matrices import ExactAlgebra
 from workbench.engines.polynomial.polynomial_operators import scaled
 from workbench.engines.polynomial.polynomial_symbols import FreeSymbols
 
 
-class Turns:
+class Trigonometry:
     """value: evaluates a term in the engine.   circles: the terms that have their own sine and cosine."""
 
     def __init__(
@@ -75,7 +75,7 @@ class Turns:
         """Returns cos α, sin α, the unit vector u and 1/α of α ũ; at α = 0 these are limits, unless α is a
         symbol."""
         turn = angle_and_axis(argument, self._definitions)
-        vector = turned_vector(argument, self._definitions) if turn is None else None
+        vector = rotation_vector(argument, self._definitions) if turn is None else None
         if turn is not None:
             cosine, sine = self.circle(turn[0])
             return cosine, sine, self._value(turn[1]), None
@@ -96,7 +96,7 @@ class Turns:
         return add(self._algebra.diagonal(1), turned)
 
     def _moved(self, argument: Term) -> Matrix:
-        parts = turning_and_moving(argument, self._definitions)
+        parts = twist_parts(argument, self._definitions)
         if parts is None:
             raise NotExact(NO_EXPONENT)
         cosine, sine, axis, inverse = self._turn(parts[0])

@@ -8,10 +8,10 @@ from fractions import Fraction as Rational
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import Compared
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.shapes import with_scaled_units
 from workbench.core.signatures import agree
-from workbench.core.terms import Apply, IllFormed, Integer, Number, Term, Unread, Zero
+from workbench.core.terms import Apply, IllFormed, Integer, Number, Term, Unsupported, Zero
 from workbench.language.elaboration.empty_cells import entries_of
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.nablas import as_del
@@ -135,10 +135,10 @@ class Elaborator(Scope):
             if self.table.has_quaternions and {a.type.kind for a in addends} == {"scalar", "vector"}:
                 return _parts_of_quaternion(addends)
             return construct.apply("add", *self.with_units(addends))
-        except Unread as fault:
+        except Unsupported as fault:
             raise Fault(fault.reason, places[_first_that_differs(addends)]) from None
         except IllFormed as fault:
-            raise Misfit(fault, places[_first_that_differs(addends)]) from None
+            raise TypeMismatch(fault, places[_first_that_differs(addends)]) from None
 
     def with_units(self, terms: Sequence[Term]) -> Sequence[Term]:
         """Returns the terms, with numbers next to tensors as multiples of the unit tensor if the paper states

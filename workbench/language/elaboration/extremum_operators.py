@@ -24,7 +24,7 @@ def is_extremal(side: Node) -> TypeGuard[Product]:
 def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
     """Returns the extrema of a chain with \\min or \\max on some sides. All equal its one other side.
 
-    Raises Fault and Misfit.
+    Raises Fault and TypeMismatch.
     """
     for sign, at in chain.relations:
         if sign != "=":

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.shapes import scalar_and_vector
 from workbench.core.terms import Block, IllFormed, Integer, Number, Term
 from workbench.language.grammar.syntax import Bracket, Fraction, Leaf, Node, Scripted, is_numeral
@@ -75,11 +75,11 @@ class Row:
         return self.scope.apply(factors[-1].at, "mul", *pair)
 
     def operand(self, factor: Factor, more: Sequence[Factor]) -> None:
-        """Marks that an operator acts on the factor; raises Misfit if it may act on more than that."""
+        """Marks that an operator acts on the factor; raises TypeMismatch if it may act on more than that."""
         if isinstance(factor.node, Bracket):
             return
         if any(other.term.type.kind != "scalar" for other in more):
-            raise Misfit(IllFormed(TypeCode.REACH_OF_OPERATOR()), factor.at)
+            raise TypeMismatch(IllFormed(TypeCode.REACH_OF_OPERATOR()), factor.at)
         self.open_head = "the operator"
         if factor.term.type.kind == "tensor":
             self.scope.tensor_operand = factor.at

@@ -9,7 +9,7 @@ from typing import Any
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_TENSORS, word_of
 from workbench.core.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
@@ -247,7 +247,7 @@ def derivative(row: Row, place: int, found: Rate) -> Factor:
     if orders[0] != orders[1]:
         intent = "one order above and below, \\frac{d^k}{dt^k}"
         fault = IllFormed(TypeCode.UNEQUAL_TIME_ORDERS(orders=orders[0], orders_2=orders[1]), intent)
-        raise Misfit(fault, item.at)
+        raise TypeMismatch(fault, item.at)
     if place + 1 == len(row.items) and not found.behind:
         if found.frame is not None:
             raise Fault(SyntaxCode.DERIVATIVE_FRAME_WHAT(), item.at)

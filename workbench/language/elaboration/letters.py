@@ -8,7 +8,7 @@ from dataclasses import replace
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
-from workbench.core.formula_errors import Fault, Misfit, Unranged
+from workbench.core.formula_errors import Fault, TypeMismatch, Unranged
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.terms import Apply, Identity, IllFormed, Symbol, Term, Zero
@@ -365,7 +365,7 @@ class _Lettering:
         if term.type.kind != "tensor":
             return self.scope.apply(node.at, "skew", term)
         intent = "the tilde over a whole product T x, \\widetilde{T x}"
-        raise Misfit(IllFormed(TypeCode.TENSOR_UNDER_TILDE(), intent), node.at)
+        raise TypeMismatch(IllFormed(TypeCode.TENSOR_UNDER_TILDE(), intent), node.at)
 
     def factorial(self, node: Scripted) -> Term:
         argument = node.nucleus if node.sub is None else Scripted(node.at, node.nucleus, node.sub)

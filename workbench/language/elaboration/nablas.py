@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.terms import IllFormed, Symbol, Term
 from workbench.core.types import VECTOR
 from workbench.language.elaboration.factors import Factor, Row
@@ -117,7 +117,7 @@ def _derived(scope: Scope, sign: Del, body: Term, by: Term) -> Term:
         return construct.apply("trace", _slopes(scope, at, _gradient(scope, at, body, by), by))
     if sign.sign:
         if body.type != by.type or (sign.sign == "×" and by.type != VECTOR):
-            raise Misfit(
+            raise TypeMismatch(
                 IllFormed(TypeCode.NABLA_OF_OTHER_PLACE(sign=sign.sign, type=body.type, type_2=by.type)), at
             )
         slopes = _slopes(scope, at, body, by)

@@ -14,7 +14,7 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import relation
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.terms import (
@@ -73,7 +73,7 @@ def _signs(clause: Node | None) -> list[str]:
 
 
 def named_map(reader: Elaborator, clause: Chain, value: Any) -> Naming:
-    """Returns a map: its values must be members of the second set. Raises Fault and Misfit."""
+    """Returns a map: its values must be members of the second set. Raises Fault and TypeMismatch."""
     sides, signs = list(clause.sides), _signs(clause)
     name = sides.pop(0) if signs[0] == ":" else None
     begin = "" if name is None else f"{_shown(name)} : "
@@ -119,7 +119,7 @@ def _argument(applied: Node, name: Node | None) -> Node:
 
 def _value(reader: Elaborator, body: Node) -> Term:
     if isinstance(body, Bracket) and body.kind == "\\{" and any(isinstance(p, Chain) for p in body.parts):
-        raise Misfit(IllFormed(TypeCode.SETS_AS_VALUES()), body.at)
+        raise TypeMismatch(IllFormed(TypeCode.SETS_AS_VALUES()), body.at)
     return reader.term(body)
 
 
@@ -152,7 +152,7 @@ def _conditions(members: Members, term: Term, at: int, seen: bool = True) -> lis
     try:
         return members.conditions(term)
     except IllFormed as fault:
-        raise Misfit(fault, at) from None
+        raise TypeMismatch(fault, at) from None
     except NotImplementedError as unseen:
         if seen:
             raise Fault(str(unseen), at) from None
@@ -196,7 +196,7 @@ class _Described:
 
 
 def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
-    """Returns a set by a pattern and the domains of its letters. Raises Fault and Misfit.
+    """Returns a set by a pattern and the domains of its letters. Raises Fault and TypeMismatch.
 
     Conditions without a letter must be true; a known set must have exactly these members.
     """

@@ -7,7 +7,7 @@ from dataclasses import replace
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.construct import zero
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.shapes import filling, sizes
 from workbench.core.terms import Block, Identity, IllFormed, Term, Zero
 from workbench.core.types import Type
@@ -34,19 +34,19 @@ def size_below(sub: Node | None) -> tuple[Type | None, bool]:
 
 
 def sized_as_printed(term: Term, sub: Node | None, at: int) -> Term:
-    """Returns a zero or a unit matrix with the printed size; other terms unchanged. Raises Misfit."""
+    """Returns a zero or a unit matrix with the printed size; other terms unchanged. Raises TypeMismatch."""
     size, is_single = size_below(sub)
     if not isinstance(term, Zero | Identity) or filling(term) is None or term.printed or size is None:
         return term
     if isinstance(term, Identity) and not size.is_square:
-        raise Misfit(IllFormed(TypeCode.UNIT_MATRIX_NOT_SQUARE(sizes=sizes([size]))), at)
+        raise TypeMismatch(IllFormed(TypeCode.UNIT_MATRIX_NOT_SQUARE(sizes=sizes([size]))), at)
     is_column = isinstance(term, Zero) and is_single
     printed = str(size.rows) if is_single else f"{size.rows} \\times {size.columns}"
     return replace(term, type=Type(size.rows, 1) if is_column else size, printed=printed)
 
 
 def sized_matrix(scope: Scope, node: Node, sub: Node) -> Term:
-    """Returns the term of a bracket or matrix with its size below it. Raises Fault and Misfit."""
+    """Returns the term of a bracket or matrix with its size below it. Raises Fault and TypeMismatch."""
     size, is_single = size_below(sub)
     if size is None or is_single or not isinstance(core(node), Bracket | Matrix):
         raise Fault(SyntaxCode.SUBSCRIPT_ON_EXPRESSION(), node.at)
@@ -56,5 +56,5 @@ def sized_matrix(scope: Scope, node: Node, sub: Node) -> Term:
     term = sized_as_printed(term, sub, sub.at)
     if term.type.with_dual(False) != size:
         both = f"{sizes([term.type])} and the size below it {sizes([size])}"
-        raise Misfit(IllFormed(TypeCode.SIZE_OF_MATRIX(both=both)), sub.at)
+        raise TypeMismatch(IllFormed(TypeCode.SIZE_OF_MATRIX(both=both)), sub.at)
     return term

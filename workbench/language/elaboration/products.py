@@ -153,7 +153,7 @@ def _with_signs(rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Itera
 
 
 def _refuse_reach(row: Row, sign: Infix, operand: Term) -> None:
-    """Raises Misfit for d/dt a × b, curl a × b, det A · B: the head may apply to a × b unless a is
+    """Raises TypeMismatch for d/dt a × b, curl a × b, det A · B: the head may apply to a × b unless a is
     bracketed."""
     head = row.open_head
     takes_tensors = head in OF_TENSORS - {"vect"} and sign.operator == "·" and operand.type.kind == "tensor"

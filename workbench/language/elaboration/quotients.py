@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.names import Name
 from workbench.core.operations import HYPERBOLIC, QUOTIENTS
-from workbench.core.terms import IllFormed, Number, Term, Unread, Zero
+from workbench.core.terms import IllFormed, Number, Term, Unsupported, Zero
 from workbench.core.types import Type
 from workbench.language.grammar.syntax import (
     Fraction,
@@ -167,12 +167,12 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
     if head == "exp":
         argument = scope.quaternion_of_four(argument)
         if argument.type.kind == "vector":
-            raise Unread(TypeCode.EXPONENTIAL_OF_VECTOR())
+            raise Unsupported(TypeCode.EXPONENTIAL_OF_VECTOR())
         if argument.type.kind == "matrix" and argument.type != Type(4, 4):
-            raise Unread(TypeCode.EXPONENTIAL(type=argument.type))
+            raise Unsupported(TypeCode.EXPONENTIAL(type=argument.type))
     if head == "re" and argument.type.kind == "quaternion":
         if argument.type.dual:
-            raise Unread(TypeCode.REAL_PART_OF_DUAL_QUATERNION())
+            raise Unsupported(TypeCode.REAL_PART_OF_DUAL_QUATERNION())
         head = "scalar part"
     if head not in QUOTIENTS:
         return construct.apply(head, argument)
@@ -194,7 +194,7 @@ def slope(scope: Scope, at: int, found: Rate, body: Term) -> Term:
 
     orders, above = [count(order) for _, order in found.by], count(found.order_above)
     if above != sum(orders):
-        raise Misfit(IllFormed(TypeCode.UNEQUAL_ORDERS(above=above, sum=sum(orders))), at)
+        raise TypeMismatch(IllFormed(TypeCode.UNEQUAL_ORDERS(above=above, sum=sum(orders))), at)
     for (variable, _), order in zip(reversed(found.by), reversed(orders), strict=True):
         by = scope.term(in_a_row(at, variable))
         for _ in range(order):

@@ -8,7 +8,7 @@ from typing import Any
 
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.names import ACCENTS, Name
 from workbench.core.terms import Term
 from workbench.language.grammar.syntax import (
@@ -177,5 +177,5 @@ def _is_vector(scope: Scope, node: Node) -> bool:
         return False
     try:
         return not is_function(node) and scope.term(node).type.kind == "vector"
-    except (Fault, Misfit):
+    except (Fault, TypeMismatch):
         return False

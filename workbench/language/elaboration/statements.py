@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
-from workbench.core.formula_errors import Fault, Misfit, Unranged
+from workbench.core.formula_errors import Fault, TypeMismatch, Unranged
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import (
     Block,
@@ -58,7 +58,7 @@ def reading_of(
     """Returns the statements of all lines, each under the conditions of its line.
 
     as_condition: all statements hold together. An index of free symbols without a range is arbitrary. Raises
-    Fault and Misfit.
+    Fault and TypeMismatch.
     """
     generic: tuple[Range, ...] = ()
     while True:
@@ -93,7 +93,7 @@ def _reading(lines: Lines, table: SymbolTable, integers: frozenset[str], as_cond
 
 
 def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
-    """Returns the one expression of a text without relations. Raises Fault and Misfit."""
+    """Returns the one expression of a text without relations. Raises Fault and TypeMismatch."""
     clauses = clauses_of(lines)
     if not clauses:
         raise Fault(SyntaxCode.EXPECTED_EXPRESSION_GOT_NOTHING(), lines.at)
@@ -316,15 +316,15 @@ def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> St
 
 
 def _refuse_applied(reader: Elaborator, terms: Sequence[Term]) -> None:
-    """Raises Misfit for \\mathbf{D} T, the derivative of T, next to operators: it could be a product of
+    """Raises TypeMismatch for \\mathbf{D} T, the derivative of T, next to operators: it could be a product of
     two."""
     if reader.tensor_operand is not None and any(term.type.kind == "operator" for term in terms):
         fault = IllFormed(TypeCode.OPERATOR_BESIDE_TENSOR(), "brackets, or \\circ")
-        raise Misfit(fault, reader.tensor_operand)
+        raise TypeMismatch(fault, reader.tensor_operand)
 
 
 def _refuse_rows(terms: Sequence[Term], sides: Sequence[Node]) -> None:
-    """Raises Misfit for vectors in a column next to a matrix: they may be meant as its rows."""
+    """Raises TypeMismatch for vectors in a column next to a matrix: they may be meant as its rows."""
     sizes = {term.type.rows for term in terms if term.type.is_square}
     for term, side in zip(terms, sides, strict=True):
         entries = term.entries if isinstance(term, Block) else ()

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import (
     Apply,
@@ -21,7 +21,7 @@ from workbench.core.terms import (
     Power,
     Symbol,
     Term,
-    Unread,
+    Unsupported,
     Zero,
     is_accented_symbol,
     is_rate,
@@ -181,13 +181,13 @@ class Scope(ABC):
         return None
 
     def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:
-        """Returns make(*arguments); a mismatch is raised as a Misfit or Fault at the offset `at`."""
+        """Returns make(*arguments); a mismatch is raised as a TypeMismatch or Fault at the offset `at`."""
         try:
             return make(*arguments)
-        except Unread as fault:
+        except Unsupported as fault:
             raise Fault(fault.reason, at) from None
         except IllFormed as fault:
-            raise Misfit(fault, at) from None
+            raise TypeMismatch(fault, at) from None
 
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
         are_vectors = head == "mul" and {x.type.kind for x in arguments} == {"vector"}

@@ -39,7 +39,7 @@ author = _author.get
 
 
 @contextmanager
-def in_the_hand_of(one: Author) -> Iterator[None]:
+def printed_for(one: Author) -> Iterator[None]:
     """Prints terms within the context in the author's notation."""
     token = _author.set(None if one.is_plain else one)
     try:

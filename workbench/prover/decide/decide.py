@@ -24,7 +24,7 @@ from workbench.core.terms import (
     sides_of,
 )
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
-from workbench.engines.inventory import Without
+from workbench.engines.inventory import WithoutDefinitions
 from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
 from workbench.engines.inventory.exponentials import holds_exponentials, without_exponentials
 from workbench.engines.inventory.first_order import to_first_order
@@ -40,7 +40,7 @@ from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_f
 from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
 from workbench.prover.decide.orders_past_literals import OrderRanges
-from workbench.prover.decide.premise_consequences import equal_turns, put_in
+from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class Judge(Setting):
         hypothesis: Statement | None,
     ) -> Verdict:
         """Returns the verdict if the positive variables of derivatives may be negative, too."""
-        judge = replace(self, definitions=Without(self.definitions, coordinates))
+        judge = replace(self, definitions=WithoutDefinitions(self.definitions, coordinates))
         verdict = judge.judge_instance(statement, assume, hypothesis)
         if verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
             return verdict
@@ -184,14 +184,14 @@ class Judge(Setting):
     def _by_premise(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict | None:
         """Returns the verdict if a premise defines a symbol, else None."""
         with suppress(NotExact, Unsatisfiable, ZeroDivisionError):
-            if (found := put_in(said, assume, self.definitions, self.bound)) is not None:
+            if (found := with_premise_as_definition(said, assume, self.definitions, self.bound)) is not None:
                 premise, others, definitions = found
                 verdict = replace(self, definitions=definitions)._judge(said, tuple(others))
                 if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
                     evidence = Evidence("premise", "put in as a definition", {"formula": to_latex(premise)})
                     return replace(verdict, evidence=(evidence, *verdict.evidence))
         with suppress(NotExact, IllFormed, Unsatisfiable, ZeroDivisionError):
-            turns = equal_turns(said, assume, self.definitions)
+            turns = equal_sines_and_cosines(said, assume, self.definitions)
             if turns and not set(turns) <= set(assume):
                 verdict = self._judge(said, (*assume, *turns))
                 if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):

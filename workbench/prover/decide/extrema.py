@@ -28,7 +28,7 @@ from workbench.prover.counterexamples.rational_points import Trial
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.ideals import has_even_powers
 from workbench.prover.decide.inference import conclusion
-from workbench.prover.decide.objective import Varied, at_zero_part
+from workbench.prover.decide.objective import Objective, at_zero_part
 from workbench.prover.decide.quadratic_forms import Quadratic, minus, solved, times, total
 
 Judge = Callable[[Statement, tuple[Statement, ...]], Verdict]
@@ -41,7 +41,7 @@ def judge_extremum(setting: Setting, said: Extremum, assume: tuple[Statement, ..
     """Returns the verdict on an extremum. Raises NotExact if it is neither quadratic nor linear on a
     sphere."""
     value = expand(said.value, setting.definitions)
-    varied = Varied.of(said, setting.definitions, assume)
+    varied = Objective.of(said, setting.definitions, assume)
     if any(letter in value.walk() for letter in said.letters):
         raise NotExact("the other side depends on what varies")
     case = _Question(setting, said, value, varied, assume, judge)
@@ -55,7 +55,7 @@ class _Question:
     setting: Setting
     said: Extremum
     value: Term
-    varied: Varied
+    varied: Objective
     assume: tuple[Statement, ...]
     judge: Judge
 

@@ -42,9 +42,9 @@ from workbench.engines.inventory.assumptions import Unsatisfiable
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, expand
 from workbench.prover.decide.inference import generalization
-from workbench.prover.decide.orders_past_literals import OrderRanges, beyond
+from workbench.prover.decide.orders_past_literals import OrderRanges, values_past_literals
 from workbench.prover.decide.recurrence_range import exceptions, rewritten, symbolic_members
-from workbench.prover.decide.symbolic_orders import freed, symbolic_orders
+from workbench.prover.decide.symbolic_orders import symbolic_orders, with_free_orders
 from workbench.prover.decide.unbounded_indices import judge_addends, ranges_apart
 
 
@@ -182,7 +182,7 @@ def _for_all(
         _refuse_hidden_coordinate(judge, expanded)
         if derivatives := symbolic_orders(_all_terms(expanded)):
             expanded = _shifted(expanded, _shift(_indices(expanded, derivatives)))
-            statements = tuple(mapped(s, freed) for s in expanded)
+            statements = tuple(mapped(s, with_free_orders) for s in expanded)
             method = "the n-th derivatives and the n-th members are free functions"
         shifted, *others = statements
         supposed = tuple(others[: len(assume)])
@@ -329,7 +329,7 @@ def _instances(
         figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}
         fails = Evidence("each instance", f"fails for {place}", figures)
         return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
-    for far in beyond(_terms(statement), judge.definitions, orders):
+    for far in values_past_literals(_terms(statement), judge.definitions, orders):
         with suppress(Unsatisfiable):  # nothing is claimed of such a member
             further = _instance_for(judge, statement, assume, hypothesis, far)
             if further.outcome == Outcome.REFUTED:

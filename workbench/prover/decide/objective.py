@@ -24,7 +24,7 @@ from workbench.language.definitions import expand, replaced
 
 
 @dataclass(frozen=True)
-class Varied:
+class Objective:
     """The objective.
 
     letters: the variables, numbers and vectors.   body: the term, with all definitions expanded.
@@ -36,7 +36,7 @@ class Varied:
     inside: Term | None
 
     @staticmethod
-    def of(said: Extremum, definitions: Lookup, assume: Sequence[Statement]) -> Varied:
+    def of(said: Extremum, definitions: Lookup, assume: Sequence[Statement]) -> Objective:
         """Returns the objective. Raises NotExact if the term depends on a variable in a hidden way."""
         body = expand(said.body, definitions)
         for letter in said.letters:
@@ -45,8 +45,8 @@ class Varied:
             if any(letter in side.walk() for side in supposed):
                 raise NotExact(f"a premise about {letter.declaration.name}, which varies")
         if isinstance(body, Apply) and body.head == "norm" and not body.type.dual:
-            return Varied(said.letters, body, body.arguments[0])
-        return Varied(said.letters, body, None)
+            return Objective(said.letters, body, body.arguments[0])
+        return Objective(said.letters, body, None)
 
     @property
     def count(self) -> int:

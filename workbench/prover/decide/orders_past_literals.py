@@ -56,7 +56,7 @@ class FirstMembers:
         return ", ".join(f"{name} = {least}..{least + FIRST - 1}" for name, least in self.least.items())
 
 
-def beyond(
+def values_past_literals(
     terms: Iterable[Term], definitions: Definitions, orders: OrderRanges
 ) -> Iterator[Mapping[str, int]]:
     """Yields values at and past the largest number in the terms and in the definitions of their symbols."""
@@ -71,7 +71,7 @@ def beyond(
             yield values
 
 
-def behind(terms: Iterable[Term], definitions: Definitions) -> int | None:
+def integer_past_literals(terms: Iterable[Term], definitions: Definitions) -> int | None:
     """Returns an integer past all literals of the terms; None if it would be large."""
     largest = max(_numbers(terms, definitions), default=0)
     return largest + 1 if largest <= _LARGEST else None

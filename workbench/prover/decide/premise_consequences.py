@@ -15,13 +15,13 @@ from workbench.core.construct import apply, number, power, relation, symbol
 from workbench.core.names import Name
 from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term, TimeOperator
 from workbench.core.types import SCALAR, VECTOR, Declaration
-from workbench.engines.inventory import Lookup, With, reached
+from workbench.engines.inventory import Lookup, WithDefinitions, reached
 from workbench.engines.inventory.assumptions import Assumptions
 from workbench.engines.inventory.divisions import never_divides
 from workbench.engines.inventory.inventory import take_inventory
 
 
-def put_in(
+def with_premise_as_definition(
     claim: Relation, assume: Sequence[Statement], definitions: Lookup, bound: Collection[Name]
 ) -> tuple[Relation, list[Relation], Lookup] | None:
     """Returns the claim with the first premise x = t that can define x, the other premises, and the
@@ -40,11 +40,13 @@ def put_in(
             sides = [side for r in (claim, *others) for side in (r.left, r.right)]
             orders = take_inventory(sides, definitions).orders  # orders of the free symbols
             if orders.get(own) == 0 and own not in take_inventory([value], definitions).orders:
-                return premise, others, With(definitions, {own: value})
+                return premise, others, WithDefinitions(definitions, {own: value})
     return None
 
 
-def equal_turns(claim: Relation, assume: Sequence[Statement], definitions: Lookup) -> list[Relation]:
+def equal_sines_and_cosines(
+    claim: Relation, assume: Sequence[Statement], definitions: Lookup
+) -> list[Relation]:
     """Returns the equal sines and cosines of both sides of premises that equate angles of the claim."""
     premises = [premise for premise in Assumptions(assume).equations if premise.left.type == SCALAR]
     angles = set(take_inventory((claim.left, claim.right), definitions).angles)

@@ -17,14 +17,14 @@ from itertools import combinations
 
 from workbench.core.construct import apply, block, number, power, relation, zero
 from workbench.core.terms import Relation, Term
-from workbench.prover.decide.objective import Varied
+from workbench.prover.decide.objective import Objective
 
 
 @dataclass
 class Quadratic:
     """The form: f, or f² for a norm; −f for a greatest value."""
 
-    varied: Varied
+    varied: Objective
     least_asked: bool
 
     @cached_property

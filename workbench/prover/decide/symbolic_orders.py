@@ -47,7 +47,7 @@ def with_free_derivatives(term: Term) -> Term:
     return rebuild(term, [with_free_derivatives(child) for child in term.children])
 
 
-def freed(relation: Relation) -> Relation:
+def with_free_orders(relation: Relation) -> Relation:
     """Returns the relation with free derivatives on both sides.
 
     If linearity alone makes the sides equal, it is returned as a difference that is 0.

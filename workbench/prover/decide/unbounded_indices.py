@@ -12,7 +12,7 @@ from workbench.engines.inventory.addend_expansion import addend_by_addend, has_s
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, expand
 from workbench.prover.decide.inference import generalization
-from workbench.prover.decide.orders_past_literals import OrderRanges, behind
+from workbench.prover.decide.orders_past_literals import OrderRanges, integer_past_literals
 from workbench.prover.decide.recurrence_range import InstanceJudge
 
 
@@ -50,7 +50,7 @@ def ranges_apart(
     lasts = [name for name in orders.generic if any(name in each.upper.variables for each in sums)]
     if not lasts:
         return [Distinct(orders, {})]
-    longest = behind(terms, definitions)
+    longest = integer_past_literals(terms, definitions)
     if longest is None or not (isinstance(statement, Relation) and all(map(has_sums, terms))):
         return []
     lengths = range(2, max(longest, len(orders.generic) + 2) + 1)

@@ -101,7 +101,7 @@ class Decider:
     def is_impossible(self, facts: Sequence[Fact]) -> bool:
         """Returns whether no values of its symbols that meet the facts make the claim true."""
         try:
-            undisturbed(lambda: self._decide(facts, self._statement, False, True, is_supposed=True))
+            judged_or_unchecked(lambda: self._decide(facts, self._statement, False, True, is_supposed=True))
         except Unsatisfiable:
             return self.claim.orders is None
         except _PROBLEMS:
@@ -230,7 +230,7 @@ def judged_alone(claim: Claim, judge_of: JudgeOf) -> Verdict:
     statement = claim.printed.statement
     with suppress(Unsatisfiable):
         judge = judge_of(claim.notation)
-        return undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
+        return judged_or_unchecked(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
     return Verdict(Outcome.UNCHECKED)
 
 
@@ -246,7 +246,7 @@ def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare:
     )
 
 
-def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
+def judged_or_unchecked(judge: Callable[[], Verdict]) -> Verdict:
     """Returns the verdict; `unchecked` if the engines disagree or do not finish.
 
     These are defects of the workbench that must not stop the other claims; the reason reports them. The

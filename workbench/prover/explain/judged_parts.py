@@ -14,7 +14,7 @@ from workbench.core.operations import PARTIALS
 from workbench.core.spans import Span
 from workbench.core.terms import Apply, Definition, Derivative, Symbol, sides_of
 from workbench.language.definitions import Definitions
-from workbench.prover.explain.canonical_text import told
+from workbench.prover.explain.canonical_text import canonical_text
 
 #: Fields that name, locate or comment on a claim. The judges see their defaults.
 UNSEEN = (
@@ -41,14 +41,16 @@ class JudgedParts:
     def of(self, claim: Claim) -> Claim:
         """Returns the claim without names, positions and comments, with the part of its notation that it
         reaches."""
-        seen, reach = seen_of(claim), self._reach_of(claim.notation)
+        seen, reach = judged_fields_of(claim), self._reach_of(claim.notation)
         own = _without_place(claim.notation.on_motions.get(claim.id))
-        part = reach.whole if _needs_all(claim) else reach.part(told([*seen.values(), own]).names)
-        return Claim(_UNNAMED, notation=part if own is None else _with_hand(part, {_UNNAMED: own}), **seen)
+        part = reach.whole if _needs_all(claim) else reach.part(canonical_text([*seen.values(), own]).names)
+        return Claim(
+            _UNNAMED, notation=part if own is None else _with_motion_formulas(part, {_UNNAMED: own}), **seen
+        )
 
     def for_proposals(self, claim: Claim) -> Claim:
         """Returns the same with its whole notation: a proposal may use any symbol."""
-        return Claim(_UNNAMED, notation=self._reach_of(claim.notation).whole, **seen_of(claim))
+        return Claim(_UNNAMED, notation=self._reach_of(claim.notation).whole, **judged_fields_of(claim))
 
     def bound(self, notation: Notation) -> Notation:
         """Returns the part of a notation that its bindings to motions reach."""
@@ -72,11 +74,11 @@ class _Reach:
         self._parts: dict[frozenset[Name], Notation] = {}
         frames = notation.symbols.frames
         always = (tuple(notation.motion), frames.velocities, frames.orientations)
-        self._always = told(always).names
+        self._always = canonical_text(always).names
 
     @cached_property
     def whole(self) -> Notation:
-        return _with_hand(self._notation, {})
+        return _with_motion_formulas(self._notation, {})
 
     def part(self, names: frozenset[Name]) -> Notation:
         """Returns the notation restricted to these names and the names that they lead to."""
@@ -105,7 +107,7 @@ class _Reach:
         """Returns the members of the family with their own definitions, and the names in its definitions."""
         if name not in self._next:
             members = {other for other in self._of if name.index_of(other) is not None}
-            said = [told(definition).names for definition in self._of.get(name, ())]
+            said = [canonical_text(definition).names for definition in self._of.get(name, ())]
             self._next[name] = frozenset(members).union(*said)
         return self._next[name]
 
@@ -114,7 +116,7 @@ def _needs_all(claim: Claim) -> bool:
     """True if all symbols of the notation may be used: by a proof, or by a formula that is printed in the
     author's spellings or parsed again."""
     has_proof = claim.goal is not None or claim.every_n is not None
-    return has_proof or not claim.notation.hand.is_plain or differentiates_product(claim.printed)
+    return has_proof or not claim.notation.author_notation.is_plain or differentiates_product(claim.printed)
 
 
 def differentiates_product(formula: Formula) -> bool:
@@ -130,7 +132,7 @@ def differentiates_product(formula: Formula) -> bool:
     )
 
 
-def seen_of(claim: Claim) -> dict[str, Any]:
+def judged_fields_of(claim: Claim) -> dict[str, Any]:
     """Returns the fields that the judges see, except the notation."""
     return {name: _without_place(getattr(claim, name)) for name in _SEEN}
 
@@ -147,9 +149,9 @@ def _without_place(value: Any) -> Any:
     return value
 
 
-def _with_hand(notation: Notation, on_motions: dict[str, Any]) -> Notation:
+def _with_motion_formulas(notation: Notation, on_motions: dict[str, Any]) -> Notation:
     """Returns the notation with other formulas for motions, and the same printer, which is expensive to
     build."""
     made = replace(notation, on_motions=on_motions)
-    vars(made)["hand"] = notation.hand
+    vars(made)["author_notation"] = notation.author_notation
     return made

@@ -14,7 +14,7 @@ MEMBERS = 3
 
 
 @dataclass(frozen=True)
-class Said:
+class GoalEquation:
     """A statement, its premises at the same instant, and its integers with their least values."""
 
     statement: Statement
@@ -32,24 +32,24 @@ class Said:
 _NOTHING = Conjunction(())
 
 
-def said(goal: Goal, under: Said | None = None) -> Iterator[Said]:
+def equations_of_goal(goal: Goal, under: GoalEquation | None = None) -> Iterator[GoalEquation]:
     """Yields the equations of a goal that are not under ∃, and under ⟹ only if the premises are equations,
     too."""
-    here = under or Said(_NOTHING)
+    here = under or GoalEquation(_NOTHING)
     match goal:
         case Atom(statement):
             yield replace(here, statement=statement)
         case All(body=body):
-            yield from said(body, here)
+            yield from equations_of_goal(body, here)
         case AllFrom(integer, least, body):
-            yield from said(body, replace(here, integers=(*here.integers, (integer, least))))
+            yield from equations_of_goal(body, replace(here, integers=(*here.integers, (integer, least))))
         case Implies(premise, conclusion, lasting=False) if (given := _plain(premise)) is not None:
-            yield from said(conclusion, replace(here, premises=(*here.premises, *given)))
+            yield from equations_of_goal(conclusion, replace(here, premises=(*here.premises, *given)))
         case Iff(Atom(left), Atom(right)):
             yield replace(here, statement=Equivalence(left, right))
         case Both(parts):
             for part in parts:
-                yield from said(part, here)
+                yield from equations_of_goal(part, here)
 
 
 def _plain(premise: Goal) -> tuple[Statement, ...] | None:

@@ -26,7 +26,7 @@ from workbench.core.verdict import Outcome
 from workbench.engines.inventory.inventory import NotExact
 from workbench.engines.jet.rings import PRIME
 from workbench.language.definitions import Definitions
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
 from workbench.repair.propose.candidate_judge import judging
@@ -148,7 +148,7 @@ def _edited(claims: Sequence[Claim], least: int, end: float) -> Iterator[tuple[R
 
 
 def _in_words(claim: Claim, *terms: Term) -> tuple[str, ...]:
-    with in_the_hand_of(claim.notation.hand):
+    with printed_for(claim.notation.author_notation):
         return tuple(map(to_latex, terms))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from workbench.context.claims import Claim
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.terms import Derivative, IllFormed, Relation, Statement, Symbol, sides_of
 from workbench.core.verdict import Outcome, Verdict
 from workbench.engines.inventory.inventory import Lookup
@@ -64,7 +64,7 @@ def _read(claim: Claim, mark: Mark, lines: Lines) -> Iterator[Candidate]:
     made = marked_lines([mark], lines)
     try:
         statements = reading_of(made, claim.notation.symbols, integers).statements
-    except (Fault, Misfit, IllFormed):
+    except (Fault, TypeMismatch, IllFormed):
         return
     if len(statements) == 1:
         yield Candidate(statements[0], (Change(mark.kind, mark.description),), latex_of(made), (mark.cost,))

@@ -18,7 +18,7 @@ from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.terms import Apply, Statement, Symbol
 from workbench.core.verdict import Outcome, Verdict
 from workbench.engines.inventory.inventory import NotExact
-from workbench.language.printing.author_spelling import in_the_hand_of
+from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
 from workbench.prover.results.proposed_form import Proposed
@@ -100,7 +100,7 @@ class Repair:
             return formula.latex
         integers = self.claim.orders.variables if self.claim.orders else ()
         table = self.claim.notation.symbols
-        with in_the_hand_of(self.claim.notation.hand):
+        with printed_for(self.claim.notation.author_notation):
             canonical = to_latex(formula.statement)
         return as_printed(canonical, formula.latex, table, integers)
 
@@ -141,7 +141,7 @@ def repair(
     bench = _Bench(claim, judge, limits, found, progress, beside)
     start = monotonic()
     try:
-        with in_the_hand_of(claim.notation.hand):
+        with printed_for(claim.notation.author_notation):
             bench.run()
     except (KeyboardInterrupt, _LimitReached) as cut:
         found.complete, found.interrupted = False, isinstance(cut, KeyboardInterrupt)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.terms import IllFormed, Term
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.grammar.syntax import Node
@@ -17,12 +17,12 @@ class RememberingElaborator(Elaborator):
         self._known: dict[tuple[int, frozenset[str]], tuple[Node, Term | Exception]] = {}
 
     def term(self, node: Node) -> Term:
-        """Returns the term of a node. Raises Fault, Misfit or IllFormed at each call."""
+        """Returns the term of a node. Raises Fault, TypeMismatch or IllFormed at each call."""
         key = id(node), self.variables
         if key not in self._known:
             try:
                 self._known[key] = node, super().term(node)
-            except (Fault, Misfit, IllFormed) as fault:
+            except (Fault, TypeMismatch, IllFormed) as fault:
                 self._known[key] = node, fault
         found = self._known[key][1]
         if isinstance(found, Exception):

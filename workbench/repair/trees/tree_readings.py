@@ -12,7 +12,7 @@ from itertools import combinations, islice, product
 from random import Random
 
 from workbench.context.claims import Claim
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.terms import Conjunction, IllFormed, Statement, Term
 from workbench.core.types import Weight
 from workbench.engines.jet.rings import PRIME
@@ -108,7 +108,7 @@ class _Reader:
         self.tick()
         try:
             found = reading_of(marked_lines(marks, self.lines), self.table, self.integers).statements
-        except (Fault, Misfit, IllFormed):
+        except (Fault, TypeMismatch, IllFormed):
             return None
         return found[0] if len(found) == 1 else Conjunction(found)
 
@@ -116,7 +116,7 @@ class _Reader:
         self.tick()
         try:
             return self._elaborator.term(node)
-        except (Fault, Misfit, IllFormed):
+        except (Fault, TypeMismatch, IllFormed):
             return None
 
     @staticmethod

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
 
-from workbench.core.formula_errors import Fault, Misfit
+from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.terms import IllFormed
 from workbench.language.elaboration.statements import reading_of
 from workbench.language.grammar.latex_forms import latex_of
@@ -71,7 +71,7 @@ def _state_ranges(clauses: Sequence[Node], table: SymbolTable, integers: frozens
     trivial = parse("\\mathbf{I} = \\mathbf{I}").lines[0][0]
     try:
         reading_of(Lines(0, ((trivial, *clauses),)), table, integers)
-    except (Fault, Misfit, IllFormed):
+    except (Fault, TypeMismatch, IllFormed):
         return not any(is_condition(clause) for clause in clauses)
     return True
 

@@ -11,7 +11,7 @@ from workbench.source.rows.display_vocabulary import VISIBLE_GAPS, Kind, Marks
 from workbench.source.rows.side_words import is_name
 
 
-class Apart(Enum):
+class Separator(Enum):
     """The separators before a piece. PAIR: the mark of a further pair of columns."""
 
     START = auto()
@@ -25,10 +25,10 @@ class Apart(Enum):
 
 
 _SEPARATORS = {
-    Kind.WIDE: Apart.WIDE,
-    Kind.GAP: Apart.WIDE,
-    Kind.COMMA: Apart.COMMA,
-    Kind.FORALL: Apart.FORALL,
+    Kind.WIDE: Separator.WIDE,
+    Kind.GAP: Separator.WIDE,
+    Kind.COMMA: Separator.COMMA,
+    Kind.FORALL: Separator.FORALL,
 }
 
 
@@ -42,7 +42,7 @@ class Piece:
     """
 
     nodes: list[Node]
-    apart: set[Apart]
+    apart: set[Separator]
     separator: list[Node] = field(default_factory=list)
     indent: int = 0
     kept: list[Node] = field(default_factory=list)
@@ -67,7 +67,7 @@ class Piece:
 
     @property
     def is_words(self) -> bool:
-        return len(self.kept) == 1 and self.kept[0].kind is Kind.WORDS and Apart.WORDS in self.apart
+        return len(self.kept) == 1 and self.kept[0].kind is Kind.WORDS and Separator.WORDS in self.apart
 
 
 def pieces_of(cells: Sequence[Cell], marks: Marks) -> list[Piece]:
@@ -81,16 +81,16 @@ def dangling(nodes: Sequence[Node]) -> Kind | None:
     return nodes[-1].kind if nodes and nodes[-1].kind in signs else None
 
 
-def _units(cells: Sequence[Cell], marks: Marks) -> Iterator[tuple[list[Node], Apart]]:
+def _units(cells: Sequence[Cell], marks: Marks) -> Iterator[tuple[list[Node], Separator]]:
     """Yields the cells; a left and a right one are one unit if the right one begins with a relation or the
     left one is empty."""
-    units: list[tuple[list[Node], Apart]] = []
+    units: list[tuple[list[Node], Separator]] = []
     for at, cell in enumerate(cells):
         if at and (marks is Marks.CELLS or at % 2 == 1) and _is_one_unit(units[-1][0], cell):
             units[-1] = ([*units[-1][0], *cell], units[-1][1])
             continue
-        apart = Apart.START if at == 0 else Apart.MARK
-        units.append((list(cell), Apart.PAIR if at and at % 2 == 0 and marks is Marks.PAIRS else apart))
+        apart = Separator.START if at == 0 else Separator.MARK
+        units.append((list(cell), Separator.PAIR if at and at % 2 == 0 and marks is Marks.PAIRS else apart))
     yield from units
 
 
@@ -101,25 +101,25 @@ def _is_one_unit(left: Sequence[Node], right: Sequence[Node]) -> bool:
     return not inner or is_term or lead in (Kind.RELATION, Kind.INFIX) or dangling(inner) is not None
 
 
-def _split(cell: list[Node], apart: Apart) -> Iterator[Piece]:
-    piece = Piece([], {apart} | ({Apart.MARK} if apart is Apart.PAIR else set()))
+def _split(cell: list[Node], apart: Separator) -> Iterator[Piece]:
+    piece = Piece([], {apart} | ({Separator.MARK} if apart is Separator.PAIR else set()))
     for at, (node, depth) in enumerate(with_depth(cell)):
         is_word = node.kind is Kind.WORDS and not is_name(cell, at)
         if depth:
             piece.nodes.append(node)
         elif is_word:
             yield piece
-            yield Piece([node], {Apart.WORDS})
-            piece = Piece([], {Apart.WORDS})
-        elif node.name == ":" and Apart.WORDS in piece.apart and relation_places(piece.nodes):
+            yield Piece([node], {Separator.WORDS})
+            piece = Piece([], {Separator.WORDS})
+        elif node.name == ":" and Separator.WORDS in piece.apart and relation_places(piece.nodes):
             yield piece  # for C: A
-            piece = Piece([], {Apart.COLON}, [node])
+            piece = Piece([], {Separator.COLON}, [node])
         elif node.kind in (Kind.WIDE, Kind.COMMA, Kind.FORALL) or _ends_a_column(cell, at, piece.nodes):
             if node.kind is Kind.WIDE and _is_within(piece):
                 continues = not trimmed(piece.nodes)
                 piece.nodes.append(node)
                 piece.indent += continues
-                piece.apart |= {Apart.WIDE} if continues else set()
+                piece.apart |= {Separator.WIDE} if continues else set()
                 continue
             yield piece
             piece = Piece([], {_SEPARATORS[node.kind]}, [node], indent=int(node.kind is Kind.WIDE))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from workbench.language.grammar.vocabulary import NUMBER
 from workbench.source.documents import joined
-from workbench.source.rows.display_pieces import Apart, Piece
+from workbench.source.rows.display_pieces import Piece, Separator
 from workbench.source.rows.display_statements import Beside, Leftover, Role, RowEnd, Statement
 from workbench.source.rows.display_tree import Node, relation_places, trimmed, without
 from workbench.source.rows.display_vocabulary import Kind, Marks
@@ -52,7 +52,7 @@ class RowReader(RowStatements):
 
     def begins(self, piece: Piece) -> bool:
         """True if an environment of lines in this piece is a system, and not a side of a formula."""
-        return self._here is None or bool(piece.apart & {Apart.WIDE, Apart.COMMA, Apart.WORDS})
+        return self._here is None or bool(piece.apart & {Separator.WIDE, Separator.COMMA, Separator.WORDS})
 
     def stands_behind(self, statements: Sequence[Statement]) -> None:
         """Sets the lines of a system that the following pieces apply to."""
@@ -64,7 +64,9 @@ class RowReader(RowStatements):
     def read(self, place: int) -> None:
         """Reads the piece at this index."""
         piece, rest = self._row.pieces[place], self._row.pieces[place + 1 :]
-        if Apart.PAIR in piece.apart or (self._row.layout.marks is Marks.CELLS and Apart.MARK in piece.apart):
+        if Separator.PAIR in piece.apart or (
+            self._row.layout.marks is Marks.CELLS and Separator.MARK in piece.apart
+        ):
             self._column += 1
         if piece.is_words:
             self._words(piece.kept[0], rest)
@@ -97,13 +99,13 @@ class RowReader(RowStatements):
             return False
         pieces = self._row.pieces
         is_first = not any(each.kept for each in pieces[:place]) and len(pieces) > place + 1
-        is_last = Apart.WIDE in piece.apart and self._here is not None
-        return is_last or (is_first and Apart.WIDE in pieces[place + 1].apart)
+        is_last = Separator.WIDE in piece.apart and self._here is not None
+        return is_last or (is_first and Separator.WIDE in pieces[place + 1].apart)
 
     def _passes_colon(self, piece: Piece, place: int) -> bool:
         """Removes the colon of “Identity: a = b”, and the name in “L:\\ a = b”; True if nodes remain."""
         before = self._row.pieces[place - 1].apart if place else set()
-        if piece.kept[0].name == ":" and Apart.WORDS in before | piece.apart:
+        if piece.kept[0].name == ":" and Separator.WORDS in before | piece.apart:
             self._state.leave(Leftover.LAYOUT, piece.kept[:1])
             piece.kept = trimmed(piece.kept[1:])
         elif (end := end_of_a_name(piece, self._row.pieces[place + 1 :])) and self._here is None:
@@ -114,7 +116,7 @@ class RowReader(RowStatements):
         return bool(piece.kept)
 
     def _formula(self, piece: Piece, rest: Sequence[Piece]) -> None:
-        if Apart.FORALL in piece.apart:
+        if Separator.FORALL in piece.apart:
             self._state.cut.remarks += piece.separator
             is_limited = piece.relations and not is_range(piece.kept, rest)
             self._put_beside(Role.CONDITION if is_limited else Role.RANGE, piece.kept)
@@ -131,10 +133,10 @@ class RowReader(RowStatements):
             self._last.nodes += [*piece.separator, *piece.kept]
             return True
         self._last = None
-        if Apart.COLON in piece.apart:
+        if Separator.COLON in piece.apart:
             self._pending = None
         goes_on = piece.lead in (Kind.RELATION, Kind.IMPLICATION, Kind.INFIX)  # in spite of the words
-        if goes_on or (self._is_quantified and Apart.WIDE in piece.apart):
+        if goes_on or (self._is_quantified and Separator.WIDE in piece.apart):
             self._pending = None
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(self._pending, piece, rest)
@@ -162,12 +164,12 @@ class RowReader(RowStatements):
     def _goes_on_beside(self, last: Beside, piece: Piece, rest: Sequence[Piece]) -> bool:
         """True if the piece continues the formula added next to a statement: i = 1, 2, 3, or a, b \\in V."""
         if not piece.relations:
-            return Apart.COMMA in piece.apart and piece.lead not in (Kind.SIGN, Kind.INFIX)
+            return Separator.COMMA in piece.apart and piece.lead not in (Kind.SIGN, Kind.INFIX)
         is_statement = self._here is None and not any(each.relations for each in rest)
-        if relation_places(last.nodes) or Apart.WIDE in piece.apart or is_statement:
+        if relation_places(last.nodes) or Separator.WIDE in piece.apart or is_statement:
             return False
         is_side = is_symbol(piece.kept[: piece.relations[0]]) and is_range(piece.kept, rest)
-        return Apart.COMMA in piece.apart and is_side
+        return Separator.COMMA in piece.apart and is_side
 
     def _begins_definition(self, piece: Piece) -> bool:
         """True if “where R := …” defines R: it is a statement, and not a condition."""
@@ -181,7 +183,7 @@ class RowReader(RowStatements):
         served = tuple(dict.fromkeys([*self._made, *([self._here] if self._here else [])]))
         at_mark = self._state.columns.get(self._column)
         statement = self._begin(piece)
-        is_marked = Apart.MARK in piece.apart or _has_mark(piece.nodes)
+        is_marked = Separator.MARK in piece.apart or _has_mark(piece.nodes)
         if at_mark is not None and at_mark in served and _has_mark(at_mark.nodes) and not is_marked:
             self._state.columns[self._column] = at_mark
         for target in served:
@@ -212,7 +214,7 @@ class RowReader(RowStatements):
                 return with_separator
             case Action.CONDITION | Action.RANGE:
                 role = Role.CONDITION if action is Action.CONDITION else Role.RANGE
-                self._put_beside(role, piece.kept, of_the_row=Apart.MARK in piece.apart)
+                self._put_beside(role, piece.kept, of_the_row=Separator.MARK in piece.apart)
             case Action.PERHAPS | Action.OWN_OR_CONDITION:
                 made = self._begin(piece) if is_below else self._begin_beside(piece)
                 if action is Action.OWN_OR_CONDITION and not is_below:
@@ -262,7 +264,7 @@ class RowReader(RowStatements):
         behind_it = next((piece for piece in rest if piece.kept), None)
         if behind_it is None:  # f is smooth
             return role is WordRole.REMARK and not relation_places(here.nodes)
-        if behind_it.is_words or Apart.MARK in behind_it.apart:
+        if behind_it.is_words or Separator.MARK in behind_it.apart:
             return False
         goes_on = behind_it.lead in (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
         is_open = not relation_places(here.nodes)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 from itertools import pairwise
 
-from workbench.source.rows.display_pieces import Apart, Piece, dangling
+from workbench.source.rows.display_pieces import Piece, Separator, dangling
 from workbench.source.rows.display_statements import Role, Statement
 from workbench.source.rows.display_tree import Node, pairs_of, relation_places, trimmed, with_depth
 from workbench.source.rows.display_vocabulary import (
@@ -111,13 +111,17 @@ def behind(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece
         return Action.JOIN, ""
     if piece.lead is Kind.SIGN and not own:  # a column of terms
         return Action.JOIN, ""
-    if piece.lead is Kind.SIGN and Apart.PAIR in piece.apart:
+    if piece.lead is Kind.SIGN and Separator.PAIR in piece.apart:
         has_mark = any(node.kind is Kind.MARK for node in piece.kept)
         is_own = not target.begins_left or has_mark
         return (Action.PERHAPS, "") if is_own else (Action.JOIN, COLUMN)
     has_relation = bool(relation_places(target.nodes))
     inner = inside_of(piece.kept)
-    if relation_places(inner) and has_relation and piece.apart & {Apart.MARK, Apart.WIDE, Apart.COMMA}:
+    if (
+        relation_places(inner)
+        and has_relation
+        and piece.apart & {Separator.MARK, Separator.WIDE, Separator.COMMA}
+    ):
         return (Action.RANGE if is_range(inner) else Action.CONDITION), ""
     if not own:
         return _without_relation(target, piece, layout, rest), ""
@@ -128,14 +132,21 @@ def behind(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece
 
 def _without_relation(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]) -> Action:
     has_relation = bool(relation_places(target.nodes))
-    if Apart.WORDS in piece.apart and has_relation and piece.lead is not Kind.SIGN and not _is_joined(target):
+    if (
+        Separator.WORDS in piece.apart
+        and has_relation
+        and piece.lead is not Kind.SIGN
+        and not _is_joined(target)
+    ):
         return Action.NEW
     ahead = next((at for at, each in enumerate(rest) if each.relations), len(rest))
-    is_beside = is_symbol(piece.kept) and has_relation and bool(piece.apart & {Apart.COMMA, Apart.WIDE})
-    is_listed = is_beside and ahead < len(rest) and Apart.COMMA in rest[ahead].apart
+    is_beside = (
+        is_symbol(piece.kept) and has_relation and bool(piece.apart & {Separator.COMMA, Separator.WIDE})
+    )
+    is_listed = is_beside and ahead < len(rest) and Separator.COMMA in rest[ahead].apart
     if is_listed and is_range(rest[ahead].kept, rest[ahead + 1 :]):  # …, m, n \in N
         return Action.RANGE
-    if Apart.MARK in piece.apart and has_relation and layout.is_cases:
+    if Separator.MARK in piece.apart and has_relation and layout.is_cases:
         return Action.CONDITION
     return Action.JOIN  # a list, which the reader accepts
 
@@ -143,16 +154,16 @@ def _without_relation(target: Statement, piece: Piece, layout: Layout, rest: Seq
 def _with_relation(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]) -> Action:
     names = {piece.kept[at].name for at in piece.relations}
     is_equation = any(target.nodes[at].name not in SIDE_RELATIONS for at in relation_places(target.nodes))
-    if Apart.WORDS in piece.apart and not piece.apart & {Apart.COMMA, Apart.WIDE, Apart.MARK}:
+    if Separator.WORDS in piece.apart and not piece.apart & {Separator.COMMA, Separator.WIDE, Separator.MARK}:
         return Action.RANGE if is_range(piece.kept, rest) and is_equation else Action.NEW
     if is_range(piece.kept, rest) and is_equation:
         return Action.RANGE
     if names <= SIDE_RELATIONS and is_equation:
         return Action.CONDITION
-    if Apart.MARK in piece.apart and layout.is_cases:
+    if Separator.MARK in piece.apart and layout.is_cases:
         return Action.OWN_OR_CONDITION
     has_mark = any(node.kind is Kind.MARK for node in piece.kept[1:])
-    if Apart.MARK in piece.apart and target.begins_left and not has_mark:
+    if Separator.MARK in piece.apart and target.begins_left and not has_mark:
         return Action.OWN_OR_CONDITION
     return Action.PERHAPS
 
@@ -161,7 +172,7 @@ def leading_side(piece: Piece, rest: Sequence[Piece]) -> Role | None:
     """Returns the role of n \\geq 1 or x \\in V before an equation in its row; None for other pieces."""
     names = {piece.kept[at].name for at in piece.relations}
     ahead = next((each for each in rest if each.relations), None)
-    if not names or not names <= SIDE_RELATIONS or ahead is None or Apart.MARK in ahead.apart:
+    if not names or not names <= SIDE_RELATIONS or ahead is None or Separator.MARK in ahead.apart:
         return None
     left = trimmed(piece.kept[: piece.relations[0]])
     is_of_a_symbol = is_symbol(left) or (bool(left) and left[0].text.strip().isdecimal())
@@ -189,7 +200,7 @@ def is_range(kept: Sequence[Node], rest: Sequence[Piece] = ()) -> bool:
     if len(texts) < 3 or texts[1] != "=" or not re.fullmatch(r"[a-zN]|\\[a-z]+", texts[0]):
         return False
     is_listed = any(node.kind is Kind.COMMA for node in kept)
-    is_listed |= any(Apart.COMMA in each.apart and each.kept and not each.relations for each in rest[:1])
+    is_listed |= any(Separator.COMMA in each.apart and each.kept and not each.relations for each in rest[:1])
     has_dots = not {"\\dots", "\\ldots", "\\cdots"}.isdisjoint(texts)
     return texts[2].startswith("\\overline") or has_dots or (texts[2].isdecimal() and is_listed)
 
@@ -237,6 +248,6 @@ def end_of_a_name(piece: Piece, rest: Sequence[Piece]) -> int:
     if behind_it:
         is_spaced = behind_it[0].kind is Kind.GAP and behind_it[0].text.strip(" ") in ("\\", "~", "\\;")
     else:
-        is_spaced = bool(rest) and Apart.WIDE in rest[0].apart
+        is_spaced = bool(rest) and Separator.WIDE in rest[0].apart
     arrows = {node.name for node in piece.kept} & {"\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto"}
     return colon + 1 if colon and is_symbol and is_spaced and not arrows else 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from workbench.source.rows.display_pieces import Apart, Piece, dangling
+from workbench.source.rows.display_pieces import Piece, Separator, dangling
 from workbench.source.rows.display_statements import Beside, Cut, Doubt, Leftover, Role, Statement
 from workbench.source.rows.display_tree import Node, relation_places
 from workbench.source.rows.display_vocabulary import Kind, Marks
@@ -90,7 +90,7 @@ class RowStatements:
             target.doubts.append(Doubt(len(target.nodes), question))
         signs = (Kind.RELATION, Kind.INFIX, Kind.IMPLICATION)
         is_listed = not is_below and piece.lead not in signs
-        is_listed &= piece.lead is not Kind.SIGN or Apart.COMMA in piece.apart
+        is_listed &= piece.lead is not Kind.SIGN or Separator.COMMA in piece.apart
         target.nodes += piece.separator if is_listed else []
         target.nodes += piece.kept
         target.ends_at_mark = piece.ends_at_mark

@@ -63,7 +63,7 @@ class Inferred:
 
 
 @dataclass(frozen=True)
-class Misfit:
+class TypeMismatch:
     """A formula with an operation that no likely kinds satisfy. names: the symbols of the operation."""
 
     latex: str
@@ -93,7 +93,7 @@ class Inference:
 
     kinds: Mapping[str, Inferred]
     skew_marks: tuple[str, ...]
-    misfits: tuple[Misfit, ...]
+    misfits: tuple[TypeMismatch, ...]
     thin: tuple[Thin, ...]
     orthogonal: frozenset[str]
     moving: frozenset[str]
@@ -148,7 +148,7 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
         for name, place, other in search.needed_once()
     )
     misfits = tuple(
-        Misfit(each.latex, operation.names)
+        TypeMismatch(each.latex, operation.names)
         for (each, _), formula in zip(read, formulas, strict=True)
         for operation in _misfits(search, formula)
     )

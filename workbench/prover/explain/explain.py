@@ -23,6 +23,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, OutOfDecisions, is_true
 from workbench.prover.explain.fact_layers import layers_of
 from workbench.prover.explain.false_premises import under_premises
+from workbench.prover.explain.field_alternatives import other_convention
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law
 from workbench.prover.explain.other_readings import other_reading
@@ -97,12 +98,13 @@ class _Explanation:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=self.base.read_back)
         if (held := self._by_what_is_stated()) is not None:
             return held
-        was = self.act
+        was, own = self.act, self.own
         self._count_again()
         if self.base.outcome is not Outcome.REFUTED:
-            is_claim = was is Act.POSTULATE and self.act is Act.ASSERT
+            is_claim = self.act is Act.ASSERT and (was is Act.POSTULATE or bool(self._definitions()))
             if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
-                return _only_said(self.base, Act.POSTULATE, self.own if was is Act.POSTULATE else None)
+                is_given = was in _GIVES
+                return _only_said(self.base, was if is_given else Act.POSTULATE, own if is_given else None)
             self.base = self.against
         if self.act in _GIVES:
             return _only_said(self.base, self.act, self.own)
@@ -267,7 +269,10 @@ class _Explanation:
             if self.hints and self._holds([*self.known, *self.hints, *group]):
                 core = minimise([*self.hints, *group], lambda facts: self._holds([*self.known, *facts]))
                 return [" and ".join(map(str, core))]
-        return []
+        if self.claim.span is None or self.claim.alone:
+            return []
+        other = other_convention(self.claim, self.decider, [*self.known, *self.hints])
+        return [other] if other is not None else []
 
 
 def _holds_rate(statement: Statement) -> bool:

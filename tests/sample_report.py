@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from tests.planted import planted
-from workbench.context.claims import Claim, Formula, Mend, Paper
+from workbench.context.claim_parts import ClaimSource, Mend, Sentence
+from workbench.context.claims import Claim, ClaimProof, Correction, Formula, Paper
 from workbench.context.index_values import Orders
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.prover.results.claim_results import ClaimResult
@@ -54,25 +56,28 @@ def claim(
         identity,
         Formula(printed),
         None,
-        equation=equation,
-        section=section,
-        reading=reading and Formula(reading["latex"]),
-        corrected=corrected and Formula(corrected["latex"]),
-        hypothesis=hypothesis and Formula(hypothesis),
         assume=tuple(map(Formula, assume)),
         orders=orders and Orders.parse(orders),
-        note=note,
+        correction=Correction(
+            reading and Formula(reading["latex"]),
+            corrected and Formula(corrected["latex"]),
+            hypothesis and Formula(hypothesis),
+        ),
+        mend=replace(mend or Mend(), fault=FAULTS.get(verdict)),
+        source=ClaimSource(equation, section, statement=statement, note=note),
+        sentence=Sentence(quote),
+        proof=ClaimProof(argued=argued),
         inherits=tuple(inherits),
-        statement=statement,
-        quote=quote,
-        argued=argued,
-        fault=FAULTS.get(verdict),
-        mend=mend or Mend(),
     )
     verdicts = [_verdict(**form) if form else None for form in (reading, corrected)]
     against = counterexample and Counterexample.from_dict({"defined": {}, "behind": [], **counterexample})
     own = _verdict(verdict=verdict, counterexample=against, **found)
     return ClaimResult(said, own, *verdicts, proposed=proposed)
+
+
+def with_fault(result: ClaimResult, fault: str | None) -> ClaimResult:
+    """The result of a claim with that fault."""
+    return replace(result, claim=replace(result.claim, mend=replace(result.claim.mend, fault=fault)))
 
 
 def _verdict(

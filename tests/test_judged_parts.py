@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import Field, dataclass, fields, replace
 from itertools import permutations
 from pathlib import Path
@@ -17,7 +17,19 @@ import workbench
 from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import ClaimJudge
 from workbench.app.pipeline.verdict_keys import Keys
-from workbench.context.claims import Claim, Formula, Mend, Notation, OnMotions, Robot, Stated
+from workbench.context.claim_parts import ClaimSource, Edit, Mend, Sentence
+from workbench.context.claims import (
+    Ambiguity,
+    Claim,
+    ClaimContext,
+    ClaimProof,
+    Correction,
+    Formula,
+    Notation,
+    OnMotions,
+    Robot,
+    Stated,
+)
 from workbench.context.facts import Act, Fact, Origin, Provider, Supposition
 from workbench.context.index_values import Orders
 from workbench.core.construct import number, symbol
@@ -204,6 +216,7 @@ VALUES: dict[str, tuple[Any, Any]] = {
     "Orders": (Orders({"n": range(1, 3)}), Orders({"n": range(1, 4)})),
     "Stated": (Stated("x", Atom(X), Atom(X)), Stated("x", Atom(X), Atom(Y))),
     "Mend": (Mend(), Mend(place="there")),
+    "tuple[Edit, ...]": ((), (Edit("a", "b", is_math=True),)),
     "Span": (None, Span(Path("p"), 1, 2, 3, 4)),
     "Name": (Name("x"), Name("y")),
     "tuple[str, ...]": (("one",), ("two",)),
@@ -247,13 +260,6 @@ FOR_READERS = {
     (SymbolTable, "arguments"),
     *((DefinedNames, name) for name in ("untyped", "primitive", "arguments")),
 }
-#: The parts of a table that are dataclasses.
-PARTS = {"defined": DefinedNames, "frames": KnownFrames, "conventions": Conventions}
-#: What is compared of a table and of its parts.
-FIELDS_OF_TABLES = [
-    *((SymbolTable, each) for each in fields(SymbolTable) if each.name not in PARTS),
-    *((part, each) for part in PARTS.values() for each in fields(part) if each.compare),
-]
 
 
 def values_of(each: Field) -> tuple[Any, Any]:
@@ -261,28 +267,62 @@ def values_of(each: Field) -> tuple[Any, Any]:
     return VALUES[kind]
 
 
+#: The fields of claims and of tables that are dataclasses, by their types.
+PARTS_OF_CLAIMS = {
+    ClaimSource: "source",
+    Mend: "mend",
+    Correction: "correction",
+    Sentence: "sentence",
+    ClaimProof: "proof",
+    ClaimContext: "context",
+    Ambiguity: "ambiguity",
+}
+PARTS_OF_TABLES = {DefinedNames: "defined", KnownFrames: "frames", Conventions: "conventions"}
+
+
+def fields_within(whole: type, parts: Mapping[type, str], *but: str) -> list[tuple[type, Field]]:
+    """The fields by which values of the type are compared; those of its parts instead of the parts."""
+    own = [(whole, each) for each in fields(whole) if each.name not in (*parts.values(), *but)]
+    return [*own, *((part, each) for part in parts for each in fields(part) if each.compare)]
+
+
+def with_each_value(one: Any, kind: type, field: Field) -> list[Any]:
+    """Two values like that one, which differ in that field, or in that field of a part of it."""
+    name = {**PARTS_OF_CLAIMS, **PARTS_OF_TABLES}.get(kind)
+    part = one if name is None else getattr(one, name)
+    made = [replace(part, **{field.name: value}) for value in values_of(field)]
+    return made if name is None else [replace(one, **{name: each}) for each in made]
+
+
+def ids(found: Iterable[tuple[type, Field]]) -> list[str]:
+    return [f"{kind.__name__}.{each.name}" for kind, each in found]
+
+
+FIELDS_OF_CLAIMS = fields_within(Claim, PARTS_OF_CLAIMS, "notation")
+FIELDS_OF_TABLES = fields_within(SymbolTable, PARTS_OF_TABLES)
+
+
 def key_of(claim: Claim) -> str:
     return Keys({}, {}).of(claim, "printed")
 
 
-@pytest.mark.parametrize("field", fields(Claim), ids=lambda each: each.name)
-def test_judges_see_each_field_in_the_key_and_no_other(field: Field) -> None:
-    if field.name == "notation":
-        return
-    one, other = (replace(CLAIM, **{field.name: value}) for value in values_of(field))
+@pytest.mark.parametrize(("kind", "field"), FIELDS_OF_CLAIMS, ids=ids(FIELDS_OF_CLAIMS))
+def test_judges_see_each_field_in_the_key_and_no_other(kind: type, field: Field) -> None:
+    one, other = with_each_value(CLAIM, kind, field)
     parts = [
         canonical_text(
             [getattr(JudgedParts().of(each), f.name) for f in fields(Claim) if f.name != "notation"]
         )
         for each in (one, other)
     ]
-    assert (parts[0] == parts[1]) == (field.name in UNSEEN)
-    assert (key_of(one) == key_of(other)) == (field.name in UNSEEN)
+    is_unseen = (PARTS_OF_CLAIMS.get(kind) or field.name) in UNSEEN
+    assert (parts[0] == parts[1]) == is_unseen
+    assert (key_of(one) == key_of(other)) == is_unseen
 
 
 def whole(notation: Notation) -> Claim:
     """A claim whose proof may use all of the notation."""
-    return replace(CLAIM, notation=notation, goal=VALUES["Stated"][0])
+    return replace(CLAIM, notation=notation, proof=ClaimProof(VALUES["Stated"][0]))
 
 
 @pytest.mark.parametrize("field", fields(Notation), ids=lambda each: each.name)
@@ -298,23 +338,10 @@ def test_each_field_of_a_notation_is_in_the_key(
     assert key_of(claim(one)) != key_of(claim(other))
 
 
-def tables_with(kind: type, field: Field) -> list[SymbolTable]:
-    """Two tables that differ in that field of a table or of its part."""
-    made = [replace(kind(), **{field.name: value}) for value in values_of(field)]
-    if kind is SymbolTable:
-        return made
-    (name,) = (name for name, part in PARTS.items() if part is kind)
-    return [replace(SymbolTable(), **{name: part}) for part in made]
-
-
-@pytest.mark.parametrize(
-    ("kind", "field"),
-    FIELDS_OF_TABLES,
-    ids=[f"{kind.__name__}.{each.name}" for kind, each in FIELDS_OF_TABLES],
-)
+@pytest.mark.parametrize(("kind", "field"), FIELDS_OF_TABLES, ids=ids(FIELDS_OF_TABLES))
 @pytest.mark.parametrize("is_whole", [True, False])
 def test_each_field_of_a_table_is_in_the_key(kind: type, field: Field, is_whole: bool) -> None:
-    tables = tables_with(kind, field)
+    tables = with_each_value(SymbolTable(), kind, field)
     notations = [Notation(table, Definitions(), {}) for table in tables]
     keys = {key_of(whole(each) if is_whole else replace(CLAIM, notation=each)) for each in notations}
     assert len(keys) == (1 if not is_whole and (kind, field.name) in FOR_READERS else 2)

@@ -16,7 +16,7 @@ from click.testing import CliRunner, Result
 
 from workbench.app.commands.commands import main
 from workbench.app.pipeline import dask_workers
-from workbench.app.pipeline.judge_claims import PaperJudge, forms
+from workbench.app.pipeline.judge_claims import PaperJudge
 from workbench.app.pipeline.many_papers import judge_papers
 from workbench.app.pipeline.verdict_keys import Memory
 from workbench.app.servers import watch
@@ -91,7 +91,7 @@ def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> Non
     options = {"motions": False}
     told = [
         dask_workers._judged({}, bundle, claim.id, form, key, options, judge.budget, b"secret")
-        for form in forms(claim)
+        for form in claim.forms
         for key in (judge.key(claim, form), "another")
     ]
     refused = "the worker's workbench is another one, or its files; its verdict does not count"

@@ -337,7 +337,7 @@ def test_theorems_come_from_the_installed_paper_alone(tmp_path, monkeypatch):
     told = "id = 'T'\ntheorem = 'unique'\nstatement = 'It is itself.'\ngoal = '\\omega = \\omega'"
     (path,) = write(tmp_path, p=f"{HEAD}[[claim]]\n{told}\n")
     paper = InstalledPaper((path,), {"unique": Proven(Kernel())})
-    assert merge(paper.files, paper.theorems).claims[0].theorem == "unique"
+    assert merge(paper.files, paper.theorems).claims[0].proof.theorem == "unique"
     with pytest.raises(PaperError, match="none is installed for this file"):
         load_paper(path)
 

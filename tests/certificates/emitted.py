@@ -50,8 +50,8 @@ def joined():
     paper = find_paper("chapter")
     found = {}
     for claim in paper.claims:
-        proven = paper.theorems.get(claim.theorem or "")
-        if claim.goal is None or not isinstance(proven, Proven) or proven.proof is None:
+        proven = paper.theorems.get(claim.proof.theorem or "")
+        if claim.proof.goal is None or not isinstance(proven, Proven) or proven.proof is None:
             continue
         if claim.expected == Outcome.PROVED:
             with suppress(NotCertified):

@@ -166,7 +166,7 @@ def test_a_goal_that_says_something_else_is_refused(name, old, new):
 def test_a_false_goal_with_a_proof_of_its_own_is_refused(name):
     """The proof is written anew for the goal with a conclusion that is false."""
     (claim,) = [c for c in find_paper("chapter").claims if c.id == name]
-    changed = list(with_a_changed_conclusion(claim.goal.goal, made_false))
+    changed = list(with_a_changed_conclusion(claim.proof.goal.goal, made_false))
     assert changed
     texts = [text for goal in changed[:: max(1, len(changed) // 3)] for text in goal_texts(name, goal)]
     assert texts or " : nat, " in joined()[name].proposition  # whose false steps are not written
@@ -178,10 +178,10 @@ def goal_texts(name, goal=None):
     paper = find_paper("chapter")
     (claim,) = [c for c in paper.claims if c.id == name]
     if goal is not None:
-        claim = replace(claim, goal=replace(claim.goal, goal=goal))
+        claim = replace(claim, proof=replace(claim.proof, goal=replace(claim.proof.goal, goal=goal)))
     scope = Scope(claim.notation.symbols, claim.notation.definitions, {})
     try:
-        return [whole(claim, scope, paper.theorems[claim.theorem].proof).text]
+        return [whole(claim, scope, paper.theorems[claim.proof.theorem].proof).text]
     except NotCertified:
         return []
 

@@ -126,8 +126,8 @@ def steps_about_every_n():
         if claim.id in ("Theorem_1", "21.every_n", "Remark_5", "119", "131.all"):
             notation = claim.notation
             scope = Scope(notation.symbols, notation.definitions, {})
-            proof = paper.theorems[claim.theorem].proof
-            for asked in obligations(Sequent(claim.goal.goal, scope), proof):
+            proof = paper.theorems[claim.proof.theorem].proof
+            for asked in obligations(Sequent(claim.proof.goal.goal, scope), proof):
                 if asked.scope.integers and isinstance(asked.statement, Relation) and not asked.assume:
                     yield claim.id, asked.statement, asked.scope.definitions
 

@@ -122,8 +122,8 @@ def _judged(case: Case, name: str, drafted: bool) -> list[ClaimResult]:
 
 def _covers(claim: Claim, line: int) -> bool:
     """Whether the line prints a part of the formula; a step of a chain goes on from the row before."""
-    first = claim.span.line if claim.span else claim.line
-    last = claim.span.end_line if claim.span else claim.line
+    first = claim.context.span.line if claim.context.span else claim.line
+    last = claim.context.span.end_line if claim.context.span else claim.line
     return first - bool(claim.chain) <= line <= last
 
 

@@ -37,7 +37,11 @@ def originals():
     found = []
     for claim in find_paper().claims:
         formula = claim.corrected or claim.reading or claim.printed
-        if claim.theorem is None and claim.hypothesis is None and formula.statement is not None:
+        if (
+            claim.proof.theorem is None
+            and claim.correction.hypothesis is None
+            and formula.statement is not None
+        ):
             found.append((claim, formula.statement))
     return found
 

@@ -150,7 +150,7 @@ def test_poses_notice_a_wrong_tensor(expansion, monkeypatch):
 
 
 def test_the_claims_state_the_closed_forms_that_are_printed():
-    goals = {claim.id: claim.goal.latex for claim in find_paper().claims if claim.goal}
+    goals = {claim.id: claim.proof.goal.latex for claim in find_paper().claims if claim.proof.goal}
     for name, expanded in (("3C", False), ("3C.expanded", True)):
         for formula in latex_3c(expanded):
             assert formula in goals[name]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.context.claims import FAULTS
+from workbench.context.claim_parts import FAULTS
 from workbench.core.verdict import Outcome
 from workbench.papers import find_paper
 from workbench.papers.corrections import mended, same_formula
@@ -21,21 +21,21 @@ def claims():
 
 def test_every_wrong_claim_has_a_fault(claims):
     wrong = [c for c in claims if c.expected not in (Outcome.PROVED, Outcome.ARGUED)]
-    wrong += [c for c in claims if c.reading or c.corrected or c.hypothesis]
+    wrong += [c for c in claims if c.reading or c.corrected or c.correction.hypothesis]
     assert len(wrong) > 90
-    assert [c.id for c in wrong if c.fault is None] == []
-    assert {c.fault for c in claims} == {None, *FAULTS}
+    assert [c.id for c in wrong if c.mend.fault is None] == []
+    assert {c.mend.fault for c in claims} == {None, *FAULTS}
 
 
 def test_a_fault_says_how_it_is_mended(claims):
     """By an edit, by that of another claim, by a right form beside the printed one, or by a hypothesis."""
     ids = {c.id for c in claims}
     for claim in claims:
-        if claim.fault is None:
+        if claim.mend.fault is None:
             continue
-        right = claim.reading or claim.corrected or claim.hypothesis
+        right = claim.reading or claim.corrected or claim.correction.hypothesis
         assert claim.mend.edits or claim.mend.by in ids or right, claim.id
-        assert claim.note or claim.mend.edits, claim.id
+        assert claim.source.note or claim.mend.edits, claim.id
 
 
 def test_edits_can_be_set(claims):
@@ -77,7 +77,7 @@ def test_edits_make_the_proved_form(claims):
 
 def test_one_slip_is_one_fault(claims):
     """Underlines that Section 8 and (135) have lost; orders that are counted in two ways."""
-    faults = {c.id: c.fault for c in claims}
+    faults = {c.id: c.mend.fault for c in claims}
     dual = {c.id for c in claims if re.fullmatch(r"1(35\.Phi\d|35\.P|36|3[789]|4[0-7])", c.id)}
     assert len(dual) == 16 and {faults[name] for name in dual} == {"transcription"}
     counts = {"37.base", "107", "108.by13", "110.by13", "111", "112.by13", "113.by13"}

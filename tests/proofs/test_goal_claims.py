@@ -52,15 +52,15 @@ def verdict(name: str, goal: str | None = None, theorem: Proven | None = None) -
     claim = CLAIMS[name]
     scope = Scope(claim.notation.symbols, claim.notation.definitions, {})
     if theorem is None:
-        theorem = proofs.chapter.theorems[claim.theorem]
-    read = claim.goal.goal if goal is None else read_goal(goal, scope)
-    bare = claim.goal.bare if claim.hypothesis else None
+        theorem = proofs.chapter.theorems[claim.proof.theorem]
+    read = claim.proof.goal.goal if goal is None else read_goal(goal, scope)
+    bare = claim.proof.goal.bare if claim.correction.hypothesis else None
     return prove(read, scope, Judge(claim.notation.definitions), theorem, claim.supposed, bare)
 
 
 @pytest.mark.parametrize("name", QUICK)
 def test_goals_are_shown(name):
-    expected = Outcome.CONDITIONAL if CLAIMS[name].hypothesis else Outcome.PROVED
+    expected = Outcome.CONDITIONAL if CLAIMS[name].correction.hypothesis else Outcome.PROVED
     assert verdict(name).outcome == expected == CLAIMS[name].expected
 
 
@@ -82,7 +82,7 @@ def test_goals_are_shown(name):
     ],
 )
 def test_another_goal_is_not_shown_by_the_proof(name, old, new):
-    goal = CLAIMS[name].goal.latex
+    goal = CLAIMS[name].proof.goal.latex
     assert old in goal
     if new.endswith("x \\in V_3"):  # an idle ∀ does not change what is said
         assert verdict(name, goal.replace(old, new, 1)).outcome == Outcome.PROVED
@@ -111,6 +111,6 @@ def test_a_goal_joined_in_prose_is_argued_not_proved():
 )
 def test_each_part_of_an_argued_goal_counts(old, new):
     claim = CLAIMS["80.series"]
-    goal = claim.goal.latex.replace(r"\printed", claim.printed.latex)
+    goal = claim.proof.goal.latex.replace(r"\printed", claim.printed.latex)
     assert old in goal
     assert verdict(claim.id, goal.replace(old, new, 1), Proven(Kernel())).outcome != Outcome.PROVED

@@ -27,7 +27,7 @@ from workbench.runtime import Budget, OutOfBudget, Workers
 
 T = TypeVar("T")
 
-GOALS = [claim for claim in find_paper().claims if claim.goal is not None]
+GOALS = [claim for claim in find_paper().claims if claim.proof.goal is not None]
 
 
 #: Of whole chains: a false step is judged on chains of three free motions, until the time is up.
@@ -50,8 +50,8 @@ def of(claims):
     """Of the claims that rest on one theorem the first; the others, and the long ones, in the slow suite."""
     seen: set[str | None] = LONG | BEYOND_THEOREM_6
     for claim in claims:
-        slow = [pytest.mark.slow] if claim.theorem in seen and claim.theorem else []
-        seen.add(claim.theorem)
+        slow = [pytest.mark.slow] if claim.proof.theorem in seen and claim.proof.theorem else []
+        seen.add(claim.proof.theorem)
         yield pytest.param(claim, id=claim.id, marks=slow)
 
 
@@ -76,20 +76,20 @@ def places(request):
 
 
 def theorem(claim: Claim) -> Proven:
-    if claim.theorem is not None:
-        return proofs.chapter.theorems[claim.theorem]
+    if claim.proof.theorem is not None:
+        return proofs.chapter.theorems[claim.proof.theorem]
     return Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
 
 
 def outcome(claim: Claim, goal: Goal, proven: Proven) -> Outcome:
     notation = claim.notation
     scope = Scope(notation.symbols, notation.definitions, {})
-    bare = claim.goal.bare if claim.hypothesis else None
+    bare = claim.proof.goal.bare if claim.correction.hypothesis else None
 
     def shown(_: None) -> Outcome:
         return prove(goal, scope, Judge(notation.definitions), proven, claim.supposed, bare).outcome
 
-    if claim.theorem not in LONG:
+    if claim.proof.theorem not in LONG:
         return shown(None)
     with Workers(shown, Budget(seconds=10)) as workers:
         (found,) = workers.map([None])
@@ -98,7 +98,7 @@ def outcome(claim: Claim, goal: Goal, proven: Proven) -> Outcome:
 
 @pytest.mark.parametrize("claim", SHOWN)
 def test_a_goal_with_a_conclusion_made_false_is_not_shown(claim, places):
-    changed = list(places(claim, with_a_changed_conclusion(claim.goal.goal, made_false)))
+    changed = list(places(claim, with_a_changed_conclusion(claim.proof.goal.goal, made_false)))
     assert changed
     for goal in changed:
         assert outcome(claim, goal, theorem(claim)) in (Outcome.UNCHECKED, Outcome.REFUTED)
@@ -110,13 +110,13 @@ SAID_TWICE = {"74": 1, "82.rotation": 1}
 
 @pytest.mark.parametrize("claim", SHOWN)
 def test_no_premise_of_a_goal_is_idle(claim):
-    found = [outcome(claim, goal, theorem(claim)) for goal in without_a_premise(claim.goal.goal)]
+    found = [outcome(claim, goal, theorem(claim)) for goal in without_a_premise(claim.proof.goal.goal)]
     assert sum(one != Outcome.UNCHECKED for one in found) == SAID_TWICE.get(claim.id, 0)
 
 
 @pytest.mark.parametrize("claim", REFUTED)
 def test_a_refutation_does_not_refute_an_idle_goal(claim):
-    goal = with_idle_conclusions(claim.goal.goal)
+    goal = with_idle_conclusions(claim.proof.goal.goal)
     expected = Outcome.REFUTED if _asks_for_one_only(goal) else Outcome.UNCHECKED
     assert outcome(claim, goal, theorem(claim)) == expected
 
@@ -129,6 +129,6 @@ def _asks_for_one_only(goal: Goal) -> bool:
 
 @pytest.mark.parametrize("claim", list(of(GOALS)))
 def test_a_proof_with_a_wrong_witness_proves_nothing(claim, places):
-    shown = partial(outcome, claim, claim.goal.goal)
+    shown = partial(outcome, claim, claim.proof.goal.goal)
     for proven in places(claim, with_another_member(theorem(claim))):
         assert shown(proven) == Outcome.UNCHECKED

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random
 
+from workbench.context.claims import Correction
 from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.terms import Statement
@@ -39,7 +40,11 @@ def right_claims(paper) -> list[tuple[Claim, Formula]]:
     found = []
     for claim in paper.claims:
         formula = claim.corrected or claim.reading or claim.printed
-        if claim.theorem is None and claim.hypothesis is None and formula.statement is not None:
+        if (
+            claim.proof.theorem is None
+            and claim.correction.hypothesis is None
+            and formula.statement is not None
+        ):
             found.append((claim, formula))
     return found
 
@@ -78,7 +83,8 @@ def twice(damaged: Damaged, random: Random) -> Damaged | None:
 
 def intact(claim: Claim, printed: Formula) -> Claim:
     """The claim printed so, with nothing that tells the right form."""
-    return replace(claim, printed=printed, reading=None, corrected=None, note="")
+    correction = Correction(hypothesis=claim.correction.hypothesis)
+    return replace(claim, printed=printed, correction=correction, source=replace(claim.source, note=""))
 
 
 def read_or_fault(latex: str, claim: Claim) -> Formula | None:

@@ -10,6 +10,7 @@ from click.testing import CliRunner
 from rich.console import Console
 
 from workbench.app.commands.commands import main
+from workbench.context.claims import Correction
 from workbench.papers import find_paper
 from workbench.repair.propose.known_errata import compared, errata_table, known_errata, summary
 from workbench.repair.propose.parallel_repairs import repair_claims
@@ -33,7 +34,7 @@ def test_a_proposal_is_compared_with_the_correction_made_by_hand(paper):
     claim = named(paper, "70.div")
     found = repair(claim)
     assert compared(found).result == "same"
-    other = replace(claim, corrected=named(paper, "70.curl").reading)
+    other = replace(claim, correction=Correction(corrected=named(paper, "70.curl").reading))
     assert compared(replace(found, claim=other)).result == "different"
     row = compared(Repair(claim, candidates=7))
     assert row.result == "none" and "7 candidates" in row.why and "limit" in row.why

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench import check
+from workbench.context.claims import Correction
 from workbench.context.read_formulas import read_statement
 from workbench.engines.jet.rings import PRIME
 from workbench.language.grammar.latex_forms import latex_of
@@ -95,7 +96,7 @@ def test_a_garbled_formula_is_put_right(right, old, new, said):
     for proposal in found.proposals:
         assert check(proposal.latex, symbols=SYMBOLS, definitions=DEFINITIONS).holds
     by_hand = Formula(right, read_statement(right, claim.notation, None)[0])
-    assert compared(replace(found, claim=replace(claim, reading=by_hand))).is_same, found
+    assert compared(replace(found, claim=replace(claim, correction=Correction(by_hand)))).is_same, found
 
 
 @pytest.mark.parametrize("right", sorted({entry[0] for entry in GARBLED}))

@@ -14,6 +14,7 @@ from repair.damage import damages, read_or_fault, right_claims, same
 
 from workbench import check
 from workbench.app.commands.commands import main
+from workbench.context.claims import Correction
 from workbench.engines.jet.rings import PRIME
 from workbench.papers import find_paper
 from workbench.papers.load import merge
@@ -73,7 +74,7 @@ def test_errata_are_found_from_the_printed_form_alone(paper, name):
 
 
 def test_the_hand_written_correction_is_not_looked_at(paper):
-    lying = replace(named(paper, "70.div"), corrected=named(paper, "58.t").printed)
+    lying = replace(named(paper, "70.div"), correction=Correction(corrected=named(paper, "58.t").printed))
     assert [p.latex for p in repaired(lying).proposals] == [p.latex for p in blindly("70.div").proposals]
 
 

@@ -14,6 +14,7 @@ from workbench import check
 from workbench.app.commands import proposal_text as shown
 from workbench.app.commands.commands import main
 from workbench.app.commands.proposal_text import difference_text, proposed_lines, repair_lines, search_bar
+from workbench.context.claim_parts import Sentence
 from workbench.context.claims import Claim, Formula
 from workbench.core.verdict import Outcome
 from workbench.prover.results.proposed_form import Proposed
@@ -50,7 +51,7 @@ def test_a_formula_shows_its_repair_in_words_marks_and_markdown():
 
 
 def test_a_formula_of_ours_for_a_sentence_is_no_printed_one():
-    said = Claim("1", Formula("a = b"), None, ours=True)
+    said = Claim("1", Formula("a = b"), None, sentence=Sentence(ours=True))
     proposed = [Proposed("a = c", "$b$ becomes $c$", list(PARTS), Outcome.PROVED)]
     lines = [line.plain.split() for line in proposed_lines(said, proposed, coloured=False)]
     assert lines[:3] == [["1"], ["our", "formula", "a", "=", "b"], ["proposed", "a", "=", "c"]]

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from sample_report import claim, report_of
+from sample_report import claim, report_of, with_fault
 
 from workbench.app.commands.commands import main
-from workbench.context.claims import Edit, Mend
+from workbench.context.claim_parts import Edit, Mend
 from workbench.core.spans import Span
 from workbench.report import ReportError
 from workbench.report.corrected_text import errata_diff
@@ -28,7 +28,7 @@ TEXT = (
 def wrong(printed: str, old: str, new: str, fault: str = "error", **more: object) -> object:
     mend = Mend(edits=(Edit(old, new, is_math=True),), **more)
     result = claim("1", "1", "1", "refuted", printed=printed, mend=mend)
-    return replace(result, claim=replace(result.claim, fault=fault))
+    return with_fault(result, fault)
 
 
 def test_edit_is_placed_by_what_is_printed_whatever_its_spacing():
@@ -98,7 +98,7 @@ def test_patch_of_a_text_edits_its_own_characters(tmp_path, layout, newline):
     span = Span(file, *source.place(at), *source.place(at + 3))
     result = claim("1", "1", "1", "refuted", printed="(1+2)^2 = 1^2 + 2^2 + 3")
     right = SourceEdit(span, source, at, at + 3, "+ 3", "+ 4")
-    result = replace(result, claim=replace(result.claim, fault="error"), edits=(right,))
+    result = replace(with_fault(result, "error"), edits=(right,))
     (tmp_path / "p").write_bytes(errata_diff(text, "a.tex", [result]).encode())
     subprocess.run(["patch", "--binary", "-p1", "-i", "p"], cwd=tmp_path, check=True, capture_output=True)
     assert file.read_bytes().decode() == text.replace("+ 3", "+ 4")
@@ -110,13 +110,13 @@ def test_edit_of_another_file_is_not_in_the_patch(tmp_path):
     span = Span(source.path, 1, 28, 1, 29)
     result = claim("1", "1", "1", "refuted", printed=r"\half + \half = 1")
     right = SourceEdit(span, source, 27, 28, "3", "2")
-    result = replace(result, claim=replace(result.claim, fault="error"), edits=(right,))
+    result = replace(with_fault(result, "error"), edits=(right,))
     assert errata_diff(TEXT, "a.md", [result]) == ""
 
 
 def test_a_claim_below_the_end_of_the_text_is_still_corrected(tmp_path):
     result = wrong("a = b + c + d", "+ d", "- d")
-    result = replace(result, claim=replace(result.claim, span=Span(tmp_path / "b.md", 99, 1, 99, 9)))
+    result = replace(result, claim=result.claim.with_context(span=Span(tmp_path / "b.md", 99, 1, 99, 9)))
     assert "+$$a = b + c - d" in errata_diff(TEXT, "a.md", [result])
 
 

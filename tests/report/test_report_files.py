@@ -13,7 +13,7 @@ from itertools import pairwise
 import pytest
 from sample_report import CLAIMS, claim, report_of, sample
 
-from workbench.context.claims import Edit, Mend
+from workbench.context.claim_parts import Edit, Mend
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.verdict import Outcome
 from workbench.prover.results.proposed_form import Proposed

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
-from dataclasses import replace
 from html.parser import HTMLParser
 from importlib.resources import files
 from pathlib import Path
@@ -13,9 +12,9 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sample_report import claim, report_of, sample
+from sample_report import claim, report_of, sample, with_fault
 
-from workbench.context.claims import Edit, Mend
+from workbench.context.claim_parts import Edit, Mend
 from workbench.core.verdict import Outcome
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.report import render
@@ -76,7 +75,7 @@ def drawn(number: int, verdict: str, fault: str | None) -> ClaimResult:
     right = {"latex": "b = c", "verdict": "proved"} if verdict == "refuted" else None
     mend = EDITS if fault else Mend()
     result = claim(f"{number}.x", str(number), "1", verdict, printed="a = c", corrected=right, mend=mend)
-    return replace(result, claim=replace(result.claim, fault=fault))
+    return with_fault(result, fault)
 
 
 claims = st.lists(
@@ -220,7 +219,7 @@ def test_each_verdict_has_words_for_new_readers(outcome):
 @pytest.mark.parametrize("verdict", ["refuted", "ill-formed"])
 def test_falsehood_is_graded_by_the_doubts_about_it(verdict, unless, state):
     false = claim("1", "1", "1", verdict, printed="a = b", unless=unless)
-    false = replace(false, claim=replace(false.claim, fault=None))
+    false = with_fault(false, None)
     document = document_of(*report_of([false]))
     assert document.in_state(state) == 1 == document.counted
     assert len(document.rows) == (state == "error")

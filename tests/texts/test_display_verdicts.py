@@ -96,7 +96,7 @@ def test_an_equation_beside_a_formula_may_be_its_condition(tmp_path: Path, body:
     found = verdicts(tmp_path, body)
     assert "proved" not in found["x"]
     claims = load_paper(tmp_path / "x.toml").claims
-    assert [claim.perhaps[0].latex for claim in claims[::2]] == [
+    assert [claim.ambiguity.perhaps[0].latex for claim in claims[::2]] == [
         claim.printed.latex for claim in claims[1::2]
     ]
 

@@ -182,7 +182,7 @@ def test_macros_only_tex_expands_are_guessed_as_brackets(tmp_path: Path) -> None
     (tmp_path / "p.toml").write_text(model_text(found, tmp_path / "p.toml"))
     (claim,) = load_paper(tmp_path / "p.toml").claims
     assert claim.printed.latex == r"a \left(b + c\right) = a b - a c"
-    assert r"\around" in claim.guessed
+    assert r"\around" in claim.context.guessed
     (without,) = load_paper(path.rename(tmp_path / "q.tex")).claims
     assert "could not be expanded" in without.printed.unread
 

@@ -202,7 +202,7 @@ def test_another_reading_that_is_not_read_decides_nothing(tmp_path: Path) -> Non
     path = tmp_path / "p.tex"
     path.write_text("%! workbench: symbols.x = 'scalar'\n" r"\[\begin{split} & x = \sin \\ & x \end{split}\]")
     (result,) = judge_paper(load_paper(path))
-    assert result.claim.otherwise[0].unread == "cannot be read: line 1, column 5: sin of nothing"
+    assert result.claim.ambiguity.otherwise[0].unread == "cannot be read: line 1, column 5: sin of nothing"
     assert result.verdict.outcome is Outcome.UNCHECKED and "a row without" in result.verdict.reason
 
 
@@ -389,7 +389,9 @@ def test_the_installed_texts_say_where_they_come_from(model: Path) -> None:
     assert paper.faults == () and paper.warnings == ()
     assert {"authors", "source", "commit", "licence"} <= set(paper.citation)
     assert all(
-        claim.note for claim in paper.claims if claim.fault and not claim.mend.by and not claim.mend.cause
+        claim.source.note
+        for claim in paper.claims
+        if claim.mend.fault and not claim.mend.by and not claim.mend.cause
     )
 
 
@@ -398,10 +400,10 @@ def test_ten_displays_of_the_texts_are_false_and_five_garbled() -> None:
     false, garbled = set(), set()
     for model in TEXTS.glob("*/*.toml"):
         for claim in load_paper(model).claims:
-            place = (claim.file, claim.equation or claim.id.partition(".")[0])
+            place = (claim.source.file, claim.equation or claim.id.partition(".")[0])
             if claim.corrected is not None:
                 false.add(place)
-            elif claim.fault is not None:
+            elif claim.mend.fault is not None:
                 garbled.add(place)
     assert len(false) >= 10 and len(garbled - false) >= 5
 

@@ -10,7 +10,7 @@ import pytest
 from workbench.app.pipeline import judge_claims as claims_module
 from workbench.app.pipeline.judge_claims import ClaimJudge
 from workbench.app.pipeline.verdict_keys import Keys
-from workbench.context.claims import Claim, Formula
+from workbench.context.claims import Ambiguity, Claim, Correction, Formula
 from workbench.context.read_formulas import read_statement
 from workbench.core.verdict import Outcome, Verdict
 from workbench.papers import load_paper
@@ -56,9 +56,11 @@ def judged(
     made = replace(
         claim,
         printed=formula(printed, claim),
-        otherwise=tuple(formula(each, claim) for each in otherwise),
-        perhaps=tuple(formula(each, claim) for each in perhaps),
-        question=question,
+        ambiguity=Ambiguity(
+            otherwise=tuple(formula(each, claim) for each in otherwise),
+            perhaps=tuple(formula(each, claim) for each in perhaps),
+            question=question,
+        ),
     )
     judge = ClaimJudge([made], motions=False)
     try:
@@ -179,7 +181,7 @@ def test_a_conditional_is_proved_under_its_hypothesis(
 ) -> None:
     hypothesis = judged(template, printed, perhaps=beside).hypothesis
     needed = tuple(formula(each, template) for each in beside if each in hypothesis)
-    assumed = replace(template, printed=formula(printed, template), given=needed)
+    assumed = replace(template, printed=formula(printed, template)).with_context(given=needed)
     judge = ClaimJudge([assumed], motions=False)
     assert judge.result(assumed).verdict.outcome is Outcome.PROVED
     judge.close()
@@ -210,9 +212,9 @@ def test_a_witness_that_meets_an_undecided_condition_stands(
 
 
 def test_a_correction_leaves_no_condition_beside(template: Claim) -> None:
-    claim = replace(template, corrected=formula(r"f g = g f", template))
+    claim = replace(template, correction=Correction(corrected=formula(r"f g = g f", template)))
     assert judged(claim, r"f (g + h) = f g", perhaps=("h = 0",)).outcome is Outcome.REFUTED
-    alone = replace(template, alone=True)
+    alone = template.with_context(alone=True)
     assert judged(alone, r"f (g + h) = f g", perhaps=("h = 0",)).outcome is Outcome.REFUTED
 
 
@@ -226,5 +228,5 @@ def test_a_correction_leaves_no_condition_beside(template: Claim) -> None:
 )
 def test_the_memory_tells_readings_apart(template: Claim, change: dict) -> None:
     keys = Keys({}, {})
-    changed = replace(template, **change)
+    changed = replace(template, ambiguity=Ambiguity(**change))
     assert keys.of(template, "printed") != keys.of(changed, "printed")

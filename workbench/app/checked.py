@@ -12,6 +12,7 @@ from workbench import papers
 from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.app.pipeline.verdict_keys import Memory
 from workbench.context.circular_conditions import IS_THE_CONCLUSION, is_conclusion
+from workbench.context.claims import ClaimContext
 from workbench.context.facts import Act, Fact, Origin, Provider
 from workbench.context.formula_acts import introduced, introduces
 from workbench.context.free_symbols import free_in, terms_of
@@ -171,7 +172,8 @@ def _claims(
             if is_conclusion(premise, claimed, known.definitions):
                 raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
-        claims.append(Claim(name, formula, known, assume=supposed, orders=values, facts=before))
+        context = ClaimContext(facts=before)
+        claims.append(Claim(name, formula, known, supposed, values, context=context))
     return claims
 
 
@@ -211,7 +213,9 @@ def _notation(
 def _notation_at(paper: Paper, at: str) -> Notation:
     claims = select_claims(paper.claims, [at])
     if len({id(claim.notation) for claim in claims}) > 1:
-        files = ", ".join(sorted({claim.file.name for claim in claims if claim.file is not None}))
+        files = ", ".join(
+            sorted({claim.source.file.name for claim in claims if claim.source.file is not None})
+        )
         raise ValueError(f"at: {at!r} is in {files}, each with a notation of its own; name one claim")
     return claims[0].notation
 

@@ -100,7 +100,7 @@ class ClaimItem(pytest.Item):
             return str(excinfo.value)
         if not isinstance(excinfo.value, NotAsExpected):
             return super().repr_failure(excinfo, style)
-        place = f"{self.claim.file}:{self.claim.line}: claim {self.claim.id}"
+        place = f"{self.claim.source.file}:{self.claim.line}: claim {self.claim.id}"
         lines = [str(line) for line in claim_lines(excinfo.value.result)]
         return "\n".join([place, str(excinfo.value), *lines])
 

@@ -13,6 +13,7 @@ from workbench.certificates.emission.emitted_families import general
 from workbench.certificates.emission.emitted_nodes import NotCertified
 from workbench.certificates.theorem import HEADER, theorem
 from workbench.certificates.values.trial import can_be_certified
+from workbench.context.claim_parts import ClaimForm
 from workbench.context.claims import Claim, Formula
 from workbench.core.integer_instances import instantiate
 from workbench.core.terms import IllFormed, Relation, Statement
@@ -26,8 +27,6 @@ MORE = {
     "Orders": ("sum_from", "whole", "fact_"),
     "Every": ("from_least", "by_induction", "throughout", "added"),
 }
-
-FORMS = ("printed", "reading", "corrected")
 
 
 @dataclass(frozen=True)
@@ -119,9 +118,9 @@ def _comment(text: str) -> str:
 
 def forms_of(claim: Claim) -> Iterator[Form]:
     """Yields the forms that are formulas; a theorem's printed form is words, or more than one identity."""
-    for name in FORMS:
-        formula = getattr(claim, name)
-        if formula is None or formula.statement is None or (name == "printed" and claim.theorem is not None):
+    for name, formula in claim.forms.items():
+        is_words = name is ClaimForm.PRINTED and claim.proof.theorem is not None
+        if formula.statement is None or is_words:
             continue
         yield Form(claim, name, formula)
 

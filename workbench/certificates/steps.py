@@ -107,14 +107,14 @@ class Steps:
 def steps_of(result: ClaimResult, theorems: Mapping[str, object]) -> Steps | None:
     """Returns the steps of a claim; None if the claim is not proved from a goal."""
     claim = result.claim
-    proven = theorems.get(claim.theorem or "")
-    if result.verdict.outcome != Outcome.PROVED or claim.goal is None or not isinstance(proven, Proven):
+    proven = theorems.get(claim.proof.theorem or "")
+    if result.verdict.outcome != Outcome.PROVED or claim.proof.goal is None or not isinstance(proven, Proven):
         return None
     if proven.proof is None:
         return None
     notation = claim.notation
     given = tuple(Premise(Atom(statement), False) for statement in claim.supposed)
-    sequent = Sequent(claim.goal.goal, Scope(notation.symbols, notation.definitions, {}), given)
+    sequent = Sequent(claim.proof.goal.goal, Scope(notation.symbols, notation.definitions, {}), given)
     asked = [o for o in obligations(sequent, proven.proof) if not o.is_trivial]
     if not asked:
         return None

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from workbench.context.claim_parts import ClaimForm, ClaimSource, Mend, Sentence
 from workbench.context.facts import Act, Fact
 from workbench.context.index_values import Orders
 from workbench.core.paper_errors import PaperError
@@ -26,9 +27,6 @@ if TYPE_CHECKING:
     from workbench.language.goals.proofs import Proven
     from workbench.language.naming.symbols import SymbolTable
 
-
-#: The kinds of faults.
-FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
 
 #: Keys of [citation]: the details of the paper and of the version that was read, for a note to its editor.
 CITATION_KEYS = key_names("citation")
@@ -101,41 +99,6 @@ class Stated:
 
 
 @dataclass(frozen=True)
-class Edit:
-    """A replacement of `old` by `new` in the printed text; an empty `new` deletes.
-
-    Both are LaTeX if `is_math`, else prose with LaTeX between dollar signs.
-    """
-
-    old: str
-    new: str
-    is_math: bool
-
-
-@dataclass(frozen=True)
-class Mend:
-    """The correction of a fault.
-
-    Attributes:
-        edits: The edits of the printed formula, or of `beside`.
-        beside: A sentence or formula next to the printed one.
-        place: The position in the equation, in words.
-        cause: The common cause of several faults, in words.
-        add: A missing hypothesis in the author's own words.
-        example: A counterexample in words, for faults that values of symbols do not explain.
-        by: The claim whose edits also correct this one.
-    """
-
-    edits: tuple[Edit, ...] = ()
-    beside: str | None = None
-    place: str | None = None
-    cause: str | None = None
-    add: str | None = None
-    example: str | None = None
-    by: str | None = None
-
-
-@dataclass(frozen=True)
 class Notation:
     """The notation in which the formulas of one file are written.
 
@@ -165,87 +128,154 @@ class Notation:
 
 
 @dataclass(frozen=True)
-class Claim:
-    """One `[[claim]]` of a paper file, one line of it, or one step of a display in a text.
+class Correction:
+    """The right form of a printed formula.
 
     Attributes:
-        printed: The judged formula as printed, or, if `ours`, our formula for a statement printed in words.
-        quote: A printed sentence.
-        goal: A statement with quantifiers, for claims that are no single identity.
+        reading: The intended formula, for an ill-formed one.
+        corrected: The right formula, for a false one.
+        hypothesis: The missing condition.
+    """
+
+    reading: Formula | None = None
+    corrected: Formula | None = None
+    hypothesis: Formula | None = None
+
+
+@dataclass(frozen=True)
+class ClaimProof:
+    """The goal of a claim that is no single identity, and its proofs.
+
+    Attributes:
+        goal: A statement with quantifiers.
         theorem: The name of the goal's proof in the installed paper.
         argued: The argument that connects the goal with the sentence, where no rule does.
         every_n: The name of the proof that the right form, which is judged for some n, holds for all n.
-        fault: The kind of fault that the claim shows.
-        alone: Whether the model says that the claim follows from no other fact.
+    """
+
+    goal: Stated | None = None
+    theorem: str | None = None
+    argued: str | None = None
+    every_n: str | None = None
+
+
+@dataclass(frozen=True)
+class ClaimContext:
+    """The context of a formula in a text.
+
+    Attributes:
         span: The position of the formula in the text.
-        chain: The ids of the earlier steps in its chain.
-        skip: Why the author of the model leaves the claim out.
-        unread: Why the model expects no verdict.
+        given: The formulas from which it follows.
+        alone: Whether the model says that the claim follows from no other fact.
         act: What the formula does, and to which symbol.
         guessed: Symbols whose kinds are unconfirmed guesses.
         facts: The facts that the text states of the symbols.
         moving: Symbols whose rates the text writes.
-        perhaps: Equations next to the formula that may be its conditions, if the display has two readings.
+    """
+
+    span: Span | None = None
+    given: tuple[Formula, ...] = ()
+    alone: bool = False
+    act: tuple[Act, Symbol | None] = (Act.ASSERT, None)
+    guessed: tuple[str, ...] = ()
+    facts: tuple[Fact, ...] = ()
+    moving: frozenset[Name] = frozenset()
+
+
+@dataclass(frozen=True)
+class Ambiguity:
+    """The readings of a display that has two.
+
+    Attributes:
+        perhaps: Equations next to the formula that may be its conditions.
         serves: The formulas whose condition this one may be.
         otherwise: The formulas that the display states if its rows are joined the other way.
         question: A question to the author that names both readings.
     """
 
-    id: str
-    printed: Formula
-    notation: Notation
-    equation: str | None = None
-    section: str | None = None
-    reading: Formula | None = None
-    corrected: Formula | None = None
-    hypothesis: Formula | None = None
-    assume: tuple[Formula, ...] = ()
-    given: tuple[Formula, ...] = ()
-    alone: bool = False
-    orders: Orders | None = None
-    note: str = ""
-    inherits: tuple[str, ...] = ()
-    statement: str | None = None
-    ours: bool = False
-    quote: str | None = None
-    goal: Stated | None = None
-    theorem: str | None = None
-    argued: str | None = None
-    every_n: str | None = None
-    fault: str | None = None
-    mend: Mend = Mend()
-    file: Path | None = None
-    line: int = 0
-    span: Span | None = None
-    chain: tuple[str, ...] = ()
-    skip: str | None = None
-    unread: str | None = None
-    act: tuple[Act, Symbol | None] = (Act.ASSERT, None)
-    guessed: tuple[str, ...] = ()
-    facts: tuple[Fact, ...] = ()
-    moving: frozenset[Name] = frozenset()
     perhaps: tuple[Formula, ...] = ()
     serves: tuple[Formula, ...] = ()
     otherwise: tuple[Formula, ...] = ()
     question: str | None = None
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One `[[claim]]` of a paper file, one line of it, or one step of a display in a text.
+
+    Attributes:
+        printed: The judged formula as printed, or our formula for a statement printed in words.
+        assume: The conditions of the formula.
+        inherits: The claims whose faults this one shows, too.
+        chain: The ids of the earlier steps in its chain.
+        skip: Why the author of the model leaves the claim out.
+        unread: Why the model expects no verdict.
+    """
+
+    id: str
+    printed: Formula
+    notation: Notation
+    assume: tuple[Formula, ...] = ()
+    orders: Orders | None = None
+    correction: Correction = field(default_factory=Correction)
+    mend: Mend = field(default_factory=Mend)
+    source: ClaimSource = field(default_factory=ClaimSource)
+    sentence: Sentence = field(default_factory=Sentence)
+    proof: ClaimProof = field(default_factory=ClaimProof)
+    context: ClaimContext = field(default_factory=ClaimContext)
+    ambiguity: Ambiguity = field(default_factory=Ambiguity)
+    inherits: tuple[str, ...] = ()
+    chain: tuple[str, ...] = ()
+    skip: str | None = None
+    unread: str | None = None
+
+    @property
+    def equation(self) -> str | None:
+        return self.source.equation
+
+    @property
+    def section(self) -> str | None:
+        return self.source.section
+
+    @property
+    def line(self) -> int:
+        return self.source.line
+
+    @property
+    def reading(self) -> Formula | None:
+        return self.correction.reading
+
+    @property
+    def corrected(self) -> Formula | None:
+        return self.correction.corrected
+
+    @property
+    def forms(self) -> dict[ClaimForm, Formula]:
+        """The formulas by form; the printed form always, the others if the claim has them."""
+        found = zip(ClaimForm, (self.printed, self.reading, self.corrected), strict=True)
+        return {form: formula for form, formula in found if formula is not None}
+
+    def with_context(self, **changes: Any) -> Claim:
+        """Returns the claim with changed fields of its context."""
+        return replace(self, context=replace(self.context, **changes))
 
     @property
     def expected(self) -> Outcome:
         """The outcome of the printed form that the claim's keys expect."""
         if self.skip is not None or self.unread is not None:
             return Outcome.UNCHECKED
-        if self.argued is not None:
+        if self.proof.argued is not None:
             return Outcome.ARGUED
         if self.reading is not None:
             return Outcome.ILL_FORMED
         if self.corrected is not None:
             return Outcome.REFUTED
-        return Outcome.PROVED if self.hypothesis is None else Outcome.CONDITIONAL
+        return Outcome.PROVED if self.correction.hypothesis is None else Outcome.CONDITIONAL
 
     @property
     def shown(self) -> str | None:
         """The printed formula or sentence; None if only our formula states it."""
-        return None if self.ours else self.printed.latex or self.quote
+        return None if self.sentence.ours else self.printed.latex or self.sentence.quote
 
     @property
     def right(self) -> Formula:
@@ -254,13 +284,13 @@ class Claim:
 
     @property
     def our_formula(self) -> str | None:
-        return self.printed.latex if self.ours else None
+        return self.printed.latex if self.sentence.ours else None
 
     @property
     def supposed(self) -> tuple[Statement, ...]:
         """All premises: assumed conditions, facts given for all times, and declared properties of symbols."""
         said, definitions = self.printed.statement, self.notation.definitions
-        given = [formula.parsed for formula in self.given]
+        given = [formula.parsed for formula in self.context.given]
         if given and said is not None:
             from workbench.engines.inventory.assumptions import lasting
 

@@ -43,7 +43,7 @@ def subject_of(claim: Claim, definitions: Iterable[Definition] = ()) -> Subject:
     more = tuple(definitions)
     known = claim.notation.definitions
     known = Definitions([*known, *more]) if more else known
-    return _subject(claim.printed.statement, claim.notation, known, claim.moving)
+    return _subject(claim.printed.statement, claim.notation, known, claim.context.moving)
 
 
 def _subject(

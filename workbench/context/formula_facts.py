@@ -23,15 +23,15 @@ from workbench.source.documents import Display
 
 def with_acts(claims: Sequence[Claim]) -> list[Claim]:
     """Returns the claims with their acts; a constraint that another claim cites as given is a postulate."""
-    given = {formula.statement for claim in claims for formula in claim.given}
+    given = {formula.statement for claim in claims for formula in claim.context.given}
     moving = _moving_by_scope(claims)
     made = []
     for claim in claims:
         statement = claim.printed.statement
         if statement is not None:
             is_given = statement in given and constrains(statement, claim.notation.definitions)
-            act = (Act.POSTULATE, claim.act[1]) if is_given else claim.act
-            claim = replace(claim, moving=moving[id(claim.notation)], act=act)
+            act = (Act.POSTULATE, claim.context.act[1]) if is_given else claim.context.act
+            claim = claim.with_context(moving=moving[id(claim.notation)], act=act)
         made.append(claim)
     return made
 
@@ -70,7 +70,7 @@ def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> 
         if statement is None:
             made.append(claim)
             continue
-        made.append(replace(claim, facts=(*claim.facts, *_about(claim, said))))
+        made.append(claim.with_context(facts=(*claim.context.facts, *_about(claim, said))))
         if (saying := _saying(claim, at)) is not None:
             if _is_local(claim, display, first):
                 saying.fact = replace(saying.fact, strength=Strength.GUESSED)
@@ -85,11 +85,12 @@ def _is_local(claim: Claim, display: Display, first: Mapping[Declaration, Displa
     """Returns whether a formula says something for its display only.
 
     first: the displays in which the symbols stand first."""
-    conditions = (formula.statement for formula in (*claim.assume, *claim.perhaps))
+    conditions = (formula.statement for formula in (*claim.assume, *claim.ambiguity.perhaps))
     if any(isinstance(each, Relation) and each.operator == "=" for each in conditions):
         return True
-    own = claim.act[1]
-    return bool(claim.serves) and own is not None and first.get(own.declaration, display) is not display
+    own = claim.context.act[1]
+    is_earlier = own is not None and first.get(own.declaration, display) is not display
+    return bool(claim.ambiguity.serves) and is_earlier
 
 
 class _Saying:
@@ -101,7 +102,7 @@ class _Saying:
 
 def _saying(claim: Claim, at: int) -> _Saying | None:
     """Returns the fact that a formula states; None if the formula asserts something."""
-    act, own = claim.act
+    act, own = claim.context.act
     statement, definitions = claim.printed.statement, claim.notation.definitions
     assert statement is not None
     if act in (Act.ASSERT, Act.ASSIGN) or own is None:
@@ -164,7 +165,7 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
             if not _are_of_one_chain(each, claim)
             and _is_carried(each.printed.statement, each.notation, claim.notation)
         )
-        made.append(replace(claim, facts=(*claim.facts, *laws)))
+        made.append(claim.with_context(facts=(*claim.context.facts, *laws)))
     return made
 
 
@@ -195,7 +196,7 @@ def _law(claim: Claim, earlier: bool) -> Fact:
     assert statement is not None
     origin = Origin(Provider.LAW, claim.printed.latex, claim.id)
     about = names_of(_spoken(claim)) or frozenset(names_in(statement))
-    return Fact(statement, about, origin, Strength.STATED, act=claim.act[0], earlier=earlier)
+    return Fact(statement, about, origin, Strength.STATED, act=claim.context.act[0], earlier=earlier)
 
 
 def _spoken(claim: Claim) -> set[Declaration]:

@@ -83,7 +83,7 @@ def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[s
     """Returns the unparsed equations and those in sentences, by their left side."""
     unread = [each for each in claims if each.printed.statement is None and not each.chain]
     said: list[tuple[str, int, Path | None, Source | None]]
-    said = [(each.printed.latex, each.line, each.file, None) for each in unread]
+    said = [(each.printed.latex, each.line, each.source.file, None) for each in unread]
     said += [(each.latex, each.line, each.source.path, each.source) for each in inline]
     found: dict[str, list[Unread]] = {}
     for latex, line, file, source in said:
@@ -125,7 +125,7 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
 
 def _is_elsewhere(value: Unread, claim: Claim) -> bool:
     """True if a sentence of another section gives the symbol its value."""
-    if value.sentence is None or value.file != claim.file:
+    if value.sentence is None or value.file != claim.source.file:
         return False
     return not _sections_by_line(value.sentence).holds(value.line, claim.line)
 

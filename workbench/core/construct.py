@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Literal
 
 from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.integer_expressions import Linear, as_linear
@@ -28,12 +27,14 @@ from workbench.core.terms import (
     CountingName,
     Derivative,
     DualUnit,
+    Head,
     Identity,
     IllFormed,
     Integer,
     Number,
     Power,
     Relation,
+    Sign,
     Symbol,
     Term,
     TimeOperator,
@@ -163,13 +164,13 @@ def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
 _OF_VECTORS = frozenset({"cross", "outer", "triple", "skew"})
 
 
-def relation(operator: Literal["=", "≠", "≈"], left: Term, right: Term) -> Relation:
+def relation(operator: Sign, left: Term, right: Term) -> Relation:
     """Returns a relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
     left, right = agree(_as_quaternions((left, right)), Compared.SIDES)
     return Relation(operator, left, right)
 
 
-def apply(head: str, *arguments: Term) -> Term:
+def apply(head: Head, *arguments: Term) -> Term:
     """Returns the term head(arguments). OPERATORS lists the heads and what arguments each takes."""
     if head == "add":
         arguments = agree(_as_quaternions(arguments), Compared.ADDENDS)

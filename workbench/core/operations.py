@@ -11,6 +11,7 @@ from typing import Literal
 
 from workbench.core import signatures
 from workbench.core.signatures import Signature, function, of_square, times, total_weight, weightless
+from workbench.core.terms import Head
 from workbench.core.types import QUATERNION, SCALAR, TENSOR, VECTOR
 
 
@@ -33,7 +34,7 @@ class Operator:
     sign: str = ""
     superscript: str = ""
     linear: Literal["", "components", "each", "jointly"] = ""
-    partner: str = ""
+    partner: Head | None = None
     takes: Literal["", "tensor", "angle"] = ""
     by_place: bool = False
 
@@ -42,7 +43,7 @@ _SCALARS = function(("scalar",), SCALAR, weightless)
 _VECTORS = ("vector", "vector")
 
 #: Operations by the head of the term.
-OPERATORS: dict[str, Operator] = {
+OPERATORS: dict[Head, Operator] = {
     "add": Operator(signatures.add, linear="jointly"),
     "neg": Operator(signatures.as_argument, linear="components"),
     "dot": Operator(signatures.dot, sign="·", linear="components"),
@@ -99,7 +100,9 @@ OPERATORS: dict[str, Operator] = {
 }  # fmt: skip
 
 #: Functions that are read as quotients of sines and cosines; None stands for 1.
-QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": (None, "cos"), "csc": (None, "sin")}
+QUOTIENTS: dict[str, tuple[Head | None, Head]] = {
+    "tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": (None, "cos"), "csc": (None, "sin")
+}  # fmt: skip
 #: Functions that are read as sums of e^x and e^{-x}, or as a quotient of such sums.
 HYPERBOLIC = ("sinh", "cosh", "tanh")
 
@@ -107,20 +110,20 @@ HYPERBOLIC = ("sinh", "cosh", "tanh")
 FUNCTIONS = {word: head for head, operator in OPERATORS.items() for word in operator.words} | {
     name: name for name in (*QUOTIENTS, *HYPERBOLIC)
 }
-SIGNS = {operator.sign: head for head, operator in OPERATORS.items() if operator.sign}
+SIGNS: dict[str, Head] = {operator.sign: head for head, operator in OPERATORS.items() if operator.sign}
 
 #: Functions that have a TeX command of the same name.
 TEX_FUNCTIONS = frozenset(("det", "exp", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS, *HYPERBOLIC))
 
 
-def _heads(has: Callable[[Operator], bool]) -> frozenset[str]:
+def _heads(has: Callable[[Operator], bool]) -> frozenset[Head]:
     return frozenset(head for head, operator in OPERATORS.items() if has(operator))
 
 
 LINEAR = _heads(lambda operator: operator.linear in ("each", "components"))
 COMPONENTWISE = _heads(lambda operator: operator.linear == "components")
 #: Products of two factors.
-PRODUCTS = ("dot", "cross", "outer", "mul")
+PRODUCTS: tuple[Head, ...] = ("dot", "cross", "outer", "mul")
 OF_TENSORS = _heads(lambda operator: operator.takes == "tensor")
 #: Sine, cosine and their quotients.
 CIRCULAR = frozenset({"sin", "cos", *QUOTIENTS})

@@ -17,6 +17,51 @@ from workbench.core.reasons import Code, Reason
 from workbench.core.types import Declaration, Type, Weight
 
 CountingName = Literal["factorial", "binomial", "multinomial"]
+#: The operations on terms; OPERATORS in `operators.py` says what each takes and gives.
+Head = Literal[
+    "add",
+    "neg",
+    "dot",
+    "cross",
+    "outer",
+    "mul",
+    "compose",
+    "triple",
+    "div",
+    "det",
+    "trace",
+    "symmetric",
+    "antisymmetric",
+    "skew",
+    "vect",
+    "transpose",
+    "inverse",
+    "adjugate",
+    "re",
+    "du",
+    "norm",
+    "root",
+    "exp",
+    "sin",
+    "cos",
+    "arccos",
+    "arcsin",
+    "arctan",
+    "atan2",
+    "divergence",
+    "curl",
+    "partial",
+    "total",
+    "quaternion",
+    "conjugate",
+    "scalar part",
+    "vector part",
+    # of certificates only
+    "reciprocal",
+    "turn",
+]
+#: What a relation states of its sides.
+Sign = Literal["=", "≠", "≈"]
 
 
 class IllFormed(ValueError):
@@ -142,7 +187,7 @@ class Symbol(Term):
 class Apply(Term):
     """The operation `head` applied to its arguments; OPERATORS in `operations.py` lists the heads."""
 
-    head: str
+    head: Head
     arguments: tuple[Term, ...]
 
     @property
@@ -204,7 +249,7 @@ class Block(Term):
 class Relation:
     """left = right, left ≠ right, or left ≈ right (equal to first order in all small symbols)."""
 
-    operator: Literal["=", "≠", "≈"]
+    operator: Sign
     left: Term
     right: Term
 

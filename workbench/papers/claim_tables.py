@@ -6,7 +6,8 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from workbench.context.claims import Claim, Formula, Notation, Stated
+from workbench.context.claim_parts import ClaimSource, Sentence
+from workbench.context.claims import Claim, ClaimProof, Correction, Formula, Notation, Stated
 from workbench.context.index_values import Orders
 from workbench.context.read_formulas import FormulaReader
 from workbench.core.codes.model_codes import ModelCode
@@ -19,7 +20,7 @@ from workbench.language.goals.goals import GoalError, Scope, atoms, bound_intege
 from workbench.language.goals.proofs import Proven
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
-from workbench.papers.corrections import fault_of, mend_of
+from workbench.papers.corrections import mend_of
 from workbench.source.rows.formula_lines import Line, split_lines
 from workbench.source.toml.toml_file import TomlFile
 
@@ -65,22 +66,22 @@ class ClaimTable:
         claim = Claim(
             id=name,
             printed=Formula(printed or formula or ""),
-            ours=not printed and formula is not None,
-            quote=quote,
-            fault=fault_of(toml, self.path),
-            mend=mend_of(toml, self.path, printed or quote or formula or ""),
-            argued=self._text("argued"),
             notation=self.notation,
-            equation=self._text("equation"),
-            section=self._text("section") or self.section,
             orders=self._orders(),
-            note=toml.value((*self.path, "note"), str, ""),
+            mend=mend_of(toml, self.path, printed or quote or formula or ""),
+            source=ClaimSource(
+                equation=self._text("equation"),
+                section=self._text("section") or self.section,
+                file=toml.path,
+                line=toml.places.of_key(self.path)[0],
+                statement=self._text("statement"),
+                note=toml.value((*self.path, "note"), str, ""),
+            ),
+            sentence=Sentence(quote, ours=not printed and formula is not None),
+            proof=ClaimProof(
+                theorem=self._text("theorem"), argued=self._text("argued"), every_n=self._proof("every_n")
+            ),
             inherits=toml.texts((*self.path, "inherits")),
-            statement=self._text("statement"),
-            theorem=self._text("theorem"),
-            every_n=self._proof("every_n"),
-            file=toml.path,
-            line=toml.places.of_key(self.path)[0],
         )
         self._refuse_without_goal()
         claims = [self._goal_claim(claim)] if self._text("goal") is not None else self._lines(claim)
@@ -123,9 +124,11 @@ class ClaimTable:
         hypothesis = self._text("hypothesis")
         return replace(
             claim,
-            goal=goal,
-            corrected=reader.intended("corrected"),
-            hypothesis=None if hypothesis is None else Formula(hypothesis),
+            proof=replace(claim.proof, goal=goal),
+            correction=Correction(
+                corrected=reader.intended("corrected"),
+                hypothesis=None if hypothesis is None else Formula(hypothesis),
+            ),
             assume=reader.intended_list("assume"),
         )
 
@@ -170,7 +173,7 @@ class ClaimTable:
                 self._reader(claim).intended(key)
             self._reader(claim).intended_list("assume")
             self._required("id")
-            self._required("formula" if claim.quote is not None else "printed")
+            self._required("formula" if claim.sentence.quote is not None else "printed")
         lines = split_lines(claim.printed.latex)
         readings = self._matching("reading", lines)
         corrections = self._matching("corrected", lines)
@@ -185,11 +188,11 @@ class ClaimTable:
                     claim,
                     id=claim.id if len(lines) == 1 else f"{claim.id}.{number + 1}",
                     printed=printed,
-                    reading=reading,
-                    corrected=None
-                    if corrections is None
-                    else reader.intended("corrected", corrections[number]),
-                    hypothesis=reader.hypothesis(printed),
+                    correction=Correction(
+                        reading,
+                        None if corrections is None else reader.intended("corrected", corrections[number]),
+                        reader.hypothesis(printed),
+                    ),
                     assume=reader.conditions(printed),
                     orders=reader.orders,
                 )

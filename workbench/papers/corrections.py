@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 
-from workbench.context.claims import FAULTS, Edit, Mend
+from workbench.context.claim_parts import FAULTS, Edit, Mend
 from workbench.core.paper_errors import KeyPath
 from workbench.source.toml.toml_file import TomlTable
 
 MEND_KEYS = ("fault", "mend", "mended_by", "beside", "place", "cause", "add", "example")
 
 
-def fault_of(toml: TomlTable, path: KeyPath) -> str | None:
+def _fault_of(toml: TomlTable, path: KeyPath) -> str | None:
     fault = toml.text((*path, "fault"))
     if fault is not None and fault not in FAULTS:
         message = f"fault: expected one of {', '.join(FAULTS)}; got {fault!r}"
@@ -29,14 +29,15 @@ def mend_of(toml: TomlTable, path: KeyPath, printed: str) -> Mend:
     """
     said = {key: toml.text((*path, key)) for key in ("beside", "place", "cause", "add", "example")}
     given = [key for key in MEND_KEYS[1:] if key in toml.value(path, dict)]
-    if given and fault_of(toml, path) is None:
+    fault = _fault_of(toml, path)
+    if given and fault is None:
         raise toml.error_at_key((*path, given[0]), f"{given[0]}: only a claim with a fault has it")
     texts = [text for text in (said["beside"], printed) if text]
     edits = tuple(
         _edit(toml, (*path, "mend", index), texts)
         for index in range(len(toml.value((*path, "mend"), list, [])))
     )
-    return Mend(edits, by=toml.text((*path, "mended_by")), **said)
+    return Mend(fault, edits, by=toml.text((*path, "mended_by")), **said)
 
 
 def mended(printed: str, edits: tuple[Edit, ...]) -> str:

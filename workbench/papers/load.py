@@ -59,7 +59,7 @@ def load_part(path: Path) -> Paper:
     if (name := name_of(path)) is None:
         return load_paper(path)
     paper, place = load_installed(name), path.resolve()
-    own = tuple(claim for claim in paper.claims if claim.file and claim.file.resolve() == place)
+    own = tuple(claim for claim in paper.claims if claim.source.file and claim.source.file.resolve() == place)
     return replace(paper, claims=own) if own else paper  # the claims of a model stand in its text
 
 
@@ -326,7 +326,7 @@ class _PaperFile:
 
     @staticmethod
     def _is_as_before(before: _Read, owners: Mapping[str, str], theorems: Mapping[str, Proven]) -> bool:
-        named = {claim.theorem for claim in before.claims} - {None}
+        named = {claim.proof.theorem for claim in before.claims} - {None}
         return not before.owners.keys() & owners.keys() and named <= theorems.keys()
 
     def check_inheritance(self, known: Collection[str], sisters: Sequence[Path], faults: ErrorLog) -> None:

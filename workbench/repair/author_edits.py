@@ -102,13 +102,13 @@ def _step_of(claim: Claim, text: Text) -> Step | None:
 
 
 def _displays_of(claim: Claim, text: Text) -> Iterator[Display]:
-    if claim.span is None:
+    if claim.context.span is None:
         return
-    begin, end = claim.span.line, claim.span.end_line
+    begin, end = claim.context.span.line, claim.context.span.end_line
     for display in text.displays:
         source = display.source
         lines = range(source.place(display.start)[0], source.place(display.end)[0] + 1)
-        if source.path == claim.span.file and begin in lines and end in lines:
+        if source.path == claim.context.span.file and begin in lines and end in lines:
             yield display
 
 

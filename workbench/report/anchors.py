@@ -20,8 +20,8 @@ def is_number(equation: str | None) -> bool:
 
 
 def heading(claim: Claim) -> str:
-    if not claim.equation and claim.span is not None:
-        return f"Line {claim.span.line}"
+    if not claim.equation and claim.context.span is not None:
+        return f"Line {claim.context.span.line}"
     return f"Eq. ({claim.equation})" if is_number(claim.equation) else claim.equation or claim.id
 
 
@@ -42,7 +42,7 @@ def equation_key(claim: Claim) -> str:
 
 def is_counted(claim: Claim) -> bool:
     """True if the claim is of a numbered equation or a text, not of a named theorem or remark."""
-    return not claim.equation or claim.span is not None or is_number(claim.equation)
+    return not claim.equation or claim.context.span is not None or is_number(claim.equation)
 
 
 def joined(headings: Sequence[str]) -> str:

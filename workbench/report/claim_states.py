@@ -16,7 +16,7 @@ def fault_of(result: ClaimResult) -> str | None:
     It is "warning" if an unconfirmed fact would make the formula true.
     """
     claim, verdict = result.claim, result.verdict
-    if claim.fault is not None or verdict.outcome not in _FALSE or result.right is not None:
+    if claim.mend.fault is not None or verdict.outcome not in _FALSE or result.right is not None:
         return result.fault
     return {Grade.ERROR: "error", Grade.WARNING: "warning"}.get(verdict.grade)
 
@@ -30,5 +30,5 @@ def state_of(result: ClaimResult, rests_on_others: bool) -> Kind:
         return STATES["open" if outcome in _OPEN else "unjudged"]
     if rests_on_others:
         return STATES["inherits"]
-    is_own = outcome is Outcome.DEFINITION and result.claim.span is not None
+    is_own = outcome is Outcome.DEFINITION and result.claim.context.span is not None
     return STATES["defines" if is_own else "holds"]

@@ -31,7 +31,7 @@ def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacem
     for result in results:
         if fault_of(result) not in FAULTS:
             continue
-        span = result.claim.span
+        span = result.claim.context.span
         bounds = (0, len(text))
         if span is not None and span.end_line <= len(lines):
             bounds = _bounds(span, lines)
@@ -50,7 +50,7 @@ def _bounds(span: Span, lines: Sequence[int]) -> tuple[int, int]:
 def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> Iterator[Replacement]:
     """Yields the edits, each within the printed formula or the passage next to it."""
     claim = result.claim
-    around = [claim.shown or "", claim.quote or "", claim.mend.beside or "", claim.printed.latex]
+    around = [claim.shown or "", claim.sentence.quote or "", claim.mend.beside or "", claim.printed.latex]
     for edit in claim.mend.edits:
         for passage in filter(None, around):
             if edit.old in passage and (place := text.within(passage, edit.old, bounds)) is not None:

@@ -69,7 +69,7 @@ def against(result: ClaimResult) -> Against | None:
     example, claim = result.counterexample, result.claim
     if example is None or result.verdict.outcome is Outcome.CONDITIONAL:
         return None
-    ours = claim.our_formula or (claim.goal.latex if claim.goal else None)
+    ours = claim.our_formula or (claim.proof.goal.latex if claim.proof.goal else None)
     said = ours or claim.shown or ""
     found = told(example, said)
     return replace(found, formula=ours)

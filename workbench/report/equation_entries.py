@@ -82,7 +82,7 @@ class Entry:
     def unexpected(self) -> str:
         """Why the verdict is not the one that the paper file expects; "" for a text, which expects none."""
         claim = self.result.claim
-        is_silent = claim.span is not None and claim.corrected is None and claim.reading is None
+        is_silent = claim.context.span is not None and claim.corrected is None and claim.reading is None
         return "" if is_silent else without_place(self.result.why_not)
 
     @property
@@ -140,15 +140,15 @@ def entry_of(
     claim = result.claim
     name, anchor = places.claims[claim.id]
     above = heirs.before(claim)
-    quoted = claim.quote if claim.quote and not claim.ours else None
+    quoted = claim.sentence.quote if claim.sentence.quote and not claim.sentence.ours else None
     return Entry(
         result=result,
         place=name,
         anchor=anchor,
         state=state_of(result, bool(above)),
-        statement=tuple(runs_of(" ".join(filter(None, [quoted, claim.statement])))),
+        statement=tuple(runs_of(" ".join(filter(None, [quoted, claim.source.statement])))),
         reason=tuple(runs_with_symbols(reason_for_readers(result))),
-        note=tuple(runs_of(with_headings(claim.note, places.anywhere))),
+        note=tuple(runs_of(with_headings(claim.source.note, places.anywhere))),
         forms=tuple(_forms(result)),
         correction=corrections.get(claim.id),
         mended_by=places.anywhere.get(claim.mend.by) if claim.mend.by else None,
@@ -164,7 +164,7 @@ def _forms(result: ClaimResult) -> list[Form]:
     """Returns the printed form, the reading and the corrected form, each compared with the previous one."""
     claim = result.claim
     forms = []
-    if claim.shown and claim.shown != claim.quote:
+    if claim.shown and claim.shown != claim.sentence.quote:
         forms.append(Form("Printed", claim.shown))
     if claim.our_formula:
         forms.append(Form("Our formula for it", claim.our_formula))
@@ -181,8 +181,8 @@ def _forms(result: ClaimResult) -> list[Form]:
         if found := difference(before.latex, after.latex):
             forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
             forms[index] = replace(after, marked=found.marked_after)
-    if claim.goal:
-        forms.append(Form("What is shown of it", claim.goal.latex))
+    if claim.proof.goal:
+        forms.append(Form("What is shown of it", claim.proof.goal.latex))
     printed = result.verdict.read_back or claim.shown
     return forms + [_proposed(printed, proposal) for proposal in result.proposed or ()]
 

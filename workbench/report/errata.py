@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from workbench.context.claims import FAULTS
+from workbench.context.claim_parts import FAULTS
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.reasons import Reason
 from workbench.core.verdict import Outcome
@@ -172,7 +172,7 @@ def _correction(result: ClaimResult, fault: str, places: Mapping[str, Place]) ->
         said=tuple(_said(result)),
         condition=result.hypothesis,
         add=tuple(runs_of(mend.add or "")),
-        why=tuple(runs_of(with_headings(claim.note or reason_for_readers(result), places))),
+        why=tuple(runs_of(with_headings(claim.source.note or reason_for_readers(result), places))),
         example=tuple(runs_of(mend.example or "")),
         counterexample=against(result),
         cost=cost_in_words(result),
@@ -183,7 +183,7 @@ def cost_in_words(result: ClaimResult) -> str | None:
     """Returns the size of the error on a motion in words; None for a sentence, which is not what was
     evaluated."""
     error = result.on_motions.error
-    if error is None or result.claim.quote:
+    if error is None or result.claim.sentence.quote:
         return None
     factor, exponent = f"{error.right:.0e}".split("e")
     motion = error.motion.split(", seed")[0]
@@ -196,13 +196,13 @@ def cost_in_words(result: ClaimResult) -> str | None:
 def _said(result: ClaimResult) -> list[Run]:
     """Returns the wrong sentence, or the wrong formula if no correction is known."""
     claim = result.claim
-    quoted = claim.mend.beside if claim.ours or not claim.quote else claim.quote
+    quoted = claim.mend.beside if claim.sentence.ours or not claim.sentence.quote else claim.sentence.quote
     if quoted and "$$" not in quoted and len(quoted) < _LONG_QUOTE:
         return runs_of(quoted)
     if claim.mend.edits:
         return []
-    if claim.statement:
-        return runs_of(claim.statement)
+    if claim.source.statement:
+        return runs_of(claim.source.statement)
     if result.right or result.hypothesis or result.proposed or not claim.shown:
         return []
     return [formula(claim.shown), text(" is not right, and no correction is known.")]
@@ -237,7 +237,7 @@ def _changes(result: ClaimResult) -> Iterator[Change]:
             yield Change(tuple(runs_of(edit.old)), tuple(runs_of(edit.new)) if edit.new.strip() else None)
     proved = (form for form in result.proposed or () if form.verdict is Outcome.PROVED)
     right = result.right or next(proved, None)
-    if right and claim.shown and claim.shown != claim.quote and not claim.mend.edits:
+    if right and claim.shown and claim.shown != claim.sentence.quote and not claim.mend.edits:
         yield _in_formula(claim.shown, right.latex)
 
 

@@ -94,8 +94,8 @@ def _row(equation: Equation) -> ErrorRow:
 
 
 def _left_sides(wrong: Sequence[Entry]) -> tuple[str, ...]:
-    claims = [entry.result.claim for entry in wrong if not entry.result.claim.goal]
-    shown = [claim.shown if claim.shown != claim.quote else claim.our_formula for claim in claims]
+    claims = [entry.result.claim for entry in wrong if not entry.result.claim.proof.goal]
+    shown = [claim.shown if claim.shown != claim.sentence.quote else claim.our_formula for claim in claims]
     sides = [side for latex in shown if latex and (side := left_side(latex)) is not None]
     return tuple(dict.fromkeys(sides))[:2]
 

@@ -133,9 +133,9 @@ def place_of(result: ClaimResult) -> Span:
     claim = result.claim
     if claim.printed.at is not None:
         return claim.printed.at
-    if claim.span is not None:
-        return claim.span
-    return Span(claim.file or Path(), claim.line or 1, 1, claim.line or 1, 1)
+    if claim.context.span is not None:
+        return claim.context.span
+    return Span(claim.source.file or Path(), claim.line or 1, 1, claim.line or 1, 1)
 
 
 def fault_finding(error: PaperError, file: Path) -> Finding:

@@ -152,7 +152,7 @@ def _by_display(
     displays = paper.text.displays if paper.text else ()
     found: dict[tuple[str, str], tuple[Display | None, list[ClaimResult]]] = {}
     for result in results:
-        span = place_of(result) if result.claim.span is None else result.claim.span
+        span = place_of(result) if result.claim.context.span is None else result.claim.context.span
         display = next((each for each in displays if _holds(each, span)), None)
         base = result.claim.equation or ""
         where = f"{display.source.path}:{display.start}" if display else result.claim.id

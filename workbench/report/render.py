@@ -90,7 +90,7 @@ def _filled(environment: Environment, name: str, document: Document, sent: Seque
 
 def _own_text(paper: Paper) -> Path | None:
     """Returns the file of a text, if it consists of one file."""
-    files = {result.span.file for result in paper.claims if result.span is not None}
+    files = {result.context.span.file for result in paper.claims if result.context.span is not None}
     return next(iter(files)) if len(files) == 1 else None
 
 

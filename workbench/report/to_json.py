@@ -41,8 +41,8 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "section": claim.section,
         "printed": claim.shown,
         "formula": claim.our_formula,
-        "goal": claim.goal.latex if claim.goal else None,
-        "statement": claim.statement,
+        "goal": claim.proof.goal.latex if claim.proof.goal else None,
+        "statement": claim.source.statement,
         "read_back": verdict.read_back,
         "verdict": verdict.outcome,
         "grade": verdict.grade,
@@ -56,14 +56,14 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "reading": _form(claim.reading, result.reading),
         "corrected": _form(claim.corrected, result.corrected),
         "hypothesis": result.hypothesis,
-        "assume": [formula.latex for formula in (*claim.assume, *claim.given)],
+        "assume": [formula.latex for formula in (*claim.assume, *claim.context.given)],
         "orders": str(claim.orders) if claim.orders else None,
         "counterexample": _values(against) if against else None,
         "evidence": [evidence.to_dict() for evidence in verdict.evidence],
         "motion": asdict(result.on_motions),
         "no_motion": verdict.no_motion,
         "inherits": list(claim.inherits),
-        "note": claim.note,
+        "note": claim.source.note,
         "expected": result.expected,
         "passed": result.passed,
         "why_not": result.why_not,
@@ -101,7 +101,7 @@ def _values(example: Counterexample) -> dict[str, Any]:
 def _mend(claim: Claim) -> dict[str, Any] | None:
     """Returns the edits that correct the claim. `is_proved`: whether they turn the print into the proved
     form."""
-    if claim.fault is None:
+    if claim.mend.fault is None:
         return None
     mend, right, printed = claim.mend, claim.corrected or claim.reading, claim.printed.latex
     makes_right = mend.edits and printed and right and same_formula(mended(printed, mend.edits), right.latex)
@@ -115,6 +115,9 @@ def _mend(claim: Claim) -> dict[str, Any] | None:
 
 def _place(claim: Claim) -> dict[str, Any]:
     """Returns the position of a claim in a text: its file, its span, and the earlier steps of its chain."""
-    if claim.span is None:
+    if claim.context.span is None:
         return {}
-    return {"place": {**vars(claim.span), "file": str(claim.span.file)}, "chain": list(claim.chain)}
+    return {
+        "place": {**vars(claim.context.span), "file": str(claim.context.span.file)},
+        "chain": list(claim.chain),
+    }

@@ -109,8 +109,9 @@ def mutants_of(file: Path, change: Callable[[str], str], seed: int) -> list[Row]
         except (IllFormed, IllFormedAt, IndexError, ValueError):
             continue
         printed = replace(claim.printed, statement=other)
-        edited.append(replace(claim, printed=printed, act=act_of(printed, claim.notation)))
-    bare = [replace(c, alone=True, facts=(), given=(), guessed=()) for c in edited]
+        act = act_of(printed, claim.notation)
+        edited.append(replace(claim, printed=printed).with_context(act=act))
+    bare = [c.with_context(alone=True, facts=(), given=(), guessed=()) for c in edited]
     alone = {r.claim.id: r.verdict for r in judge_claims(bare, motions=False)}
     found = judge_claims([c for c in edited if alone[c.id].outcome in _FALSE], motions=False)
     return [Row(file.stem, r.claim.id, False, r.verdict) for r in found]

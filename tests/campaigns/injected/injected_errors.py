@@ -15,7 +15,8 @@ sys.path[:0] = [str(TESTS / "errata")]
 from errata_cases import is_same_formula  # noqa: E402
 
 from workbench.app.pipeline.judge_claims import judge_claims  # noqa: E402
-from workbench.context.claims import Claim, Formula, Mend  # noqa: E402
+from workbench.context.claim_parts import Mend  # noqa: E402
+from workbench.context.claims import Claim, Correction, Formula  # noqa: E402
 from workbench.context.read_formulas import read_statement  # noqa: E402
 from workbench.core.codes.verdict_codes import VerdictCode  # noqa: E402
 from workbench.core.formula_errors import Fault, IllFormedAt, ReadError  # noqa: E402
@@ -216,7 +217,11 @@ def proved_claims(sources: Sequence[str] = ()) -> Iterator[tuple[str, Claim]]:
 
 
 def _proved(claims: Sequence[Claim]) -> list[Claim]:
-    asked = [c for c in claims if c.printed.statement is not None and c.theorem is None and c.goal is None]
+    asked = [
+        c
+        for c in claims
+        if c.printed.statement is not None and c.proof.theorem is None and c.proof.goal is None
+    ]
     results = judge_claims(asked, motions=False)
     return [r.claim for r in results if r.verdict.outcome is Outcome.PROVED]
 
@@ -237,7 +242,7 @@ def changed_forms(claim: Claim, kind: str) -> list[str]:
 
 def changed_claim(claim: Claim, latex: str) -> Claim | None:
     """The claim with another printed form; None where that cannot be read, or says the same term."""
-    plain = replace(claim, corrected=None, reading=None, fault=None, mend=Mend(), hypothesis=None)
+    plain = replace(claim, correction=Correction(), mend=Mend())
     try:
         statement, _ = read_statement(latex, claim.notation, claim.orders)
     except IllFormedAt as error:

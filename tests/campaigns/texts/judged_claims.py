@@ -122,7 +122,7 @@ def claims_of(text: str, model: str, format_name: str) -> list[Seen]:
             each.claim.printed.latex or "",
             each.verdict.outcome.value,
             str(each.verdict.reason or each.verdict.hypothesis or ""),
-            each.claim.span.line if each.claim.span else 0,
+            each.claim.context.span.line if each.claim.context.span else 0,
         )
         for each in results
     ]

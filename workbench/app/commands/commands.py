@@ -66,7 +66,7 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
                     "equation": claim.equation,
                     "section": claim.section,
                     "expected": str(claim.expected),
-                    "printed": claim.printed.latex or claim.statement,
+                    "printed": claim.printed.latex or claim.source.statement,
                 }
                 for claim in claims
             ]

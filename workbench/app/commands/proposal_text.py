@@ -38,7 +38,7 @@ def repair_lines(repair: Repair, coloured: bool = False) -> Iterator[Text]:
 
 def proposed_lines(claim: Claim, proposed: Sequence[Proposed], coloured: bool) -> Iterator[Text]:
     yield Text(claim.id, style="bold")
-    yield from _field("our formula" if claim.ours else "printed", claim.printed.latex)
+    yield from _field("our formula" if claim.sentence.ours else "printed", claim.printed.latex)
     yield from proposal_lines(proposed, coloured)
 
 

@@ -12,6 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
+from workbench.context.claim_parts import ClaimForm
 from workbench.core.code_labels import coded
 from workbench.report.counterexamples import told
 from workbench.report.counts import summary, witness_counts
@@ -47,7 +48,7 @@ def claims_table(claims: Sequence[Claim]) -> Table:
             Text(claim.equation or ""),
             Text(claim.section or ""),
             outcome_text(claim.expected),
-            Text(_one_line(claim.printed.latex or claim.quote or claim.statement or "")),
+            Text(_one_line(claim.printed.latex or claim.sentence.quote or claim.source.statement or "")),
         )
     return table
 
@@ -102,22 +103,22 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
     yield from _field("section", claim.section)
     if result.fault:
         yield from _fault(result.fault, claim)
-    yield from _field("statement", claim.statement)
+    yield from _field("statement", claim.source.statement)
     yield from _field("printed", claim.shown)
     yield from _field("our formula", claim.our_formula)
-    yield from _field("goal", claim.goal.latex if claim.goal else None)
+    yield from _field("goal", claim.proof.goal.latex if claim.proof.goal else None)
     yield from _field("for", str(claim.orders or ""))
-    for condition in (*claim.assume, *claim.given):
+    for condition in (*claim.assume, *claim.context.given):
         yield from _field("assuming", condition.latex)
     yield Text.assemble(f"{'verdict':>15}  ", outcome_text(verdict.outcome))
     yield from _field("scope", verdict.scope)
-    if claim.reading is None or not claim.note:  # else the note explains the reading
+    if claim.reading is None or not claim.source.note:  # else the note explains the reading
         yield from _field("because", coded(verdict.reason))
     yield from _field("unless", "; ".join(verdict.unless))
     yield from _field("hypothesis", result.hypothesis)
-    for form in ("reading", "corrected"):
+    for form in (ClaimForm.READING, ClaimForm.CORRECTED):
         if own := result.verdicts.get(form):
-            yield from _field(form, getattr(claim, form).latex)
+            yield from _field(form, claim.forms[form].latex)
             yield Text.assemble(" " * 17, outcome_text(own.outcome))
             yield from _field("because", coded(own.reason))
     if result.counterexample:
@@ -135,7 +136,7 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
             yield from (Text(f"{'':17}{line}") for line in certificate.statement.splitlines())
     yield from _field("bears on", ", ".join(claim.inherits))
     if not result.fault:
-        yield from _field("note", claim.note)
+        yield from _field("note", claim.source.note)
     if with_expectation and not result.passed:
         yield Text(f"{'NOT AS EXPECTED':>15}  {result.why_not}", style="bold red")
 
@@ -151,7 +152,7 @@ def _fault(fault: str, claim: Claim) -> Iterator[Text]:
         yield from _field("read", edit.new or "nothing")
     yield from _field("add", mend.add)
     yield from _field("mended by", mend.by)
-    yield from _field("why", claim.note)
+    yield from _field("why", claim.source.note)
     yield from _field("for example", mend.example)
 
 

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from workbench.app.pipeline.judge_claims import PaperJudge
+from workbench.context.claim_parts import ClaimForm
 from workbench.core.paper_errors import PaperError
 from workbench.core.verdict import Verdict
 from workbench.papers import Paper, find_paper
@@ -138,8 +139,8 @@ class PaperOnCluster:
 
     def _is_judged(self, name: str, form: str) -> bool:
         claim = self._claims[name]
-        special = claim.goal is not None or claim.theorem is not None
-        return claim.skip is None and (special or getattr(claim, form).statement is not None)
+        special = claim.proof.goal is not None or claim.proof.theorem is not None
+        return claim.skip is None and (special or claim.forms[ClaimForm(form)].statement is not None)
 
     def _told(self, name: str, form: str) -> Verdict | OutOfBudget:
         return self._judge.judged_now(self._claims[name], form)

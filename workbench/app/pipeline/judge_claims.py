@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Protocol, TypedDict, Unpack
 
 from workbench.app.pipeline.motion_witnesses import Witnesses
 from workbench.app.pipeline.verdict_keys import Keys, Memory
+from workbench.context.claim_parts import ClaimForm
 from workbench.context.claims import Claim, Formula, Notation, Paper
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.paper_errors import PaperError
@@ -28,7 +29,7 @@ from workbench.prover.explain.ambiguous_displays import in_both_readings, served
 from workbench.prover.explain.decide_under_facts import judged_alone, judged_or_unchecked
 from workbench.prover.explain.explain import Explainer
 from workbench.prover.preload import load_engines
-from workbench.prover.results.claim_results import FORMS, ClaimResult
+from workbench.prover.results.claim_results import ClaimResult
 from workbench.runtime import STANDARD, Budget, OutOfBudget, Workers
 
 if TYPE_CHECKING:
@@ -111,7 +112,7 @@ class ClaimJudge:
         Many claims are judged on all cores, by `jobs` processes, or by the pool. Claims are independent. A
         pool gets its work before the first result is requested.
         """
-        known = {claim.id: {form: self._recall(claim, form) for form in forms(claim)} for claim in claims}
+        known = {claim.id: {form: self._recall(claim, form) for form in claim.forms} for claim in claims}
         new = _dear_first([claim for claim in claims if None in known[claim.id].values()])
         self._waiting = new
         asked = [(c.id, form) for c in new for form, verdict in known[c.id].items() if verdict is None]
@@ -123,7 +124,7 @@ class ClaimJudge:
     def _collected(
         self,
         claims: Sequence[Claim],
-        known: Mapping[str, dict[str, Verdict | None]],
+        known: Mapping[str, dict[ClaimForm, Verdict | None]],
         workers: Pool,
         verdicts: Generator[Verdict | OutOfBudget],
     ) -> Iterator[ClaimResult]:
@@ -133,9 +134,10 @@ class ClaimJudge:
                 for form in found:
                     if found[form] is None:
                         found[form] = self._remember(claim, form, next(verdicts))
-                printed = found["printed"]
+                printed = found[ClaimForm.PRINTED]
                 assert printed is not None, f"{claim.id} is not judged as printed"
-                yield ClaimResult(claim, printed, found.get("reading"), found.get("corrected"))
+                reading, corrected = found.get(ClaimForm.READING), found.get(ClaimForm.CORRECTED)
+                yield ClaimResult(claim, printed, reading, corrected)
         finally:
             verdicts.close()
             if workers is not self._workers:
@@ -174,7 +176,7 @@ class ClaimJudge:
 
     def _prepare(self) -> None:
         load_engines()
-        if any(claim.goal is not None for claim in self._waiting):
+        if any(claim.proof.goal is not None for claim in self._waiting):
             _ = self._of_theorems
         if self._witnesses:
             for claim in self._waiting:
@@ -185,39 +187,39 @@ class ClaimJudge:
         claim = self._keys.parts.of(self._claims[name])
         with printed_for(claim.notation.author_notation):
             try:
-                if form == "printed":
+                if form == ClaimForm.PRINTED:
                     return self._printed(claim)
-                under = claim.hypothesis if form == "reading" else None
-                return self._verdict(claim, getattr(claim, form), under)
+                under = claim.correction.hypothesis if form == ClaimForm.READING else None
+                return self._verdict(claim, claim.forms[ClaimForm(form)], under)
             except PaperError as error:
                 raise _placed(error, self._claims[name]) from None
             except _DEFECTS as error:
-                if claim.span is None:
+                if claim.context.span is None:
                     raise
                 return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DEFECT(error=repr(error)))
 
     def _printed(self, claim: Claim) -> Verdict:
-        if claim.goal is not None:
+        if claim.proof.goal is not None:
             verdict = judged_or_unchecked(lambda: self._of_theorems.verdict(claim))
-            return self._seen(verdict, claim, claim.printed, claim.hypothesis)
+            return self._seen(verdict, claim, claim.printed, claim.correction.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.LEFT_OUT(why=claim.skip))
         return in_both_readings(claim, self._in_one_reading(claim), self._in_one_reading)
 
     def _in_one_reading(self, claim: Claim) -> Verdict:
-        if claim.given:  # the given formulas may be hard to assume, and not needed
-            free = replace(claim, given=())
-            alone = self._verdict(free, claim.printed, claim.hypothesis)
+        if claim.context.given:  # the given formulas may be hard to assume, and not needed
+            free = claim.with_context(given=())
+            alone = self._verdict(free, claim.printed, claim.correction.hypothesis)
             if alone.outcome is Outcome.PROVED:
                 alone = self._explainer.verdict(free, alone)
             if alone.outcome is Outcome.PROVED:
                 return alone
-        bare = self._verdict(claim, claim.printed, claim.hypothesis)
+        bare = self._verdict(claim, claim.printed, claim.correction.hypothesis)
         if (served := served_by(claim, bare, self._alone)) is not None:
             reason = VerdictCode.MAY_BE_CONDITION(formula=served)
             return Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
         verdict = self._explainer.verdict(*with_what_stands_beside(claim, bare, self._alone))
-        return _as_given(verdict, claim) if claim.given else verdict
+        return _as_given(verdict, claim) if claim.context.given else verdict
 
     @cached_property
     def _of_theorems(self) -> TheoremJudge:
@@ -231,7 +233,7 @@ class ClaimJudge:
         if formula.unread is not None:
             return Verdict(Outcome.UNCHECKED, reason=formula.unread)
         judge = self._judge(claim.notation)
-        if claim.alone:
+        if claim.context.alone:
             judge = replace(judge, laws=False)
         try:
             verdict = judged_or_unchecked(
@@ -243,7 +245,7 @@ class ClaimJudge:
                 )
             )
         except Unsatisfiable as error:
-            if claim.span is not None:
+            if claim.context.span is not None:
                 return Verdict(Outcome.UNCHECKED, reason=reason_of(error))
             raise PaperError(None, None, None, str(error)) from None
         if verdict.outcome is Outcome.PROVED and not verdict.is_for_all:
@@ -275,12 +277,12 @@ def _placed(error: PaperError, claim: Claim) -> PaperError:
         return error
     if error.path:  # an entry of another table of the file
         table = ".".join(map(str, error.path))
-        return PaperError(claim.file, None, None, f"{table}: {claim.id}: {error.message}")
-    return PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
+        return PaperError(claim.source.file, None, None, f"{table}: {claim.id}: {error.message}")
+    return PaperError(claim.source.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
 
 
 def _as_given(verdict: Verdict, claim: Claim) -> Verdict:
-    given = ", ".join(map(str, claim.given))
+    given = ", ".join(map(str, claim.context.given))
     evidence = (*verdict.evidence, Evidence("given", "holds always", {"formula": given}))
     reason = verdict.reason
     if verdict.outcome is Outcome.UNCHECKED and reason is not None:
@@ -351,10 +353,6 @@ def _dear_first(claims: Sequence[Claim]) -> list[Claim]:
 
 def _is_likely_cheap(claim: Claim) -> bool:
     """True if the claim is one relation, and no theorem, family or extremum."""
-    said = [getattr(claim, form).statement for form in forms(claim)]
+    said = [formula.statement for formula in claim.forms.values()]
     is_relation = all(statement is None or isinstance(statement, Relation) for statement in said)
-    return claim.goal is None and claim.orders is None and is_relation
-
-
-def forms(claim: Claim) -> list[str]:
-    return [form for form in FORMS if form == "printed" or getattr(claim, form) is not None]
+    return claim.proof.goal is None and claim.orders is None and is_relation

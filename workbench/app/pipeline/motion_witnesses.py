@@ -100,7 +100,7 @@ class Witnesses:
         """Returns the joint evidence of the motions. on: the name of a special motion to use instead."""
         from workbench.prover.motions.motion_check import Subject, Witness, witness
 
-        if not sayings and claim.goal is None:
+        if not sayings and claim.proof.goal is None:
             return Witness(None, MotionCode.WORDS())
         bindings, motions = self._known(claim)
         if on is not None:
@@ -108,7 +108,7 @@ class Witnesses:
         known = claim.notation.definitions
         found = witness(*(Subject(*saying, known, bindings, motions) for saying in sayings), course=course)
         is_algebra = code_of(found.reason) is MotionCode.ALGEBRA
-        if is_algebra and claim.goal is not None and _of_motion(claim.goal.goal, claim.notation):
+        if is_algebra and claim.proof.goal is not None and _of_motion(claim.proof.goal.goal, claim.notation):
             return Witness(None, MotionCode.EXISTENCE())
         return found
 
@@ -147,7 +147,7 @@ class Witnesses:
                 if self._memory:
                     self._memory.know(key)
         except (BindingError, PlantError) as error:
-            raise PaperError(claim.file, None, None, str(error)) from None
+            raise PaperError(claim.source.file, None, None, str(error)) from None
         return choices, motions
 
 
@@ -175,10 +175,10 @@ def course_on(motion: Motion, claim: Claim, form: Formula) -> tuple[list[float],
 
 def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Saying]:
     """Yields the equations of a form of the claim: its own, or those of its goal."""
-    if form is claim.printed and claim.goal is not None:
+    if form is claim.printed and claim.proof.goal is not None:
         from workbench.prover.goals.goal_equations import equations_of_goal
 
-        for part in equations_of_goal(claim.goal.goal):
+        for part in equations_of_goal(claim.proof.goal.goal):
             yield part.statement, (*claim.supposed, *part.premises), part
         return
     supposed = claim.supposed

@@ -60,5 +60,5 @@ def with_proposals(
 
 def _asks(result: ClaimResult, beside_right: bool) -> bool:
     is_right = any(form and form.outcome in HOLDS for form in (result.corrected, result.reading))
-    is_false = result.verdict.outcome in _TO_REPAIR and result.claim.theorem is None
+    is_false = result.verdict.outcome in _TO_REPAIR and result.claim.proof.theorem is None
     return is_false and not result.known and (beside_right or not is_right)

@@ -92,7 +92,7 @@ class Keys:
 
     def _of_part(self, claim: Claim) -> str:
         text = canonical_text([*judged_fields_of(claim).values(), claim.notation.on_motions]).text
-        proofs = [self._proofs.get(name or "", "") for name in (claim.theorem, claim.every_n)]
+        proofs = [self._proofs.get(name or "", "") for name in (claim.proof.theorem, claim.proof.every_n)]
         return digest(repr((text, self._of_notation(claim.notation), proofs, self._ground)))
 
     def _of_notation(self, notation: Notation) -> str:

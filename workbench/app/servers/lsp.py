@@ -323,7 +323,7 @@ def _fix(result: ClaimResult) -> str | None:
     claim = result.claim
     pairs = ((claim.corrected, result.corrected), (claim.reading, result.reading))
     proved = [form.latex for form, verdict in pairs if form and verdict and verdict.outcome is Outcome.PROVED]
-    if not proved or claim.span is None:
+    if not proved or claim.context.span is None:
         return None
     if not claim.chain:
         return proved[0]
@@ -353,7 +353,7 @@ def _whole(result: ClaimResult) -> Span:
     """Returns the span of the whole claim."""
     from workbench.report.findings import place_of
 
-    return result.claim.span or place_of(result)
+    return result.claim.context.span or place_of(result)
 
 
 def _range(server: LanguageServer, span: Span) -> Range:

@@ -130,7 +130,7 @@ def _mark(
 
 
 def _lies_in(result: ClaimResult, display: Display) -> bool:
-    source, span = display.source, result.claim.span
+    source, span = display.source, result.claim.context.span
     if span is None or span.file != source.path:
         return False
     return source.place(display.start) <= (span.line, span.column) <= source.place(display.end)

@@ -8,7 +8,7 @@ from workbench.certificates.emission import emitted_nodes
 from workbench.certificates.emission.blocks import is_column
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.emitted_nodes import APPLICATION, ATOM, Node, NotCertified, flag, single
-from workbench.core.terms import Apply, DualUnit, Number, Symbol, Term
+from workbench.core.terms import Apply, DualUnit, Head, Number, Symbol, Term
 from workbench.core.types import SCALAR
 from workbench.engines.inventory.rodrigues import angle_and_axis
 from workbench.prover.decide.case import NoDefinitions
@@ -206,7 +206,7 @@ def norm(emitter: Collector, term: Apply) -> Node:
     return emitter.helpers[term]
 
 
-def part(head: str, term: Term) -> Term:
+def part(head: Head, term: Term) -> Term:
     """Returns the real or the dual part of a dual term."""
     return Apply(term.type.with_dual(False), None, head, (term,))
 

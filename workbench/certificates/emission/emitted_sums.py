@@ -22,7 +22,7 @@ from workbench.certificates.emission.emitted_nodes import (
 from workbench.core.construct import apply, big_sum, counting, derivative, zero
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import instantiate
-from workbench.core.terms import Apply, BigSum, Derivative, IllFormed, Statement, Symbol, Term, Zero
+from workbench.core.terms import Apply, BigSum, Derivative, Head, IllFormed, Statement, Symbol, Term, Zero
 from workbench.prover.goals.sequents import relations_of
 
 _ANY = "·"  # stands for the summation variable
@@ -241,7 +241,7 @@ def _expanded(emitter: Collector, body: Term, order: Linear) -> tuple[Term, str]
 
 
 def _product(
-    emitter: Collector, head: str, left: Term, right: Term, order: Linear
+    emitter: Collector, head: Head, left: Term, right: Term, order: Linear
 ) -> tuple[Term, str] | None:
     """Returns the derivative of a product by Leibniz' rule; a constant factor is moved outside."""
     if right.type.kind == "scalar" and left.type.kind != "scalar":

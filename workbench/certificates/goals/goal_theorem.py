@@ -86,12 +86,12 @@ class Whole:
 
 def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
     """Returns the certificate of a goal. Raises NotCertified with the first obstacle."""
-    if claim.goal is None:
+    if claim.proof.goal is None:
         raise NotCertified("a claim without a goal")
     if claim.supposed:
         raise NotCertified("a goal under suppositions of its claim")
     name = "claim_" + re.sub(r"\W+", "_", claim.id).strip("_")
-    made = joined(name, claim.goal.goal, scope, proof)
+    made = joined(name, claim.proof.goal.goal, scope, proof)
     return Certificate(None, (made,), header=OF_MOMENTS, title=f"{claim.id}, the goal")
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from workbench.certificates.emission.emitted_nodes import NotCertified
 from workbench.core.construct import apply, derivative, rebuild, zero
 from workbench.core.operations import COMPONENTWISE, PRODUCTS
-from workbench.core.terms import Apply, Derivative, Identity, Number, Symbol, Term, TimeOperator, Zero
+from workbench.core.terms import Apply, Derivative, Head, Identity, Number, Symbol, Term, TimeOperator, Zero
 from workbench.language.definitions import Definitions
 
 
@@ -51,12 +51,12 @@ def _rate(term: Term, definitions: Definitions) -> Term:
     raise NotCertified("the rate of more than products and sums at an instant")
 
 
-def _product(head: str, left: Term, right: Term) -> Term:
+def _product(head: Head, left: Term, right: Term) -> Term:
     made = apply(head, left, right)
     return zero(made.type) if isinstance(left, Zero) or isinstance(right, Zero) else made
 
 
-def _linear(head: str, parts: Sequence[Term]) -> Term:
+def _linear(head: Head, parts: Sequence[Term]) -> Term:
     some = [part for part in parts if not isinstance(part, Zero)]
     if not some:
         return parts[0] if head == "add" else zero(apply(head, *parts).type)

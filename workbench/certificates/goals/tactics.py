@@ -19,7 +19,7 @@ from workbench.certificates.theorem import theorem_for_all
 from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.core.construct import apply, power, relation, symbol, zero
 from workbench.core.integer_expressions import Linear
-from workbench.core.terms import BigSum, Relation, Statement, Zero
+from workbench.core.terms import BigSum, Head, Relation, Statement, Zero
 from workbench.core.types import SCALAR, VECTOR, Declaration
 from workbench.language.definitions import expand
 from workbench.language.goals.goal_reader import read_goal
@@ -249,9 +249,9 @@ class Joiner(Following):
         )
         vector = symbol(variable.declaration)
         name = self._letter(variable)
-        rule, head, order = (
-            ("by_vectors", "mul", 1) if one.left.type.kind == "tensor" else ("by_products", "dot", -1)
-        )
+        is_tensor = one.left.type.kind == "tensor"
+        rule, order = ("by_vectors", 1) if is_tensor else ("by_products", -1)
+        head: Head = "mul" if is_tensor else "dot"
         self.tell(f"apply ({rule} now). intros {name} {' '.join(self._supposed([variable], [name]))}.")
         made = [apply(head, *(side, vector)[::order]) for side in (one.left, one.right)]
         self.show(

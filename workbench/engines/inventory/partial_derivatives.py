@@ -18,7 +18,7 @@ from itertools import combinations_with_replacement
 from typing import NamedTuple
 
 from workbench.core.operations import PARTIALS
-from workbench.core.terms import Apply, Block, Derivative, Number, Symbol, Term
+from workbench.core.terms import Apply, Block, Derivative, Head, Number, Symbol, Term
 from workbench.engines.inventory import Lookup, NotExact, reached
 
 
@@ -61,7 +61,7 @@ def positive_coordinates(sides: Iterable[Term], definitions: Lookup) -> frozense
 
 
 def require_known_dependence(
-    head: str, by: Iterable[Seed], symbols: Iterable[Symbol], moving: Collection[Symbol]
+    head: Head, by: Iterable[Seed], symbols: Iterable[Symbol], moving: Collection[Symbol]
 ) -> None:
     """Raises NotExact for a symbol whose dependence on the variable is unknown.
 

@@ -8,6 +8,7 @@ from workbench.core.terms import (
     Apply,
     Block,
     Counting,
+    Head,
     Identity,
     Integer,
     Number,
@@ -63,7 +64,7 @@ def expression(term: Term) -> Any:
     raise NotExact("a term that is no number")
 
 
-def _applied(head: str, values: list[Any]) -> Any:
+def _applied(head: Head, values: list[Any]) -> Any:
     first, last = values[0], values[-1]
     match head:
         case "add":

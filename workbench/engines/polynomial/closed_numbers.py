@@ -19,6 +19,7 @@ from workbench.core.terms import (
     Apply,
     Block,
     Counting,
+    Head,
     Identity,
     Integer,
     Number,
@@ -44,7 +45,7 @@ class Field(Protocol):
 
     def reciprocal(self, value: Any) -> Any: ...
 
-    def function(self, head: str, arguments: Sequence[Term]) -> Any: ...
+    def function(self, head: Head, arguments: Sequence[Term]) -> Any: ...
 
 
 def entries(term: Term, field: Field) -> np.ndarray:
@@ -176,7 +177,7 @@ class Balls:
             raise ZeroDivisionError("division by what may be zero")
         return 1 / value
 
-    def function(self, head: str, arguments: Sequence[Term]) -> arb:
+    def function(self, head: Head, arguments: Sequence[Term]) -> arb:
         values = [entries(each, self)[0, 0] for each in arguments]
         if head == "root" and not values[0] >= 0:
             raise NotExact("the root of what may be negative")
@@ -209,12 +210,12 @@ class Cyclotomic:
         return _Element(self, polynomial % self._modulus)
 
     def reciprocal(self, value: _Element) -> _Element:
-        if value.polynomial == 0:
+        if not value.polynomial:
             raise ZeroDivisionError("division by zero")
         _, inverse, _ = value.polynomial.xgcd(self._modulus)
         return self.reduced(inverse)
 
-    def function(self, head: str, arguments: Sequence[Term]) -> _Element:
+    def function(self, head: Head, arguments: Sequence[Term]) -> _Element:
         (argument,) = arguments if len(arguments) == 1 else (None,)
         if head == "exp" and argument is not None and turns(argument) == 0:
             return self.rational(Fraction(1))
@@ -305,7 +306,7 @@ class _Rationals:
     def reciprocal(self, value: Fraction) -> Fraction:
         return 1 / value
 
-    def function(self, head: str, arguments: Sequence[Term]) -> Any:
+    def function(self, head: Head, arguments: Sequence[Term]) -> Any:
         raise NotExact("a function that is not rational")
 
 

@@ -169,7 +169,7 @@ class ExactAlgebra:
 
     def _root(self, square: Polynomial) -> Polynomial:
         """Returns the indeterminate N with N² = square; squares of numbers are extracted: |−2x| is 2|x|."""
-        if square == 0:
+        if not square:
             raise NotExact("the norm of zero")
         factor = square.leading_coefficient()
         p, q = isqrt(abs(int(factor.p))), isqrt(int(factor.q))

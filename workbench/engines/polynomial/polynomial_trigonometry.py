@@ -62,7 +62,7 @@ class Trigonometry:
         argument = term.arguments[0]
         value = self._value(argument)
         real = [self._algebra.ring.reduce(self._algebra.polynomial(real_part(e))) for r in value for e in r]
-        if term.type.dual and all(part == 0 for part in real):
+        if term.type.dual and not any(real):
             return add(self._algebra.diagonal(1, len(value), len(value[0])), value)
         if len(value) == 4 and term.type.kind == "matrix":
             return self._moved(argument)

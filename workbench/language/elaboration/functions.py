@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
@@ -12,7 +12,7 @@ from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_TENSORS, word_of
-from workbench.core.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
+from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term, is_rate
 from workbench.language.elaboration.angles import goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.determinants import of_vectors
@@ -182,7 +182,7 @@ def _of_two(row: Row, leaf: Leaf, place: int) -> Factor:
         )
         raise Fault(SyntaxCode.EXPECTED_WHAT(what=what), leaf.at)
     parts = [row.scope.term(part) for part in item.parts]
-    return Factor(row.scope.apply(leaf.at, leaf.text, *parts), leaf.at, place + 2, leaf)
+    return Factor(row.scope.apply(leaf.at, cast(Head, leaf.text), *parts), leaf.at, place + 2, leaf)
 
 
 def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:

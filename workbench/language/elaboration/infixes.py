@@ -7,7 +7,7 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
 from workbench.core.operations import SIGNS
 from workbench.core.shapes import scalar_and_vector
-from workbench.core.terms import Apply, Term
+from workbench.core.terms import Apply, Head, Term
 from workbench.language.grammar.syntax import Infix
 from workbench.language.grammar.vocabulary import OWN_SIGNS
 from workbench.language.naming.reading_conventions import Relaxation
@@ -89,7 +89,7 @@ def _moved(term: Term) -> Term:
     return term
 
 
-def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Term:
+def _of_tensors(scope: Scope, at: int, head: Head, left: Term, right: Term) -> Term:
     """Returns a sign between a vector and a tensor: a × T acts on each column; in a paper with dyads, T × a
     acts on each row, and a · T is Tᵀ a."""
     kinds = (left.type.kind, right.type.kind)
@@ -146,7 +146,7 @@ def _from_column(scope: Scope, at: int, term: Term) -> Term:
     return term if parts is None else scope.apply(at, "quaternion", *parts)
 
 
-def _beside_quaternion(sign: Infix, left: Term, right: Term) -> str | None:
+def _beside_quaternion(sign: Infix, left: Term, right: Term) -> Head | None:
     """Returns the head of a product of quaternions written ⊗ or ∘, else None. A dot is ambiguous: it may be
     the product of columns of four."""
     kinds = [left.type.kind, right.type.kind]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction as Rational
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
@@ -12,7 +12,7 @@ from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.names import Name
 from workbench.core.operations import HYPERBOLIC, QUOTIENTS
-from workbench.core.terms import IllFormed, Number, Term, Unsupported, Zero
+from workbench.core.terms import Head, IllFormed, Number, Term, Unsupported, Zero
 from workbench.core.types import Type
 from workbench.language.grammar.syntax import (
     Fraction,
@@ -47,7 +47,7 @@ class Rate(NamedTuple):
     behind: tuple[Node, ...]
     frame: Node | None = None
     by: tuple[tuple[tuple[Node, ...], Node | None], ...] = ()
-    head: str = "partial"
+    head: Head = "partial"
     upright: bool = False
 
 
@@ -175,7 +175,7 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
             raise Unsupported(TypeCode.REAL_PART_OF_DUAL_QUATERNION())
         head = "scalar part"
     if head not in QUOTIENTS:
-        return construct.apply(head, argument)
+        return construct.apply(cast(Head, head), argument)
     top, bottom = QUOTIENTS[head]
     numerator = construct.number(1) if top is None else construct.apply(top, argument)
     return construct.apply("div", numerator, construct.apply(bottom, argument))

@@ -308,7 +308,7 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
 
 def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> Statement:
     if sign in ORIENTATIONS:
-        product = reader.apply(at, ORIENTATIONS[sign], left, right)
+        product = reader.apply(at, "dot" if sign == "\\perp" else "cross", left, right)
         return reader.build(at, construct.relation, "=", product, construct.zero(product.type))
     if reader.table.has_quaternions and {left.type, right.type} == {SCALAR, Type(4, 1)}:
         left, right = (reader.build(at, construct.as_quaternion, side) for side in (left, right))

@@ -156,7 +156,7 @@ LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
 ENVIRONMENTS = MATRICES | LINES | {"array"}
 
 #: Relations of two vectors, and the product that is then zero.
-ORIENTATIONS = {"\\perp": "dot", "\\parallel": "cross"}
+ORIENTATIONS = ("\\perp", "\\parallel")
 
 #: Signs without a built-in meaning: a paper defines them in [notation].
 OWN_SIGNS = {

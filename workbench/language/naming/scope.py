@@ -17,6 +17,7 @@ from workbench.core.terms import (
     Block,
     CountingName,
     Derivative,
+    Head,
     IllFormed,
     Power,
     Symbol,
@@ -112,7 +113,7 @@ class Scope(ABC):
         kept = self.table.frames.constant
         return bool(kept) and any(p.declaration.name in kept for p in body.walk() if isinstance(p, Symbol))
 
-    def partial(self, at: int, head: str, body: Term, by: Term) -> Term:
+    def partial(self, at: int, head: Head, body: Term, by: Term) -> Term:
         """Returns ∂f/∂x, a row or a column as the paper states."""
         if not is_rate(by):
             raise Fault(SyntaxCode.DERIVATIVE_ANYTHING_BUT_SYMBOL(), at)
@@ -189,7 +190,7 @@ class Scope(ABC):
         except IllFormed as fault:
             raise TypeMismatch(fault, at) from None
 
-    def apply(self, at: int, head: str, *arguments: Term) -> Term:
+    def apply(self, at: int, head: Head, *arguments: Term) -> Term:
         are_vectors = head == "mul" and {x.type.kind for x in arguments} == {"vector"}
         if are_vectors and self.allows(Relaxation.DYADS):
             head = "outer"

@@ -18,6 +18,7 @@ from workbench.core.terms import (
     DualUnit,
     Equivalence,
     Extremum,
+    Head,
     Identity,
     Implication,
     Integer,
@@ -342,7 +343,7 @@ def _is_dotted(term: Term) -> bool:
     return isinstance(term, Derivative)
 
 
-def _function(head: str, argument: Term) -> Text:
+def _function(head: Head, argument: Term) -> Text:
     simple = _under_accents(argument)
     if simple is not None:
         return Text(f"{command_of(head)} {simple.text}", PRODUCT, "function")

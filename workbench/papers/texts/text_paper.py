@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from workbench.context.claims import Claim, Formula, Notation, Paper
+from workbench.context.claim_parts import ClaimSource
+from workbench.context.claims import Ambiguity, Claim, ClaimContext, Correction, Formula, Notation, Paper
 from workbench.context.condition_facts import InlineFormulas, conditions_of, opaque, range_facts
 from workbench.context.facts import Act, Fact, Origin, Provider
 from workbench.context.formula_acts import act_of, declared_anew
@@ -25,7 +26,7 @@ from workbench.core.names import Name
 from workbench.core.paper_errors import PaperError
 from workbench.core.terms import Apply, Statement, Symbol
 from workbench.core.verdict import Strength
-from workbench.papers.corrections import MEND_KEYS, fault_of, mend_of
+from workbench.papers.corrections import mend_of
 from workbench.papers.texts.model_assignments import Placed, assigned, means, unknown_ids
 from workbench.papers.texts.step_formulas import (
     assumed_formulas,
@@ -79,7 +80,7 @@ def text_paper(
         for at, claim in enumerate(claims)
     ]
     if any(fault.path[:1] == ("scope",) for fault in faults):  # the notation of any display is uncertain
-        claims = [replace(claim, guessed=(*claim.guessed, "[[scope]]")) for claim in claims]
+        claims = [claim.with_context(guessed=(*claim.context.guessed, "[[scope]]")) for claim in claims]
     functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
     claims = [_perhaps_of(claim, functions) for claim in claims]
     for fault in unknown_ids(entries, {claim.id for claim in claims}):
@@ -135,7 +136,7 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
                 except (ReadError, IllFormedAt) as error:
                     raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
     says_none = any(table.value(("given",), list, None) == [] for table in tables)
-    return replace(claim, given=tuple(given), alone=says_none and not given)
+    return claim.with_context(given=tuple(given), alone=says_none and not given)
 
 
 def _refuse_other_meaning(
@@ -153,13 +154,13 @@ def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -
     words = placed[0].notation.words
     sentences, spoken = TextSentences(text.inline, words), InlineFormulas(text.inline)
     claims = [
-        replace(claim, facts=tuple(dict.fromkeys((*claim.facts, *own))))
+        claim.with_context(facts=tuple(dict.fromkeys((*claim.context.facts, *own))))
         for claim, each in zip(claims, placed, strict=True)
         for own in [_own_facts(claim, each, text, unread, sentences, spoken)]
     ]
     displays = [each.display for each in placed]
     for claim in with_laws(with_formula_facts(with_acts(claims), displays)):
-        yield replace(claim, act=(Act.ASSERT, None), facts=()) if claim.alone else claim
+        yield claim.with_context(act=(Act.ASSERT, None), facts=()) if claim.context.alone else claim
 
 
 def _own_facts(
@@ -249,21 +250,27 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         placed.id,
         printed,
         placed.notation,
-        equation=step.number,
-        section=f"{display.section} {display.heading}".strip() or None,
         assume=(*assume, *reasons),
         orders=within,
-        file=display.source.path,
-        line=span.line,
-        span=span,
+        source=ClaimSource(
+            equation=step.number,
+            section=f"{display.section} {display.heading}".strip() or None,
+            file=display.source.path,
+            line=span.line,
+        ),
+        context=ClaimContext(
+            span=span,
+            act=act_of(printed, placed.notation),
+            guessed=_used(printed, step.tokens, guessed),
+            facts=unread_reasons,
+        ),
+        ambiguity=Ambiguity(
+            perhaps=tuple(side_formula(tokens, placed) for tokens in step.perhaps),
+            serves=tuple(side_formula(tokens, placed) for tokens in step.serves),
+            otherwise=tuple(side_formula(tokens, placed) for tokens in step.otherwise),
+            question=step.question,
+        ),
         chain=placed.chain,
-        guessed=_used(printed, step.tokens, guessed),
-        act=act_of(printed, placed.notation),
-        facts=unread_reasons,
-        perhaps=tuple(side_formula(tokens, placed) for tokens in step.perhaps),
-        serves=tuple(side_formula(tokens, placed) for tokens in step.serves),
-        otherwise=tuple(side_formula(tokens, placed) for tokens in step.otherwise),
-        question=step.question,
     )
     for table in tables:
         claim = _with_keys(claim, table)
@@ -273,30 +280,26 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
 def _with_keys(claim: Claim, table: Table) -> Claim:
     """The claim with what the keys of one table of the model say of it."""
     reader = FormulaReader(table, (), claim.notation, claim.orders)
-    printed, fault, mend = claim.printed, claim.fault, claim.mend
+    printed, before = claim.printed, claim.correction
     reading, corrected = reader.intended("reading"), reader.intended("corrected")
     hypothesis = _hypothesis(table, reader, printed)
     assume = reader.conditions(printed)
     notes = {key: table.text((key,)) for key in ("skip", "unread", "note")}
-    if found := fault_of(table, ()):
-        fault, mend = found, mend_of(table, (), printed.latex)
-    elif any(key in table.value((), dict) for key in MEND_KEYS):
-        mend_of(table, (), "")
+    mend = mend_of(table, (), printed.latex)
     inherits = table.texts(("inherits",))
     if reading is not None and printed.unread is not None:
         printed = replace(printed, unread=None, ill_formed=unreadable(printed.unread))
     return replace(
         claim,
         printed=printed,
-        reading=reading or claim.reading,
-        corrected=corrected or claim.corrected,
-        hypothesis=hypothesis or claim.hypothesis,
+        correction=Correction(
+            reading or before.reading, corrected or before.corrected, hypothesis or before.hypothesis
+        ),
         assume=(*claim.assume, *assume),
         skip=notes["skip"] or claim.skip,
         unread=notes["unread"] or claim.unread,
-        note=notes["note"] or claim.note,
-        fault=fault,
-        mend=mend,
+        source=replace(claim.source, note=notes["note"] or claim.source.note),
+        mend=claim.mend if mend.fault is None else mend,
         inherits=inherits or claim.inherits,
     )
 

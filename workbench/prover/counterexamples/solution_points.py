@@ -117,10 +117,10 @@ class _Search:
         if square < 0:
             return []
         outside, inside = _split_square(int(square))
+        minimal = (Fraction(-inside), Fraction(0), Fraction(1))
         if self._field is None:
-            minimal = (Fraction(-inside), Fraction(0), Fraction(1))
             self._field = NumberField(minimal, (Fraction(0), Fraction(inside)))
-        if self._field.minimal != (-inside, 0, 1):
+        if self._field.minimal != minimal:
             return []
         root = self._field.generator * outside
         return [(root - b) * (1 / (2 * a)), (-root - b) * (1 / (2 * a))]

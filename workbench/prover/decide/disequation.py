@@ -16,7 +16,7 @@ def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Stateme
     if trial is not None:
         return case.refuted(trial, relation)
     residuals = case.exact.residuals(relation)
-    if not any(p.is_constant() and p != 0 for p in residuals):
+    if not any(p.is_constant() and p for p in residuals):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NO_ZERO_FOUND())
     if case.solved.gaps():
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DENOMINATOR_CAN_VANISH())

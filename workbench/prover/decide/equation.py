@@ -117,7 +117,7 @@ class Equation(Case):
     def _vanishes(self, residuals: list[Polynomial]) -> bool:
         if self.assumptions.equations:
             return self.solved.imply(residuals)
-        return all(p == 0 for p in residuals)
+        return not any(residuals)
 
     def _prove(
         self,

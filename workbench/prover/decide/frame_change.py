@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from functools import reduce as fold
 
 from workbench.core.construct import apply, identity, number, rebuild, relation
-from workbench.core.terms import Apply, Identity, Power, Relation, Symbol, Term
+from workbench.core.terms import Apply, Head, Identity, Power, Relation, Symbol, Term
 from workbench.engines.inventory.inventory import Lookup
 
 #: Least degree of a side for which the rewriting pays.
@@ -143,7 +143,7 @@ class _Frame:
     def _undo(self, a: Term, b: Term) -> bool:
         return self.turns(a) and self._flipped("transpose", a) == b
 
-    def _flipped(self, head: str, letter: Term) -> Term:
+    def _flipped(self, head: Head, letter: Term) -> Term:
         """Returns the transpose, inverse or adjugate of a letter."""
         head = "transpose" if self.turns(letter) else head
         if head == "transpose" and isinstance(letter, Apply) and letter.head == "transpose":

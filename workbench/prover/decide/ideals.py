@@ -62,7 +62,7 @@ class Ideal:
             before = rest
             for divisor in self._basis:
                 rest = divmod(rest, divisor)[1]
-        return rest == 0
+        return not rest
 
 
 def _basis(generators: Sequence[fmpz_mpoly], context: fmpz_mpoly_ctx) -> fmpz_mpoly_vec:

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, block, number, relation
 from workbench.core.reasons import Reason
-from workbench.core.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term, heads_in
+from workbench.core.terms import Apply, Conjunction, Head, Number, Relation, Statement, Symbol, Term, heads_in
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.language.printing.printer import to_latex
@@ -38,7 +38,7 @@ _ELSEWHERE = 76
 
 class _Arc(NamedTuple):
     factor: Fraction
-    head: str
+    head: Head
     arguments: tuple[Term, ...]
 
 

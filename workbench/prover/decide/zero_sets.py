@@ -132,7 +132,7 @@ class Equations:
 
     def _vanishes(self, p: Polynomial) -> bool:
         p = self._without_solved(self._ring.reduce(p))
-        if p == 0 or self._power_vanishes(p):
+        if not p or self._power_vanishes(p):
             return True
         factors = [prod(self._nonzero)] if self._nonzero else []
         return any(self._power_vanishes(self._without_solved(p * f)) for f in (*factors, *self._sizes(p)))
@@ -192,7 +192,7 @@ class _Spread:
 
 def solve(engine: ExactEngine, equations: Sequence[Relation], nonzero: list[Polynomial]) -> Equations:
     """Returns the equations' residuals, solved one after the other as far as possible."""
-    pending = [_Spread(_square_free(p)) for e in equations for p in engine.residuals(e) if p != 0]
+    pending = [_Spread(_square_free(p)) for e in equations for p in engine.residuals(e) if p]
     solved: list[Pivot] = []
     rest: list[_Spread] = []
     while pending:
@@ -203,7 +203,7 @@ def solve(engine: ExactEngine, equations: Sequence[Relation], nonzero: list[Poly
             continue
         solved.append(pivot)
         pending, rest = (
-            [q for q in (p.replaced(pivot) for p in group) if q.polynomial != 0] for group in (pending, rest)
+            [q for q in (p.replaced(pivot) for p in group) if q.polynomial] for group in (pending, rest)
         )
     return Equations(engine, solved, [p.polynomial for p in rest], nonzero)
 
@@ -218,7 +218,7 @@ def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:
     other term; else None."""
     for place, name in enumerate(engine.ring.names):
         slope = p.derivative(place)
-        if slope.is_constant() and slope != 0 and name not in engine.ring.squared:
+        if slope.is_constant() and slope and name not in engine.ring.squared:
             x = p.context().gens()[place]
             return Pivot(place, x, x - p / slope.leading_coefficient())
     return None

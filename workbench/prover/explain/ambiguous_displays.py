@@ -35,17 +35,17 @@ def in_both_readings(claim: Claim, printed: Verdict, judged: Judged) -> Verdict:
     printed: the verdict on the first reading.   judged: gives the verdict on a claim. The formulas of
     `otherwise` form one reading: all of them must hold, and one false formula makes it false.
     """
-    if claim.question is None:
+    if claim.ambiguity.question is None:
         return printed
     asked = Verdict(
         Outcome.UNCHECKED,
-        reason=VerdictCode.TWO_READINGS(question=claim.question),
+        reason=VerdictCode.TWO_READINGS(question=claim.ambiguity.question),
         read_back=printed.read_back,
     )
-    if not claim.otherwise or printed.outcome not in _TRUE | _FALSE:
+    if not claim.ambiguity.otherwise or printed.outcome not in _TRUE | _FALSE:
         return asked
-    others = ((formula, judged(_as_printed(claim, formula))) for formula in claim.otherwise)
-    shown = ", ".join(map(str, claim.otherwise))
+    others = ((formula, judged(_as_printed(claim, formula))) for formula in claim.ambiguity.otherwise)
+    shown = ", ".join(map(str, claim.ambiguity.otherwise))
     if printed.outcome in _FALSE:
         false = next((formula for formula, verdict in others if verdict.outcome in _FALSE), None)
         evidence = Evidence(_METHOD, "false in both", {"formula": str(false)})
@@ -59,8 +59,9 @@ def in_both_readings(claim: Claim, printed: Verdict, judged: Judged) -> Verdict:
 def _as_printed(claim: Claim, formula: Formula) -> Claim:
     """Returns the claim with this formula as its printed formula."""
     said = formula.statement
-    act = (Act.ASSERT, None) if said is None or claim.alone else act_of(formula, claim.notation)
-    return replace(claim, printed=formula, act=act, otherwise=(), question=None)
+    act = (Act.ASSERT, None) if said is None or claim.context.alone else act_of(formula, claim.notation)
+    ambiguity = replace(claim.ambiguity, otherwise=(), question=None)
+    return replace(claim, printed=formula, ambiguity=ambiguity).with_context(act=act)
 
 
 def served_by(claim: Claim, bare: Verdict, judged: Judged) -> Formula | None:
@@ -68,10 +69,11 @@ def served_by(claim: Claim, bare: Verdict, judged: Judged) -> Formula | None:
 
     If all formulas before the claim hold without it, it is not a condition of them, and stays refuted.
     """
-    if bare.outcome is not Outcome.REFUTED or claim.alone or claim.corrected is not None:
+    if bare.outcome is not Outcome.REFUTED or claim.context.alone or claim.corrected is not None:
         return None
-    readable = [formula for formula in claim.serves if formula.statement is not None]
-    verdicts = ((each, judged(replace(claim, printed=each, perhaps=(), serves=()))) for each in readable)
+    readable = [formula for formula in claim.ambiguity.serves if formula.statement is not None]
+    plain = replace(claim, ambiguity=replace(claim.ambiguity, perhaps=(), serves=()))
+    verdicts = ((each, judged(replace(plain, printed=each))) for each in readable)
     return next((each for each, verdict in verdicts if verdict.outcome is Outcome.REFUTED), None)
 
 
@@ -81,20 +83,25 @@ def with_what_stands_beside(claim: Claim, bare: Verdict, judged: Judged) -> tupl
     They matter only if it is refuted without them. The returned claim contains the conditions that the
     verdict depends on.
     """
-    if bare.outcome is not Outcome.REFUTED or not claim.perhaps or claim.alone or claim.corrected is not None:
+    if (
+        bare.outcome is not Outcome.REFUTED
+        or not claim.ambiguity.perhaps
+        or claim.context.alone
+        or claim.corrected is not None
+    ):
         return claim, bare
-    readable = [formula for formula in claim.perhaps if formula.statement is not None]
+    readable = [formula for formula in claim.ambiguity.perhaps if formula.statement is not None]
     for supposing, conditions in _suppositions(claim, readable):
         verdict = judged(supposing)
         if verdict.outcome is Outcome.PROVED:
             return claim, _conditional(verdict, conditions, bare)
     whole = replace(claim, assume=(*claim.assume, *readable))
-    verdict = judged(whole) if len(readable) == len(claim.perhaps) else Verdict(Outcome.UNCHECKED)
+    verdict = judged(whole) if len(readable) == len(claim.ambiguity.perhaps) else Verdict(Outcome.UNCHECKED)
     if verdict.outcome is Outcome.REFUTED:
         return whole, verdict
-    if len(readable) == len(claim.perhaps) and _meets(bare, readable, claim, judged):
+    if len(readable) == len(claim.ambiguity.perhaps) and _meets(bare, readable, claim, judged):
         return claim, bare
-    named = ", ".join(map(str, claim.perhaps))
+    named = ", ".join(map(str, claim.ambiguity.perhaps))
     reason = VerdictCode.FALSE_WITHOUT_NEIGHBOUR(formulas=named)
     return claim, Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
 
@@ -105,7 +112,7 @@ def _suppositions(claim: Claim, beside: Sequence[Formula]) -> Iterator[tuple[Cla
     for group in groups:
         yield replace(claim, assume=(*claim.assume, *group)), group
     for group in groups:
-        yield replace(claim, given=(*claim.given, *group)), group
+        yield claim.with_context(given=(*claim.context.given, *group)), group
 
 
 def _conditional(verdict: Verdict, conditions: Sequence[Formula], bare: Verdict) -> Verdict:
@@ -126,7 +133,8 @@ def _meets(refuted: Verdict, conditions: Sequence[Formula], claim: Claim, judged
     with suppress(ReadError, IllFormedAt, NotExact, ValueError):
         point = tuple(_point(refuted.counterexample.values, claim))
         together = Conjunction(tuple(lasting(said, claim.printed.parsed, definitions)))
-        there = replace(claim, printed=Formula("", together), assume=point, given=(), orders=None)
+        asked = replace(claim, printed=Formula("", together), assume=point, orders=None)
+        there = asked.with_context(given=())
         return judged(there).outcome is Outcome.PROVED
     return False
 

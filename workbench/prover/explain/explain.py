@@ -44,10 +44,10 @@ class Explainer:
     def verdict(self, claim: Claim, base: Verdict) -> Verdict:
         """Returns the verdict on a claim in its context; base: the verdict under the declarations."""
         verdict = base
-        if base.outcome is Outcome.PROVED and claim.span is not None:
+        if base.outcome is Outcome.PROVED and claim.context.span is not None:
             verdict = under_premises(claim, base, self._judge_of, self._explained)
         elif base.outcome is Outcome.REFUTED or (
-            base.outcome is Outcome.UNCHECKED and claim.span is not None and is_law(claim)
+            base.outcome is Outcome.UNCHECKED and claim.context.span is not None and is_law(claim)
         ):
             verdict = self._explained(claim, base)
         return on_guessed_kinds(claim, verdict)
@@ -55,7 +55,7 @@ class Explainer:
     def _explained(self, claim: Claim, base: Verdict) -> Verdict:
         if claim.corrected is not None:
             return base
-        act, own = claim.act if claim.span is not None else _act_by_sign(claim)
+        act, own = claim.context.act if claim.context.span is not None else _act_by_sign(claim)
         if is_all_given(claim):  # the given formulas determine all symbols
             act = Act.ASSERT
         if act is Act.ASSIGN:
@@ -93,7 +93,7 @@ class _Explanation:
     doubts: list[str] = field(default_factory=list)
 
     def verdict(self) -> Verdict:
-        is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.alone
+        is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.context.alone
         if is_refuted and (why := other_reading(self.claim, self.base, self.decider)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=self.base.read_back)
         if (held := self._by_what_is_stated()) is not None:
@@ -206,14 +206,16 @@ class _Explanation:
     def _context(self) -> Context:
         """Returns the facts that the refutation must include, and the guesses."""
         claim = self.claim
-        others = [f for f in claim.facts if f.is_opaque or f.bound is not None]
-        if claim.span is None or claim.alone:
+        others = [f for f in claim.context.facts if f.is_opaque or f.bound is not None]
+        if claim.context.span is None or claim.context.alone:
             return Context((*self.known, *others))
         said = self._definitions()
-        sentences = [f for f in claim.facts if f.origin.provider is Provider.SENTENCE and not f.is_opaque]
+        sentences = [
+            f for f in claim.context.facts if f.origin.provider is Provider.SENTENCE and not f.is_opaque
+        ]
         context = conventional(subject_of(claim, said) if said else self.subject)
         facts = dict.fromkeys((*self.known, *sentences, *context.facts, *others))
-        guesses = ((fact,) for fact in claim.facts if fact.strength is Strength.GUESSED)
+        guesses = ((fact,) for fact in claim.context.facts if fact.strength is Strength.GUESSED)
         return Context(tuple(facts), (*guesses, *context.alternatives))
 
     def _by_hints(self, context: Context) -> Verdict | None:
@@ -269,7 +271,7 @@ class _Explanation:
             if self.hints and self._holds([*self.known, *self.hints, *group]):
                 core = minimise([*self.hints, *group], lambda facts: self._holds([*self.known, *facts]))
                 return [" and ".join(map(str, core))]
-        if self.claim.span is None or self.claim.alone:
+        if self.claim.context.span is None or self.claim.context.alone:
             return []
         other = other_convention(self.claim, self.decider, [*self.known, *self.hints])
         return [other] if other is not None else []

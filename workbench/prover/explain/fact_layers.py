@@ -24,7 +24,9 @@ _BESIDE = (Provider.CONDITION, Provider.UNREAD)
 
 def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
     """Yields the sets of facts to be tried, each once."""
-    facts = [fact for fact in claim.facts if fact.content is not None and fact.strength > Strength.GUESSED]
+    facts = [
+        fact for fact in claim.context.facts if fact.content is not None and fact.strength > Strength.GUESSED
+    ]
     beside = [fact for fact in facts if fact.origin.provider in _BESIDE and _is_reached(fact, subject)]
     if is_all_given(claim):
         yield from filter(None, [beside])

@@ -24,8 +24,9 @@ def under_premises(
         if not contradicts and (not is_given or constrains(premise, claim.notation.definitions)):
             continue
         formula = Formula(to_latex(premise), premise)
-        bare = replace(claim, given=(), assume=(), orders=None, hypothesis=None, facts=())
-        alone = replace(bare, printed=formula, act=act_of(formula, claim.notation))
+        correction = replace(claim.correction, hypothesis=None)
+        bare = replace(claim, printed=formula, assume=(), orders=None, correction=correction)
+        alone = bare.with_context(given=(), facts=(), act=act_of(formula, claim.notation))
         judged = judged_alone(alone, judge_of)
         if judged.outcome is Outcome.REFUTED and not contradicts:
             judged = explained(alone, judged)
@@ -42,6 +43,6 @@ def _premises(claim: Claim) -> Iterator[tuple[Statement, bool]]:
     said = claim.printed.statement
     if isinstance(said, Implication):
         yield said.left, False
-    for formula in claim.given:
+    for formula in claim.context.given:
         if formula.statement is not None:
             yield formula.statement, True

@@ -47,7 +47,7 @@ def other_convention(claim: Claim, decider: Decider, facts: Sequence[Fact]) -> s
 
 def _jpl(claim: Claim, definitions: Definitions) -> Statement | None:
     """Returns the formula with each product of two quaternions in the other order, definitions unfolded."""
-    if not claim.notation.symbols.has_quaternions or _GUESSED not in claim.guessed:
+    if not claim.notation.symbols.has_quaternions or _GUESSED not in claim.context.guessed:
         return None
     return _with_terms(claim, _product_of_jpl, definitions)
 
@@ -110,7 +110,7 @@ def _other_gradient(claim: Claim, definitions: Definitions) -> Statement | None:
     """Returns the formula as it is read with gradients that are columns instead of rows, or rows."""
     table = claim.notation.symbols
     given = table.conventions.gradient
-    if given is None or _GUESSED not in claim.guessed:
+    if given is None or _GUESSED not in claim.context.guessed:
         return None
     other = next(each for each in Gradient if each is not given)
     symbols = replace(table, conventions=replace(table.conventions, gradient=other))

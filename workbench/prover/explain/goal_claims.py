@@ -29,16 +29,16 @@ class TheoremJudge:
 
         An argued claim is joined to its goal by prose only.
         """
-        assert claim.goal is not None, f"{claim.id} has no goal"
+        assert claim.proof.goal is not None, f"{claim.id} has no goal"
         proven = Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
-        if claim.theorem is not None:
-            proven = self._theorems[claim.theorem]
-        bare = claim.goal.bare if claim.hypothesis is not None else None
-        verdict = self._shown(claim, claim.goal.goal, proven, bare)
-        if claim.argued is None or verdict.outcome is not Outcome.PROVED:
+        if claim.proof.theorem is not None:
+            proven = self._theorems[claim.proof.theorem]
+        bare = claim.proof.goal.bare if claim.correction.hypothesis is not None else None
+        verdict = self._shown(claim, claim.proof.goal.goal, proven, bare)
+        if claim.proof.argued is None or verdict.outcome is not Outcome.PROVED:
             return verdict
         return replace(
-            verdict, outcome=Outcome.ARGUED, scope=None, reason=VerdictCode.ARGUED(how=claim.argued)
+            verdict, outcome=Outcome.ARGUED, scope=None, reason=VerdictCode.ARGUED(how=claim.proof.argued)
         )
 
     def _shown(self, claim: Claim, goal: Goal, proven: Proven, bare: Goal | None = None) -> Verdict:
@@ -48,7 +48,7 @@ class TheoremJudge:
             Scope(notation.symbols, notation.definitions, {}),
             self._judge_of(notation),
             proven,
-            assume=claim.supposed if claim.goal is not None else (),
+            assume=claim.supposed if claim.proof.goal is not None else (),
             bare=bare,
             lemmas=self._lemmas.setdefault(id(notation.definitions), {}),
         )
@@ -67,7 +67,7 @@ class TheoremJudge:
             goal = AllFrom(name, value, goal)
         for supposed in reversed(claim.supposed):
             goal = Implies(Atom(supposed), goal)
-        named = claim.every_n if form is claim.right else None
+        named = claim.proof.every_n if form is claim.right else None
         if named is None and not _is_total(form.parsed, claim.notation):
             return seen  # each member of a formula with divisions would be judged again
         proven = Proven(Kernel()) if named is None else self._theorems[named]

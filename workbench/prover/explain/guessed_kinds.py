@@ -15,9 +15,11 @@ _NAMED = 5
 
 def on_guessed_kinds(claim: Claim, verdict: Verdict) -> Verdict:
     """Returns the verdict with its basis, and a reason that names the kinds that a refutation depends on."""
-    if not claim.guessed:
+    if not claim.context.guessed:
         return verdict
-    if "[[scope]]" in claim.guessed and verdict.outcome in _FALSE:  # the meaning of its symbols is unknown
+    if (
+        "[[scope]]" in claim.context.guessed and verdict.outcome in _FALSE
+    ):  # the meaning of its symbols is unknown
         unknown = ContextCode.SCOPE_UNKNOWN(outcome=verdict.outcome)
         return Verdict(Outcome.UNCHECKED, reason=unknown, read_back=verdict.read_back)
     reason, unless = verdict.reason, verdict.unless
@@ -34,7 +36,7 @@ def _kinds(claim: Claim) -> str:
     declared = {str(name): each for name, each in claim.notation.symbols.symbols.items()}
     kinds = [
         (f"of kind {declared[name].type}" if name in declared else "as guessed", name)
-        for name in claim.guessed[:_NAMED]
+        for name in claim.context.guessed[:_NAMED]
     ]
     groups = groupby(sorted(kinds), key=lambda pair: pair[0])
     told = []

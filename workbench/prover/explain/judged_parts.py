@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from workbench.context.claims import Claim, Formula, Notation, OnMotions
+from workbench.context.claims import Ambiguity, Claim, ClaimContext, Correction, Formula, Notation, OnMotions
 from workbench.core.names import Name
 from workbench.core.operations import PARTIALS
 from workbench.core.spans import Span
@@ -17,10 +17,7 @@ from workbench.language.definitions import Definitions
 from workbench.prover.explain.canonical_text import canonical_text
 
 #: Fields that name, locate or comment on a claim. The judges see their defaults.
-UNSEEN = (
-    "id", "equation", "section", "note", "inherits", "statement", "fault", "mend", "unread", "file", "line",
-    "chain",
-)  # fmt: skip
+UNSEEN = ("id", "source", "mend", "inherits", "chain", "unread")
 _SEEN = tuple(each.name for each in fields(Claim) if each.name not in (*UNSEEN, "notation"))
 _UNNAMED = ""
 #: The judges see that a claim stands in a text, but not where.
@@ -115,7 +112,7 @@ class _Reach:
 def _needs_all(claim: Claim) -> bool:
     """True if all symbols of the notation may be used: by a proof, or by a formula that is printed in the
     author's spellings or parsed again."""
-    has_proof = claim.goal is not None or claim.every_n is not None
+    has_proof = claim.proof.goal is not None or claim.proof.every_n is not None
     return has_proof or not claim.notation.author_notation.is_plain or differentiates_product(claim.printed)
 
 
@@ -142,8 +139,8 @@ def _without_place(value: Any) -> Any:
         return _SOMEWHERE
     if isinstance(value, Formula) and value.at is not None:
         return replace(value, at=None)
-    if isinstance(value, OnMotions):
-        return replace(value, holds=_without_place(value.holds), printed=_without_place(value.printed))
+    if isinstance(value, OnMotions | Correction | ClaimContext | Ambiguity):
+        return replace(value, **{name: _without_place(own) for name, own in vars(value).items()})
     if isinstance(value, tuple):
         return tuple(map(_without_place, value))
     return value

@@ -48,7 +48,7 @@ def laws_of(claim: Claim, followed: bool = True) -> list[Fact]:
 
 def _before(claim: Claim) -> Iterator[tuple[Fact, Relation]]:
     """Yields the laws before the claim, in formulas and in its sentence, each with its equation."""
-    for fact in claim.facts:
+    for fact in claim.context.facts:
         is_law = fact.origin.provider is Provider.LAW and fact.earlier
         if is_law or fact.origin.provider is Provider.CONDITION:
             said = fact.content
@@ -58,7 +58,9 @@ def _before(claim: Claim) -> Iterator[tuple[Fact, Relation]]:
 
 def _given(claim: Claim) -> dict[Symbol, int]:
     """Returns for each symbol the lowest order of its rates in the given laws."""
-    rates = [_rates(law.statement, claim.notation.definitions) for law in claim.given if law.statement]
+    rates = [
+        _rates(law.statement, claim.notation.definitions) for law in claim.context.given if law.statement
+    ]
     return {symbol: min(own[symbol] for own in rates if symbol in own) for own in rates for symbol in own}
 
 
@@ -76,7 +78,7 @@ def is_law(claim: Claim) -> bool:
 def is_all_given(claim: Claim) -> bool:
     """True if the given formulas contain every free symbol of the claim, so that they determine it."""
     definitions = claim.notation.definitions
-    given = [term for law in claim.given if law.statement for term in terms_of(law.statement)]
+    given = [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
     return bool(given) and free_in(terms_of(claim.printed.parsed), definitions) <= free_in(given, definitions)
 
 

@@ -36,7 +36,7 @@ def other_reading(claim: Claim, refuted: Verdict, decider: Decider) -> Reason | 
     if refuted.counterexample is not None and is_rounded(claim.printed.latex, refuted.counterexample):
         return ContextCode.ROUNDED()
     statement = claim.printed.statement
-    if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
+    if claim.context.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
         return VerdictCode.EQUAL_IN_PLACES()
     if (name := _of_two_indices(claim)) is not None:
         return ContextCode.TWO_INDICES(symbol=name)
@@ -85,7 +85,7 @@ def _is_of_pi(claim: Claim) -> bool:
     """True if π occurs where only the cosine and sine of its half are known."""
     definitions = claim.notation.definitions
     assert claim.printed.statement is not None
-    bodies = [fact.content.body for fact in claim.facts if isinstance(fact.content, Definition)]
+    bodies = [fact.content.body for fact in claim.context.facts if isinstance(fact.content, Definition)]
     said = [*sides_of(claim.printed.statement), *bodies]
     reached = (part for term in said for part in definitions.reached(term) if isinstance(part, Symbol))
     if not any(definitions.is_pi(part.declaration) for part in reached):

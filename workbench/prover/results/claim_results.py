@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, reduce
 
+from workbench.context.claim_parts import ClaimForm
 from workbench.context.claims import Claim, Formula
 from workbench.core.codes.verdict_codes import ResultCode, VerdictCode
 from workbench.core.reasons import Reason
@@ -17,9 +18,6 @@ from workbench.source.typeset.differences import difference
 
 #: Outcomes that count as true; a definition is true because it is one.
 HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
-
-#: The forms of a claim, each with its own verdict.
-FORMS = ("printed", "reading", "corrected")
 
 
 @dataclass(frozen=True)
@@ -76,7 +74,7 @@ class ClaimResult:
             return Grade.NOTE
         if self.passed:
             return Grade.OK if self.verdict.outcome in HOLDS else Grade.NOTE
-        is_announced = self.claim.span is None or self.expected is not Outcome.PROVED
+        is_announced = self.claim.context.span is None or self.expected is not Outcome.PROVED
         if is_announced or self.verdict.outcome in HOLDS:
             return Grade.ERROR
         return self.verdict.grade
@@ -94,7 +92,7 @@ class ClaimResult:
     @property
     def verdicts(self) -> dict[str, Verdict]:
         """The verdicts by form."""
-        found = {"printed": self.verdict, "reading": self.reading, "corrected": self.corrected}
+        found = dict(zip(ClaimForm, (self.verdict, self.reading, self.corrected), strict=True))
         return {form: verdict for form, verdict in found.items() if verdict is not None}
 
     @property
@@ -105,7 +103,11 @@ class ClaimResult:
     @property
     def hypothesis(self) -> str | None:
         """The condition that the text does not state."""
-        return self.claim.hypothesis.latex if self.claim.hypothesis else self.verdict.hypothesis
+        return (
+            self.claim.correction.hypothesis.latex
+            if self.claim.correction.hypothesis
+            else self.verdict.hypothesis
+        )
 
     @property
     def counterexample(self) -> Counterexample | None:
@@ -127,9 +129,11 @@ class ClaimResult:
         one that is right as meant is a loss of the transcription if only marks differ, else a misprint.
         """
         claim, outcome = self.claim, self.verdict.outcome
-        if claim.fault is not None or outcome in HOLDS | {Outcome.UNCHECKED, Outcome.PROBABLE}:
-            return claim.fault
-        if outcome is Outcome.CONDITIONAL or (outcome is Outcome.ARGUED and claim.hypothesis is not None):
+        if claim.mend.fault is not None or outcome in HOLDS | {Outcome.UNCHECKED, Outcome.PROBABLE}:
+            return claim.mend.fault
+        if outcome is Outcome.CONDITIONAL or (
+            outcome is Outcome.ARGUED and claim.correction.hypothesis is not None
+        ):
             return "hypothesis"
         if outcome is Outcome.ARGUED:
             return "error" if claim.corrected is not None else None
@@ -148,7 +152,7 @@ def _only_marks_differ(claim: Claim) -> bool:
 def _unexpected(result: ClaimResult) -> Iterator[Reason]:
     claim = result.claim
     is_idle = result.verdict.code is VerdictCode.SAME_TERM and result.expected is Outcome.PROVED
-    if claim.span is not None and is_idle:  # a step of a chain of the form x = x
+    if claim.context.span is not None and is_idle:  # a step of a chain of the form x = x
         return
     if claim.unread is None or result.verdict.outcome not in HOLDS:  # no verdict was expected yet
         yield from _differs("as printed", result.expected, result.verdict)
@@ -156,7 +160,7 @@ def _unexpected(result: ClaimResult) -> Iterator[Reason]:
         intended = Outcome.PROVED
         if claim.corrected is not None:
             intended = Outcome.REFUTED
-        elif claim.hypothesis is not None:
+        elif claim.correction.hypothesis is not None:
             intended = Outcome.CONDITIONAL
         yield from _differs("the reading", intended, result.reading)
     if result.corrected is not None:

@@ -58,7 +58,7 @@ class Erratum:
 def known_errata(claims: Sequence[Claim]) -> list[Claim]:
     """Returns the claims with a recorded correction or reading, except those that only a theorem can
     decide."""
-    return [claim for claim in claims if claim.theorem is None and _by_hand(claim) is not None]
+    return [claim for claim in claims if claim.proof.theorem is None and _by_hand(claim) is not None]
 
 
 def _by_hand(claim: Claim) -> Formula | None:

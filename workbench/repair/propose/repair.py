@@ -184,7 +184,7 @@ class _Bench:
 
     def run(self) -> None:
         self.found.complete = True  # until a stage is cut short
-        if self.claim.theorem is not None:
+        if self.claim.proof.theorem is not None:
             return
         printed = self.claim.printed.statement
         if printed is not None and not any(isinstance(term, Symbol) for _, term in places(printed)):

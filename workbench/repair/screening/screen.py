@@ -44,7 +44,7 @@ class FlintResidueRing:
         return nmod(numerator, PRIME) / nmod(denominator, PRIME)
 
     def divide(self, a: nmod, b: nmod) -> nmod:
-        if b == 0:
+        if not b:
             raise ZeroDivisionError("division by zero modulo the prime")
         return nmod(int(a), PRIME) / b
 

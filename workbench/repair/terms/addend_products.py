@@ -7,8 +7,8 @@ from itertools import chain
 
 from workbench.core.construct import apply, derivative, dual_unit, identity, power
 from workbench.core.integer_expressions import Linear
-from workbench.core.operations import OF_TENSORS, OPERATORS, PRODUCTS
-from workbench.core.terms import Apply, Derivative, Identity, IllFormed, Statement, Symbol, Term
+from workbench.core.operations import OF_TENSORS, PRODUCTS
+from workbench.core.terms import Apply, Derivative, Head, Identity, IllFormed, Statement, Symbol, Term
 from workbench.core.types import Weight
 from workbench.engines.jet.rings import PRIME
 from workbench.repair.terms.coefficients import Vector
@@ -166,13 +166,12 @@ def _operations_beside(terms: Sequence[Term], symbols: Iterable[Symbol]) -> Iter
     """Operations that occur, on other symbols, and what stands in the statement that is no symbol."""
     applied = [term for term in terms if isinstance(term, Apply)]
     heads = {term.head for term in applied}
-    for head in ("det", "trace", "adjugate"):
+    of_tensors: tuple[Head, ...] = ("det", "trace", "adjugate")
+    for head in of_tensors:
         if head in heads:
             yield from (apply(head, body) for body in symbols if body.type.kind == "tensor")
-    for head in ("sin", "cos"):
-        yield from (
-            apply(OPERATORS[head].partner, each.arguments[0]) for each in applied if each.head == head
-        )
+    yield from (apply("cos", each.arguments[0]) for each in applied if each.head == "sin")
+    yield from (apply("sin", each.arguments[0]) for each in applied if each.head == "cos")
     for term in terms:
         is_derivative = isinstance(term, Derivative) and not isinstance(term.body, Symbol)
         if is_derivative or (isinstance(term, Apply) and term.head in OF_TENSORS):

@@ -21,6 +21,7 @@ from workbench.core.terms import (
     Apply,
     Block,
     Derivative,
+    Head,
     Identity,
     IllFormed,
     Power,
@@ -348,7 +349,7 @@ def _itself(term: Term) -> Term:
     return term
 
 
-def _under(head: str) -> Callable[[Term], Term]:
+def _under(head: Head) -> Callable[[Term], Term]:
     return lambda term: apply(head, term)
 
 

@@ -12,8 +12,7 @@ from dataclasses import dataclass, field
 from itertools import chain
 
 from workbench.core.construct import apply, number, power
-from workbench.core.operations import OPERATORS
-from workbench.core.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
+from workbench.core.terms import Apply, Head, IllFormed, Number, Relation, Symbol, Term, Zero
 from workbench.engines.jet.rings import PRIME
 from workbench.language.printing.printer import to_latex
 from workbench.repair.screening.screen import Screen
@@ -41,7 +40,8 @@ class _Table:
     def with_pairs(self) -> None:
         singles = list(self.terms.items())
         inverses = [(tuple(pow(x, -1, PRIME) for x in values), term) for values, term in singles]
-        for head, factors in (("mul", singles), ("div", inverses)):
+        ways: tuple[tuple[Head, list[tuple[Vector, Term]]], ...] = (("mul", singles), ("div", inverses))
+        for head, factors in ways:
             for one, left in singles:
                 for second, right in factors:
                     value = tuple(x * y % PRIME for x, y in zip(one, second, strict=True))
@@ -98,7 +98,7 @@ def _table(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> 
     scalars = [t for _, t in places(relation) if t.type.kind == "scalar" and not isinstance(t, Number)]
     scalars += [t for t in replacements if t.type.kind == "scalar" and isinstance(t, Symbol)]
     scalars += [
-        apply(OPERATORS[t.head].partner, t.arguments[0])
+        apply("cos" if t.head == "sin" else "sin", t.arguments[0])
         for t in scalars
         if isinstance(t, Apply) and t.head in ("sin", "cos")
     ]

@@ -26,6 +26,7 @@ from workbench.core.terms import (
     Block,
     Counting,
     Derivative,
+    Head,
     Identity,
     Integer,
     Number,
@@ -217,6 +218,7 @@ def differentiated(body: Term, order: Linear) -> Term:
 def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
     head, arguments = term.head, term.arguments
     said: Said
+    other: Head | None
     match head:
         case "skew":
             yield from _tilde_moved(arguments[0])
@@ -260,7 +262,7 @@ def _other_products(term: Apply) -> Iterator[Variant]:
             yield "product", said, partial(apply, head, *term.arguments)
 
 
-def _of_multiple(head: str, factor: Fraction, term: Term) -> Term:
+def _of_multiple(head: Head, factor: Fraction, term: Term) -> Term:
     return apply(head, times(factor, term))
 
 

@@ -79,8 +79,8 @@ def fault_view(faults: Sequence[object]) -> dict[str, Any]:
 
 
 def _display(row: Row, places: Places, own: Path) -> dict[str, Any]:
-    span = row.results[0].claim.span or place_of(row.results[0])
-    last = row.results[-1].claim.span or place_of(row.results[-1])
+    span = row.results[0].claim.context.span or place_of(row.results[0])
+    last = row.results[-1].claim.context.span or place_of(row.results[-1])
     is_own = span.file.resolve() == own
     return {
         "name": row.name,

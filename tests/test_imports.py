@@ -133,6 +133,13 @@ def test_each_file_name_occurs_once() -> None:
     assert {name for name, count in names.items() if count > 1} <= {"__init__.py"}
 
 
+def test_no_file_is_longer_than_400_lines() -> None:
+    lengths = {
+        str(path.relative_to(ROOT)): path.read_text("utf-8").count("\n") for path in ROOT.rglob("*.py")
+    }
+    assert {name: length for name, length in lengths.items() if length > 400} == {}
+
+
 def test_each_package_says_what_it_is() -> None:
     first = {
         path: ast.get_docstring(ast.parse(path.read_text("utf-8"))) for path in ROOT.rglob("__init__.py")

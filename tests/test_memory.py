@@ -21,7 +21,7 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.papers import find_paper, installed_notation, load_installed, load_paper
 from workbench.repair.propose import parallel_repairs
-from workbench.repair.propose.repair import Repair
+from workbench.repair.propose.proposal import Repair
 from workbench.repair.propose.search_limits import STANDARD
 from workbench.runtime import fingerprint, stored_objects
 from workbench.runtime.store import Store

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from workbench.kinematics import Robot
     from workbench.papers import Claim, Paper, PaperError
     from workbench.prover.results.claim_results import ClaimResult
-    from workbench.repair.propose.repair import Repair
+    from workbench.repair.propose.proposal import Repair
 
 __all__ = [
     "Checked",
@@ -49,7 +49,7 @@ _PLACES = {
     "Paper": "workbench.context.claims",
     "PaperError": "workbench.context.claims",
     "ReadError": "workbench.core.formula_errors",
-    "Repair": "workbench.repair.propose.repair",
+    "Repair": "workbench.repair.propose.proposal",
     "Robot": "workbench.kinematics",
     "Verdict": "workbench.core.verdict",
     "judge": "workbench.app.api",

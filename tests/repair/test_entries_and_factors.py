@@ -11,7 +11,8 @@ from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.core.verdict import Outcome
 from workbench.papers.load import load_paper
 from workbench.repair.propose.chain_neighbours import neighbours_of
-from workbench.repair.propose.repair import Repair, repair
+from workbench.repair.propose.proposal import Repair
+from workbench.repair.propose.repair import repair
 from workbench.repair.propose.search_limits import Limits
 
 LIMITS = Limits(seconds=60.0)

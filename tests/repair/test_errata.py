@@ -14,7 +14,8 @@ from workbench.context.claims import Correction
 from workbench.papers import find_paper
 from workbench.repair.propose.known_errata import compared, errata_table, known_errata, summary
 from workbench.repair.propose.parallel_repairs import repair_claims
-from workbench.repair.propose.repair import Repair, repair
+from workbench.repair.propose.proposal import Repair
+from workbench.repair.propose.repair import repair
 from workbench.repair.propose.search_limits import Limits
 
 #: Of the errata of the chapter, at least so many are corrected as by hand.

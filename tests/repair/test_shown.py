@@ -18,7 +18,7 @@ from workbench.context.claim_parts import Sentence
 from workbench.context.claims import Claim, Formula
 from workbench.core.verdict import Outcome
 from workbench.prover.results.proposed_form import Proposed
-from workbench.repair.propose.repair import Repair
+from workbench.repair.propose.proposal import Repair
 from workbench.repair.propose.search_limits import Limits
 
 PARTS = [{"same": "a ="}, {"printed": "", "proposed": "2"}, {"same": "b"}, {"printed": "+ c", "proposed": ""}]

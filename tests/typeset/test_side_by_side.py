@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.planted import planted
 from workbench.core.verdict import Outcome
 from workbench.papers import find_paper
-from workbench.repair.propose.repair import Proposal
+from workbench.repair.propose.proposal import Proposal
 from workbench.repair.trees.as_printed import as_printed
 from workbench.source.typeset.differences import difference, in_one_line
 from workbench.source.typeset.latex_atoms import LatexNotTypesettable, atoms_of, in_colour

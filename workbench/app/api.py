@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from workbench.papers import Claim, Paper
     from workbench.prover.results.claim_results import ClaimResult
-    from workbench.repair.propose.repair import Repair
+    from workbench.repair.propose.proposal import Repair
 
 
 def load(source: Path | str | None = None) -> Paper:

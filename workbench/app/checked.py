@@ -40,7 +40,7 @@ from workbench.source.rewriting.formulas_in_models import with_rows
 from workbench.source.rows.formula_lines import Line, split_lines, whole_line
 
 if TYPE_CHECKING:
-    from workbench.repair.propose.repair import Repair
+    from workbench.repair.propose.proposal import Repair
 
 
 @dataclass(frozen=True, repr=False)
@@ -70,7 +70,8 @@ class Checked:
 
     def repair(self, limits: Limits = STANDARD) -> Repair:
         """Returns the proved right forms of a refuted or ill-formed formula."""
-        from workbench.repair.propose.repair import Repair, repair
+        from workbench.repair.propose.proposal import Repair
+        from workbench.repair.propose.repair import repair
 
         if self.outcome not in (Outcome.REFUTED, Outcome.ILL_FORMED):
             return Repair(self.result.claim, complete=True)

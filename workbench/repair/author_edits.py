@@ -26,7 +26,7 @@ from workbench.prover.decide.decide import Judge
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.prover.results.proposed_form import Proposed
 from workbench.repair.propose.candidate_judge import judging
-from workbench.repair.propose.repair import Repair
+from workbench.repair.propose.proposal import Repair
 from workbench.repair.terms.subterm_positions import places
 from workbench.runtime import OutOfBudget
 from workbench.source.documents import Display, Source, Text, Token, spelled

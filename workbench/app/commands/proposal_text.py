@@ -17,7 +17,7 @@ from workbench.source.typeset.differences import in_one_line
 if TYPE_CHECKING:
     from workbench.papers import Claim
     from workbench.prover.results.proposed_form import Proposed
-    from workbench.repair.propose.repair import Repair
+    from workbench.repair.propose.proposal import Repair
     from workbench.repair.propose.search_limits import Limits
 
 _GONE, _NEW = "red strike", "bold green underline"

@@ -24,7 +24,7 @@ from workbench.repair.propose.search_limits import STANDARD, Limits
 if TYPE_CHECKING:
     from workbench.papers import Claim, Paper
     from workbench.prover.results.claim_results import ClaimResult
-    from workbench.repair.propose.repair import Repair
+    from workbench.repair.propose.proposal import Repair
 
 
 def _seconds_option(command: Callable[..., None]) -> Callable[..., None]:

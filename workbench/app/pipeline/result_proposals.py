@@ -11,7 +11,7 @@ from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.prover.results.proposed_form import Proposed
 from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of
 from workbench.repair.propose.parallel_repairs import repair_claims
-from workbench.repair.propose.repair import Repair
+from workbench.repair.propose.proposal import Repair
 from workbench.repair.propose.search_limits import STANDARD, Limits
 
 #: Verdicts on a printed form for which another form is searched.

@@ -19,7 +19,7 @@ from workbench.language.goals.goals import All, AllFrom, Atom, Both, Implies, Va
 from workbench.language.goals.proofs import Congruence, Instance, Kernel, Proof
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import read_key
-from workbench.language.naming.spelling import linear
+from workbench.language.naming.linear_indices import linear
 from workbench.language.reader import read_term
 from workbench.prover.goals.named_members import read_members
 from workbench.prover.goals.sequents import kind_of

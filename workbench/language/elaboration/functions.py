@@ -33,9 +33,9 @@ from workbench.language.grammar.syntax import (
     is_own_word,
 )
 from workbench.language.grammar.vocabulary import words_in_a_formula
+from workbench.language.naming.linear_indices import linear
 from workbench.language.naming.patterns import Known
 from workbench.language.naming.reading_conventions import Relaxation
-from workbench.language.naming.spelling import linear
 
 _OR_A_FACTOR = ', or say [conventions] brackets = "factors": what is in one behind it multiplies it'
 

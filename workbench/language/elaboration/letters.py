@@ -11,8 +11,9 @@ from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch, Unranged
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
-from workbench.core.terms import Apply, Identity, IllFormed, Symbol, Term, Zero
+from workbench.core.terms import Identity, IllFormed, Symbol, Term, Zero
 from workbench.core.types import CLOCK, PI, SCALAR, VECTOR, Declaration
+from workbench.language.elaboration.letter_shapes import column, is_braced
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning
 from workbench.language.elaboration.printed_sizes import size_below, sized_as_printed, sized_matrix
 from workbench.language.elaboration.quotients import value_of
@@ -34,10 +35,8 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
-    Sum,
     both_below,
     core,
-    is_function,
 )
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
@@ -124,7 +123,7 @@ class _Lettering:
 
     def accented(self, node: Accented, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
         """The symbol under an accent, which takes the scripts, and the accent applied to it."""
-        over_all = scripts.sup if _is_braced(node.body) else None  # \widetilde{x + y}^T
+        over_all = scripts.sup if is_braced(node.body) else None  # \widetilde{x + y}^T
         term, sup = self.read(node.body, scripts if over_all is None else scripts.without_sup(), styles)
         self.refuse_primed(node, scripts)
         is_left = scripts.left_sub is not None or scripts.left_sup is not None
@@ -138,7 +137,7 @@ class _Lettering:
             return norm, scripts.sup
         if scripts.left_sub is not None or scripts.left_sup is not None:
             raise Fault(SyntaxCode.SUBSCRIPT_ON_EXPRESSION(), node.at)
-        if scripts.sup is not None and _is_braced(node):
+        if scripts.sup is not None and is_braced(node):
             raise Fault(SyntaxCode.BRACES_PRINT_NOTHING_WHAT(), node.at)
         entries = self.scope.table.notations.primes()
         if scripts.primes and not entries:
@@ -187,7 +186,7 @@ class _Lettering:
 
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
         if isinstance(node.nucleus, Bracket) and len(node.nucleus.parts) > 1 and is_transpose(node.sup):
-            return _column(self.scope, node.nucleus), outer.sup
+            return column(self.scope, node.nucleus), outer.sup
         scripts = Scripts(
             outer.left_sub,
             outer.left_sup,
@@ -374,29 +373,3 @@ class _Lettering:
         if node.sup is not None or node.primes:
             raise Fault(SyntaxCode.FACTORIAL_WHAT_BRACKET(), node.at)
         return construct.counting("factorial", self.scope.integer(argument))
-
-
-def _is_braced(node: Node) -> bool:
-    """True for a sum or a product, in braces that print nothing."""
-    match node:
-        case Group(parts=(Product(items=(first, *_)),)):
-            return not is_function(first)
-        case Group(parts=(Sum(),)):
-            return True
-    return False
-
-
-def _column(scope: Scope, row: Bracket) -> Term:
-    """Returns (x, y, z)^T, a column; if the parts are rows, they become the rows of a matrix."""
-    terms = [scope.term(part) for part in row.parts]
-    if not all(term.type.rows == 1 for term in terms):
-        raise Fault(SyntaxCode.COLUMNS_BESIDE_EACH_OTHER(), row.at)
-    return scope.build(row.at, construct.block, [[_upright(term)] for term in terms])
-
-
-def _upright(term: Term) -> Term:
-    if term.type.columns == 1:
-        return term
-    if isinstance(term, Apply) and term.head == "transpose":
-        return term.arguments[0]
-    return construct.apply("transpose", term)

@@ -12,8 +12,9 @@ from workbench.core.types import CLOCK, PI, Declaration
 from workbench.language.elaboration.printed_sizes import size_below
 from workbench.language.grammar.syntax import Leaf, Node, Scripted
 from workbench.language.naming.declarations import UNIT
+from workbench.language.naming.linear_indices import variable_name
 from workbench.language.naming.notations import Notation
-from workbench.language.naming.spelling import Scripts, spell, variable_name
+from workbench.language.naming.spelling import Scripts, spell
 from workbench.language.naming.symbols import SymbolTable
 
 _UNITS = frozenset((UNIT, Name("I", ("\\underline", "\\mathbf"))))

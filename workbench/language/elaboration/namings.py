@@ -39,7 +39,7 @@ from workbench.language.elaboration.sets import (
     members_of,
 )
 from workbench.language.grammar.syntax import Bracket, Chain, Node, Product, Scripted
-from workbench.language.naming.spelling import linear
+from workbench.language.naming.linear_indices import linear
 from workbench.language.printing.printer import to_latex
 
 Read = Callable[[Elaborator, Node], Statement]

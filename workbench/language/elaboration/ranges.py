@@ -33,7 +33,8 @@ from workbench.language.grammar.syntax import (
     in_a_row,
     unstyled,
 )
-from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
+from workbench.language.naming.linear_indices import linear, variable_name
+from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, spell
 from workbench.language.naming.symbols import SymbolTable
 
 NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}

@@ -11,8 +11,8 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import free_integers
 from workbench.core.terms import Term
 from workbench.language.grammar.syntax import Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
+from workbench.language.naming.linear_indices import variable_name
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import variable_name
 
 #: Letters for the number of all members, if a text does not name it.
 _COUNTS = "NMLKnmlk"

@@ -24,9 +24,9 @@ from workbench.language.grammar.syntax import (
     Sum,
     core,
 )
+from workbench.language.naming.linear_indices import linear
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import linear
 from workbench.language.naming.symbols import may_be_label
 
 

@@ -40,7 +40,7 @@ from workbench.language.goals.goals import (
 )
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import read_key
-from workbench.language.naming.spelling import linear
+from workbench.language.naming.linear_indices import linear
 
 _MARK = re.compile(
     r"\\(?:forall|exists!?|Rightarrow|Longrightarrow|Leftrightarrow|wedge|geqslant|Big\s*[()])(?![A-Za-z])"

@@ -27,6 +27,7 @@ from workbench.language.grammar.syntax import (
     core,
     unstyled,
 )
+from workbench.language.naming.linear_indices import linear
 from workbench.language.naming.spelling import (
     INDEX_LETTERS,
     Named,
@@ -34,7 +35,6 @@ from workbench.language.naming.spelling import (
     Spelling,
     in_a_word,
     in_bracket,
-    linear,
     prefix_of,
     prefixed,
     spell,

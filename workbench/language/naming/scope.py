@@ -40,9 +40,10 @@ from workbench.language.grammar.syntax import (
     Sum,
     core,
 )
+from workbench.language.naming.linear_indices import linear, linear_or_none
 from workbench.language.naming.notations import is_shape
 from workbench.language.naming.reading_conventions import Gradient, Points, Relaxation
-from workbench.language.naming.spelling import Named, in_bracket, linear, linear_or_none, spell_label
+from workbench.language.naming.spelling import Named, in_bracket, spell_label
 from workbench.language.naming.symbols import SymbolTable
 
 Result = TypeVar("Result")

@@ -6,7 +6,7 @@ import re
 
 from workbench.core.construct import integer
 from workbench.core.integer_expressions import Linear
-from workbench.core.operations import GRADIENTS, OPERATORS, PARTIALS, command_of
+from workbench.core.operations import OPERATORS, command_of
 from workbench.core.shapes import multiple
 from workbench.core.terms import (
     Apply,
@@ -47,6 +47,7 @@ from workbench.language.printing.precedence_text import (
     bracket,
     square,
 )
+from workbench.language.printing.printed_shapes import ends_in_gradient, is_column, is_dotted, is_mul
 
 
 def to_latex(formula: Term | Statement) -> str:
@@ -277,12 +278,12 @@ def _big_sum(term: BigSum) -> Text:
 
 def _apply(term: Apply) -> Text:
     head, arguments = term.head, term.arguments
-    if head == "transpose" and _is_column(arguments[0]):
+    if head == "transpose" and is_column(arguments[0]):
         return _plain(arguments[0])
     operator = OPERATORS[head]
     if operator.superscript:
         base = _print(arguments[0])
-        if head != "transpose" and _is_dotted(arguments[0]):
+        if head != "transpose" and is_dotted(arguments[0]):
             base = Text(bracket(base.text), ATOM)
         return _raised(base, operator.superscript)
     if operator.sign:
@@ -319,28 +320,9 @@ def _apply(term: Apply) -> Text:
 
 def _product_with(sign: str, left: Term, right: Term) -> Text:
     before = _print(left)
-    if before.end == "function" and (right.type.dual or _ends_in_gradient(left)):
+    if before.end == "function" and (right.type.dual or ends_in_gradient(left)):
         before = Text(bracket(before.text), ATOM)
     return _infix(written("INFIX", sign), before, _print(right))
-
-
-def _is_column(term: Term) -> bool:
-    """True if the term is ∂f/∂x of a scalar by a vector, for which the author writes a column."""
-    author = author_spelling.author()
-    return (
-        author is not None
-        and author.has_columns
-        and isinstance(term, Apply)
-        and term.head in PARTIALS
-        and (term.type.kind, term.arguments[0].type.kind) == ("covector", "scalar")
-    )
-
-
-def _is_dotted(term: Term) -> bool:
-    """True if the term prints with dots over its letter, so that a superscript -1 would be ambiguous."""
-    while isinstance(term, Apply) and term.head == "skew":
-        (term,) = term.arguments
-    return isinstance(term, Derivative)
 
 
 def _function(head: Head, argument: Term) -> Text:
@@ -381,10 +363,10 @@ def _infix(sign: str, left: Text, right: Text) -> Text:
 
 def _mul(left: Term, right: Term) -> Text:
     first, second = _print(left), _print(right)
-    is_open = first.end in ("function", "sum") or first.level < (PRODUCT if _is_mul(left) else FACTOR)
+    is_open = first.end in ("function", "sum") or first.level < (PRODUCT if is_mul(left) else FACTOR)
     if is_open or (isinstance(left, Number) and isinstance(right, Integer)):
         first = Text(bracket(first.text), ATOM)
-    may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= PRODUCT
+    may_end = second.end in ("function", "sum") and not is_mul(right) and second.level >= PRODUCT
     acts = left.type.kind == "operator" and right.type.kind not in ("operator", "scalar")
     mixed = isinstance(left, Number | Zero) and isinstance(right, Number)
     if acts or mixed or second.text[0].isdigit() or not (second.level >= FACTOR or may_end):
@@ -392,13 +374,3 @@ def _mul(left: Term, right: Term) -> Text:
     if first.end == "symbol" or is_accented_symbol(left):
         second = Text(square(second.text), second.level, second.end)
     return Text(f"{first.text} {second.text}", PRODUCT, second.end)
-
-
-def _ends_in_gradient(term: Term) -> bool:
-    while isinstance(term, Apply) and _is_mul(term):
-        term = term.arguments[1]
-    return isinstance(term, Apply) and term.head in GRADIENTS
-
-
-def _is_mul(term: Term) -> bool:
-    return isinstance(term, Apply) and term.head == "mul"

@@ -6,7 +6,7 @@ them holds for any n-th members. It therefore holds for every n from which the r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -22,18 +22,12 @@ from workbench.core.reasons import Reason, reason_of
 from workbench.core.terms import (
     Apply,
     BigSum,
-    Conjunction,
     Derivative,
-    Equivalence,
-    Extremum,
     IllFormed,
-    Implication,
-    Naming,
     Relation,
     Statement,
     Symbol,
     Term,
-    sides_of,
 )
 from workbench.core.types import Declaration
 from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Verdict
@@ -42,6 +36,7 @@ from workbench.engines.inventory.assumptions import Unsatisfiable
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, expand
 from workbench.prover.decide.inference import generalization
+from workbench.prover.decide.mapped_statements import all_terms, mapped, terms
 from workbench.prover.decide.orders_past_literals import OrderRanges, values_past_literals
 from workbench.prover.decide.recurrence_range import exceptions, rewritten, symbolic_members
 from workbench.prover.decide.symbolic_orders import symbolic_orders, with_free_orders
@@ -91,7 +86,7 @@ def judge_family(
         return _instance_for(judge, statement, assume, hypothesis, {})
     verdict = _family(judge, statement, assume, hypothesis, orders)
     if verdict.outcome is Outcome.REFUTED and orders.generic:
-        apart = ranges_apart(orders, statement, list(_terms(statement)), judge.definitions)
+        apart = ranges_apart(orders, statement, list(terms(statement)), judge.definitions)
         with suppress(Unsatisfiable):
             found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
             if found and all(each.outcome is Outcome.REFUTED for each in found):
@@ -169,7 +164,7 @@ def _for_all(
     apply for all of `orders`.
     """
     statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
-    if any(map(has_sums, _all_terms(statements))):
+    if any(map(has_sums, all_terms(statements))):
         return judge_addends(judge, statement)  # holds without the assumptions
     try:
         shift = _shift(_indices(statements))
@@ -180,7 +175,7 @@ def _for_all(
             return None
         expanded = tuple(mapped(s, partial(_expanded, judge)) for s in statements)
         _refuse_hidden_coordinate(judge, expanded)
-        if derivatives := symbolic_orders(_all_terms(expanded)):
+        if derivatives := symbolic_orders(all_terms(expanded)):
             expanded = _shifted(expanded, _shift(_indices(expanded, derivatives)))
             statements = tuple(mapped(s, with_free_orders) for s in expanded)
             method = "the n-th derivatives and the n-th members are free functions"
@@ -210,7 +205,7 @@ def _scope(
     counts from `shift`.
     """
     known = exceptions(judge)
-    terms = list(_all_terms(statements))
+    terms = list(all_terms(statements))
     start, begin = known.start(rewritten(terms, judge.definitions)), known.begin(symbolic_members(terms))
     variables = sorted(_variables(original))
     least = {name: shift[name].constant if name in shift else 0 for name in variables}
@@ -225,7 +220,7 @@ def _scope(
 
 def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Statement]) -> None:
     """Raises NotExact if div or curl would be taken of a free function that stands for a field."""
-    for term in _all_terms(statements):
+    for term in all_terms(statements):
         for slope in (t for t in term.walk() if isinstance(t, Apply) and t.head in PARTIALS):
             if not _is_apart(slope, judge.definitions):
                 raise NotExact("a partial derivative with an integer variable in it")
@@ -264,7 +259,7 @@ def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> 
     """Returns the indices with integer variables, and the orders with exactly one."""
     indices = [
         index
-        for term in _all_terms(statements)
+        for term in all_terms(statements)
         for part in term.walk()
         if isinstance(part, Symbol)
         for index in part.index
@@ -329,7 +324,7 @@ def _instances(
         figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}
         fails = Evidence("each instance", f"fails for {place}", figures)
         return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
-    for far in values_past_literals(_terms(statement), judge.definitions, orders):
+    for far in values_past_literals(terms(statement), judge.definitions, orders):
         with suppress(Unsatisfiable):  # nothing is claimed of such a member
             further = _instance_for(judge, statement, assume, hypothesis, far)
             if further.outcome == Outcome.REFUTED:
@@ -364,7 +359,7 @@ def _variables(statement: Statement) -> set[str]:
     """Returns the integer variables of indices and orders, without those that a sum binds."""
     names: set[str] = set()
     bound: set[str] = set()
-    for term in _terms(statement):
+    for term in terms(statement):
         for part in term.walk():
             if isinstance(part, Symbol):
                 names |= {name for index in part.index for name in index.variables}
@@ -375,29 +370,6 @@ def _variables(statement: Statement) -> set[str]:
     return names - bound
 
 
-def _all_terms(statements: Iterable[Statement]) -> Iterator[Term]:
-    for statement in statements:
-        yield from _terms(statement)
-
-
 def _expanded(judge: InstanceJudge, statement: Relation) -> Relation:
     left, right = (expand(side, judge.definitions) for side in (statement.left, statement.right))
     return relation(statement.operator, left, right)
-
-
-def mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Statement:
-    """Returns the statement with `of` applied to each of its relations."""
-    match statement:
-        case Relation():
-            return of(statement)
-        case Equivalence() | Implication():
-            return type(statement)(mapped(statement.left, of), mapped(statement.right, of))
-        case Extremum() | Naming():
-            raise NotExact("a minimum, a set or a map for all n at once")
-    return Conjunction(tuple(mapped(part, of) for part in statement.parts))
-
-
-def _terms(statement: Statement) -> Iterator[Term]:
-    yield from sides_of(statement)
-    if isinstance(statement, Naming):
-        yield from _all_terms((*statement.parts, *statement.given))

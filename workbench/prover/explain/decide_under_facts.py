@@ -19,7 +19,7 @@ from workbench.core.verdict import Counterexample, EngineDisagreement, Outcome, 
 from workbench.engines.inventory.assumptions import Unsatisfiable, lasting
 from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, replaced
-from workbench.prover.decide.families import mapped
+from workbench.prover.decide.mapped_statements import mapped
 
 if TYPE_CHECKING:
     from workbench.prover.decide.decide import Judge

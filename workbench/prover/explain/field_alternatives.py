@@ -18,7 +18,7 @@ from workbench.core.terms import Apply, Block, Definition, IllFormed, Statement,
 from workbench.core.types import Type
 from workbench.language.definitions import Definitions, expand
 from workbench.language.naming.reading_conventions import Gradient
-from workbench.prover.decide.families import mapped
+from workbench.prover.decide.mapped_statements import mapped
 from workbench.prover.explain.decide_under_facts import Decider
 
 #: What a draft lists among its guesses where it has guessed a convention.

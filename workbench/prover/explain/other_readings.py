@@ -24,7 +24,7 @@ from workbench.engines.inventory.angle_combinations import sum_of_products
 from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.naming.reading_conventions import Relaxation
 from workbench.prover.decide.closed_formulas import is_of_numbers
-from workbench.prover.decide.families import mapped
+from workbench.prover.decide.mapped_statements import mapped
 from workbench.prover.explain.decide_under_facts import Decider
 from workbench.prover.explain.judged_parts import differentiates_product
 

@@ -26,7 +26,6 @@ from workbench.language.goals.goals import (
     GoalError,
     Iff,
     Implies,
-    Scope,
     Variable,
     equations,
 )
@@ -53,17 +52,15 @@ from workbench.language.goals.proofs import (
     UnitCircleAxiom,
     ZeroFromSquare,
 )
-from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import read_key
-from workbench.language.naming.spelling import linear
 from workbench.language.reader import read_term
 from workbench.prover.goals.definedness import is_defined_everywhere, that_is_defined
 from workbench.prover.goals.named_members import angle, belongs, jet, members_belong, put_in, read_members
+from workbench.prover.goals.rule_arguments import integer_given, is_at_least, premise_at, says_the_same
 from workbench.prover.goals.sequents import (
     FORMULA,
     NotShown,
     Obligation,
-    Premise,
     Sequent,
     atoms_of,
     kind_of,
@@ -187,7 +184,7 @@ def _of_statement(sequent: Sequent, statement: Statement, proof: Proof) -> Itera
 
 def _contradicted(sequent: Sequent, said: Relation, place: int, then: Proof) -> Iterator[Obligation]:
     """left ≠ right, since left = right gives what a premise denies."""
-    denied = _premise(sequent, place).goal
+    denied = premise_at(sequent, place).goal
     if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
         raise NotShown(f"premise {place} is no inequation")
     if denied.statement.operator != "≠":
@@ -223,7 +220,7 @@ def _unique(
 def _obtained(sequent: Sequent, place: int) -> Sequent:
     """Returns the sequent with the letters of an ∃ among the premises, and its body: at one instant, for
     constants."""
-    known = _premise(sequent, place).goal
+    known = premise_at(sequent, place).goal
     if not isinstance(known, Exists):
         raise NotShown(f"premise {place} is {kind_of(known)}, and no ∃")
     scope = sequent.scope
@@ -341,7 +338,7 @@ def _instance(sequent: Sequent, use: Instance):
 
     Yields the obligations of its own premises and sets: at all times, if it holds at all times.
     """
-    premise = _premise(sequent, use.premise)
+    premise = premise_at(sequent, use.premise)
     goal, scope, given = premise.goal, sequent.scope, dict(use.at)
     lasting = premise.lasting
     while not isinstance(goal, Atom):
@@ -359,17 +356,17 @@ def _instance(sequent: Sequent, use: Instance):
                         yield from obligations(known.of(Both(tuple(own))), by)
                 goal = put_in(sequent, variables, taken, body)
             case AllFrom(integer, least, body):
-                value = _integer(given.pop(integer, None), integer, least, scope)
+                value = integer_given(given.pop(integer, None), integer, least, scope)
                 goal = at_integer(body, integer, value)
             case AllBelow(integer, least, bound, body):
-                value = _integer(given.pop(integer, None), integer, least, scope)
-                if not _is_at_least(bound - value, 1, scope):
+                value = integer_given(given.pop(integer, None), integer, least, scope)
+                if not is_at_least(bound - value, 1, scope):
                     raise NotShown(f"{integer} = {value} is not seen to be less than {bound}")
                 goal = at_integer(body, integer, value)
             case Implies(antecedent, conclusion, always):
                 known = sequent.at_all_times() if always else sequent
                 lasting = lasting and known.lasts
-                if not any(_says(supposed.goal, antecedent, scope) for supposed in known.premises):
+                if not any(says_the_same(supposed.goal, antecedent, scope) for supposed in known.premises):
                     yield from obligations(known.of(antecedent), Kernel())
                 goal = conclusion
             case Both(parts):
@@ -390,35 +387,3 @@ def _instance(sequent: Sequent, use: Instance):
     if one.operator != "=":
         raise NotShown("expected an equation as the premise to follow from")
     return (relation("=", one.right, one.left) if use.back else one), lasting
-
-
-def _says(known: Goal, wanted: Goal, scope: Scope) -> bool:
-    """True if the known goal is the wanted one, or covers more integers."""
-    if not (isinstance(known, AllBelow) and isinstance(wanted, AllBelow)):
-        return known == wanted
-    same = (known.integer, known.body) == (wanted.integer, wanted.body) and known.least <= wanted.least
-    return same and _is_at_least(known.bound - wanted.bound, 0, scope)
-
-
-def _premise(sequent: Sequent, place: int) -> Premise:
-    if not -len(sequent.premises) <= place < len(sequent.premises):
-        raise NotShown(f"there is no premise {place}; there are {len(sequent.premises)}")
-    return sequent.premises[place]
-
-
-def _integer(text: str | None, name: str, least: int, scope: Scope) -> Linear:
-    """Returns an integer that the bounds of its letters keep at `least` or above. Raises NotShown."""
-    if text is None:
-        raise NotShown(f"no value is given for {name}")
-    value = linear(parse(text).lines[0][0], list(scope.integers))
-    if value is None:
-        raise NotShown(f"expected an integer for {name}, got {text}")
-    if not _is_at_least(value, least, scope):
-        raise NotShown(f"{name} = {text} is not seen to be {least} or more")
-    return value
-
-
-def _is_at_least(value: Linear, least: int, scope: Scope) -> bool:
-    """True if the value is at least that large for all integers in scope."""
-    lowest = value.substitute(scope.integers)
-    return all(c > 0 for _, c in value.coefficients) and lowest.is_number and int(lowest) >= least

@@ -13,7 +13,7 @@ from rich.text import Text
 from workbench.context.claims import Claim, Formula
 from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
-from workbench.repair.propose.repair import Proposal, Repair
+from workbench.repair.propose.proposal import Proposal, Repair
 from workbench.repair.screening.sameness import Sameness
 
 _STYLES = {"same": "green", "different": "yellow", "none": "red"}

@@ -9,7 +9,8 @@ from contextlib import suppress
 from workbench.context.claims import Claim
 from workbench.prover.preload import load_engines
 from workbench.repair.propose.chain_neighbours import ALONE, Neighbours, neighbours_of
-from workbench.repair.propose.repair import Proposal, Repair, repair
+from workbench.repair.propose.proposal import Proposal, Repair
+from workbench.repair.propose.repair import repair
 from workbench.repair.propose.search_limits import STANDARD, Limits
 from workbench.runtime import Workers
 

@@ -22,7 +22,8 @@ from workbench.language.grammar.syntax import (
     Styled,
     unstyled,
 )
-from workbench.language.naming.spelling import Scripts, linear
+from workbench.language.naming.linear_indices import linear
+from workbench.language.naming.spelling import Scripts
 from workbench.language.naming.symbols import SymbolTable
 from workbench.repair.trees.lost_marks import FONTS, Mark, leaf_of, letter_of, other_case
 from workbench.repair.trees.tree_nodes import bare, children

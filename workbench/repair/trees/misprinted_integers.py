@@ -20,7 +20,7 @@ from workbench.language.grammar.syntax import (
     Summation,
     core,
 )
-from workbench.language.naming.spelling import linear_or_none, variable_name
+from workbench.language.naming.linear_indices import linear_or_none, variable_name
 from workbench.repair.trees.lost_marks import Mark
 from workbench.repair.trees.tree_nodes import bare, below
 

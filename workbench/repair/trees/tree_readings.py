@@ -19,7 +19,7 @@ from workbench.engines.jet.rings import PRIME
 from workbench.language.elaboration.statements import reading_of
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import Chain, Fraction, Node, Styled, Sum
-from workbench.language.naming.spelling import linear
+from workbench.language.naming.linear_indices import linear
 from workbench.repair.screening.addend_choices import AddendChoices, Alternative, Marks
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.changes import Candidate, Change

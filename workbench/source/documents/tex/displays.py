@@ -29,7 +29,6 @@ _UNNUMBERED = frozenset({"\\notag", "\\nonumber", "\\IEEEnonumber"})
 _ON, _ON_LETTER = "\\IEEEyesnumber", "\\IEEEyessubnumber"
 _MARKS = _UNNUMBERED | {_ON, _ON_LETTER, "\\IEEEnosubnumber", "\\displaybreak", "\\allowdisplaybreaks"}
 _WORDS = frozenset({"text", "mbox", "hbox", "textrm", "textit", "textbf", "textnormal", "intertext"})
-
 _NUMBER = re.compile(r"\s*(-?\d{1,6})\s*")
 
 #: Limit on the tokens of one display; a longer one was never closed.

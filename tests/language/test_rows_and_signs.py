@@ -241,7 +241,7 @@ def test_determinants_with_vectors(latex: str, expected: str) -> None:
         (r"A(x)", r"A x"),
         (r"A(x + y)", r"A \left[{x + y}\right]"),
         (r"\lambda(\mu + \lambda)", r"\lambda \left[\mu + \lambda\right]"),
-        (r"\lambda (2)", r"refused 9: a function of what is in the bracket, or a product? [convent"),
+        (r"\lambda (2)", r"refused 9: a function of what is in the bracket, or a product? a symbol"),
         (r"x[2]", r"refused 2: a component or a member, or a factor? write a factor in fron"),
         (r"x[\lambda]", r"x \lambda"),
         (r"A[x]", r"A x"),

@@ -22,7 +22,7 @@ from workbench.language.elaboration.statements import Reading, reading_of, term_
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Lines, Node
 from workbench.language.grammar.vocabulary import BY_HAND, EXPECTED
-from workbench.language.naming.reading_conventions import Relaxation
+from workbench.language.naming.reading_conventions import Queries, Relaxation
 from workbench.language.naming.symbols import SymbolTable
 
 __all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term", "unclaimed"]
@@ -115,7 +115,6 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
 _QUESTIONS = {
     Relaxation.DYADS: SyntaxCode.OR_DYADS(),
     Relaxation.UNIT_TENSOR: SyntaxCode.OR_UNIT_TENSORS(),
-    Relaxation.ARGUMENTS_IN_BRACKET: SyntaxCode.OR_A_PRODUCT(),
     Relaxation.MERE_BRACKETS: SyntaxCode.OR_MERE_BRACKETS(),
     Relaxation.CROSS_OF_LAST_FACTOR: SyntaxCode.REACH_OF_CROSS(),
     Relaxation.ROW_FOR_COLUMN: SyntaxCode.ROW_OR_COLUMN(),
@@ -144,12 +143,28 @@ def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reas
 
     Only readings that the reader asked for can change the result.
     """
-    conventions = table.conventions.logged()
+    queries = Queries()
     with suppress(Fault, TypeMismatch):
-        make(replace(table, conventions=conventions))
-    asked = conventions.queries or set()
-    for several in (*((each,) for each in _QUESTIONS), (Relaxation.DYADS, Relaxation.UNIT_TENSOR)):
-        if asked.isdisjoint(several) or not conventions.excluded.isdisjoint(several):
+        make(replace(table, conventions=table.conventions.logged(queries)))
+    operands = (Relaxation.DYADS, Relaxation.UNIT_TENSOR)
+    others = [each for each in _QUESTIONS if each not in operands]
+    return (
+        _question_on_relaxations(make, table, queries, [(each,) for each in operands])
+        or _question_on_functions(make, table, queries)
+        or _question_on_relaxations(make, table, queries, [*((each,) for each in others), operands])
+    )
+
+
+def _question_on_relaxations(
+    make: Callable[[SymbolTable], object],
+    table: SymbolTable,
+    queries: Queries,
+    trials: Iterable[tuple[Relaxation, ...]],
+) -> Reason | None:
+    """Returns the question on the first relaxations with which the formula matches."""
+    conventions = table.conventions
+    for several in trials:
+        if queries.relaxations.isdisjoint(several) or not conventions.excluded.isdisjoint(several):
             continue
         with suppress(Fault, TypeMismatch):
             make(replace(table, conventions=conventions.relaxed(*several)))
@@ -159,6 +174,31 @@ def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reas
                 if len(questions) == 1
                 else SyntaxCode.TWO_QUESTIONS(first=questions[0], second=questions[1])
             )
+    return None
+
+
+def _question_on_functions(
+    make: Callable[[SymbolTable], object], table: SymbolTable, queries: Queries
+) -> Reason | None:
+    """Returns the question on a symbol before a bracket if the formula matches with it as a function only."""
+    conventions, symbols = table.conventions, sorted(queries.symbols)
+    if not symbols or Relaxation.FACTORS_IN_BRACKETS in conventions.loose:
+        return None
+    for several in (*((each,) for each in symbols), tuple(symbols)):
+        with suppress(Fault, TypeMismatch):
+            make(replace(table, conventions=conventions.with_functions(several)))
+            return _fault_of(make, replace(table, conventions=conventions.asking_about(several[:1])))
+    return None
+
+
+def _fault_of(make: Callable[[SymbolTable], object], table: SymbolTable) -> Reason | None:
+    """Returns the reason of the fault that reading raises; None if it raises none."""
+    try:
+        make(table)
+    except Fault as fault:
+        return fault.reason
+    except TypeMismatch:
+        pass
     return None
 
 

@@ -15,10 +15,7 @@ class SyntaxCode(Code):
     ALONE = "expected a relation (= or \\neq), got an expression alone"
     AN_EXPRESSION = "an expression, which claims nothing"
     APPROXIMATION = "\\approx: an approximation is not read unless symbols are declared `small = true`"
-    AT_OR_TIMES = (
-        "a function of what is in the bracket, or a product? {one} says {own} at {inside}, {other} "
-        "{own} \\cdot ({inside})"
-    )
+    AT_OR_TIMES = "a function of what is in the bracket, or a product? {one}; {other}"
     AT_TWO_INSTANTS_SAY = "{name} at two instants; say each by a symbol of its own"
     AT_TWO_PLACES_SAY = "{name} at two places; say what it depends on by a symbol for each"
     BRACES_PRINT_NOTHING_WHAT = "braces print nothing: what is the superscript on? round brackets say it"
@@ -157,10 +154,6 @@ class SyntaxCode(Code):
     OPERATION_OF_NOTATION = "{spelled} of a {type}; [notation] has it for: {known}"
     ORDER_OF_DERIVATIVE = "the {what} of the derivative, or the derivative of the {what}?"
     OR_A_DYAD = "⊗ of vectors is read as their dyad; [notation] can say what it is"
-    OR_A_PRODUCT = (
-        "a function of what is in the bracket, or a product? [conventions] arguments says the "
-        'former, square brackets or brackets = "factors" the latter'
-    )
     OR_DYADS = 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so'
     OR_MERE_BRACKETS = "square brackets as the paper's [notation] has them, or mere brackets? round ones are"
     OR_UNIT_TENSORS = 'is the number beside tensors one of unit tensors? [conventions] one = "unit" says so'

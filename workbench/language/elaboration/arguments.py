@@ -3,7 +3,7 @@ occurrence, since f(x) and f(y) are two values."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault, SpecError
@@ -30,15 +30,48 @@ from workbench.language.naming.spelling import Named, Spelling
 from workbench.language.printing.printer import to_latex
 
 
-def _both_readings(function: Term, bracket: Bracket) -> Reason:
-    """Returns the question with both readings and the lines of a model that decide between them."""
-    parts = list(map(latex_of, bracket.parts))
-    inside, own = ", ".join(parts), to_latex(function)
-    names = ", ".join(f"'{part}'" for part in parts)
-    is_named = all(map(_is_name, bracket.parts))
-    one = f"[conventions] arguments = [{names}]" if is_named else "a symbol for it"
-    other = f"{'' if is_named else '[conventions] '}brackets = 'factors'"
-    return SyntaxCode.AT_OR_TIMES(one=one, own=own, inside=inside, other=other)
+def question_of(own: str, inside: str, line: str | None, may_multiply: bool = True) -> Reason:
+    """Returns the question with both readings and the lines of a model that decide between them.
+
+    line: the line that makes `own` a function; None if only another symbol can.   may_multiply: whether
+    brackets = 'factors' makes the bracket a factor."""
+    one = f"{line} says {own} at {inside}" if line else f"a symbol of its own says {own} at {inside}"
+    other = "[conventions] brackets = 'factors'" if may_multiply else "\\cdot"
+    return SyntaxCode.AT_OR_TIMES(one=one, other=f"{other} says {own} \\cdot ({inside})")
+
+
+def question_of_sum(taken: str, at: str) -> Reason:
+    """Returns the question on (x + y)(t)."""
+    one = f"{at} behind each symbol says {taken} at {at}"
+    return SyntaxCode.AT_OR_TIMES(one=one, other=f"\\cdot says {taken} \\cdot {at}")
+
+
+def line_of_arguments(names: Sequence[str]) -> str:
+    """Returns the line of a model that makes a bracket with these names state a dependence only."""
+    shown = ", ".join(f"'{name}'" for name in names)
+    return f"[conventions] arguments = [{shown}]"
+
+
+def _both_readings(scope: Scope, function: Term, bracket: Bracket) -> Reason:
+    """Returns the question on a bracket after a symbol."""
+    line = _line_of_a_function(scope, function, bracket)
+    (part, *more) = bracket.parts
+    may_multiply = not (more or scope.is_time(part)) and _may_multiply(scope, part)
+    return question_of(to_latex(function), ", ".join(map(latex_of, bracket.parts)), line, may_multiply)
+
+
+def _line_of_a_function(scope: Scope, function: Term, bracket: Bracket) -> str | None:
+    """Returns the line of a model that makes the bracket contain arguments; None if no line can."""
+    if all(_is_name(part) and _is_letter(part) for part in bracket.parts):
+        return line_of_arguments([latex_of(part) for part in bracket.parts if not scope.is_time(part)])
+    values = [scope.term(part) for part in bracket.parts]
+    letters = [{each for each in value.walk() if isinstance(each, Symbol)} for value in values]
+    is_one = all(len(each) == 1 for each in letters) and len(set(map(frozenset, letters))) == len(letters)
+    if not is_one or any(each.declaration.clock or each.index for own in letters for each in own):
+        return None
+    symbol = next(each for each in function.walk() if isinstance(each, Symbol))
+    formals = ", ".join(to_latex(*own) for own in letters)
+    return f"[definitions] '{to_latex(symbol)}({formals})' = …"
 
 
 def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
@@ -48,12 +81,8 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         function = function.body
     if isinstance(function, Symbol) and function.declaration.of:
         return _has_declared_arguments(scope, bracket, function)
-    if (
-        scope.allows(Relaxation.ARGUMENTS_IN_BRACKET)
-        and bracket.parts
-        and is_accented_symbol(_without_sup(term))
-    ):
-        return all(_is_name(part) or _is_symbol_or_quaternion(scope.term(part)) for part in bracket.parts)
+    if bracket.parts and _is_tried_as_function(scope, bracket, term):
+        return True
     match bracket.parts:
         case ():
             return False
@@ -63,7 +92,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     if only_says:
         _take_place(scope, bracket, term)
     elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
-        raise Fault(_both_readings(term, bracket), bracket.at)
+        raise Fault(_both_readings(scope, term, bracket), bracket.at)
     return only_says
 
 
@@ -95,10 +124,27 @@ def _is_single_variable(scope: Scope, bracket: Bracket, part: Node, term: Term, 
     if is_accented_symbol(own := _without_sup(term)):
         is_asked = not _is_coordinate(scope, own) and _may_be_argument(scope, part, term)
         if is_asked and not is_said_factor(scope, part):
-            raise Fault(_both_readings(term, bracket), bracket.at)
+            raise Fault(_both_readings(scope, term, bracket), bracket.at)
         if scope.term(part).type.kind == "scalar" and not _is_constant(function):
             _refuse_both(scope, bracket, function, is_factor=True)
     return False
+
+
+def _is_tried_as_function(scope: Scope, bracket: Bracket, term: Term) -> bool:
+    """True if the reader tries the symbol as a function of the bracket. Raises Fault with the question if
+    that reading matches."""
+    own = _without_sup(term)
+    if not is_accented_symbol(own):
+        return False
+    name = to_latex(own)
+    is_asked = scope.asks_about(name)
+    if not (scope.tries_as_function(name) or is_asked) or not all(
+        _is_name(part) or _is_symbol_or_quaternion(scope.term(part)) for part in bracket.parts
+    ):
+        return False
+    if is_asked:
+        raise Fault(_both_readings(scope, term, bracket), bracket.at)
+    return True
 
 
 def _is_symbol_or_quaternion(value: Term) -> bool:
@@ -148,10 +194,8 @@ def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
 
 
 def is_said_factor(scope: Scope, part: Node) -> bool:
-    """True if the paper states that brackets multiply; a bracket with a time, as (t - t_0), does not."""
-    return scope.allows(Relaxation.FACTORS_IN_BRACKETS) and not any(
-        each.clock for each in _outside_of_functions(scope.term(part))
-    )
+    """True if the paper states that brackets multiply, and this bracket can."""
+    return scope.allows(Relaxation.FACTORS_IN_BRACKETS) and _may_multiply(scope, part)
 
 
 def _outside_of_functions(value: Term) -> Iterator[Declaration]:
@@ -185,6 +229,20 @@ def _without_prefix(name: Name) -> Name:
 def _is_constant(function: Term) -> bool:
     own = _without_sup(function)
     return isinstance(own, Symbol) and own.declaration.constant
+
+
+def _is_letter(part: Node) -> bool:
+    """True if [conventions] arguments can name it: a letter with accents and scripts, but no number."""
+    try:
+        key_spelling(part, latex_of(part)).declared()
+    except SpecError:
+        return False
+    return True
+
+
+def _may_multiply(scope: Scope, part: Node) -> bool:
+    """True if brackets = 'factors' makes it a factor; an instant, as (t - t_0), is none."""
+    return not any(each.clock for each in _outside_of_functions(scope.term(part)))
 
 
 def _is_name(part: Node) -> bool:
@@ -282,7 +340,7 @@ def _refuse_both(scope: Scope, bracket: Bracket, function: Term, is_factor: bool
         places.setdefault(is_factor, bracket)
         if len(places) > 1:
             factor = places[True]
-            raise Fault(_both_readings(function, factor), factor.at)
+            raise Fault(_both_readings(scope, function, factor), factor.at)
 
 
 def _symbols(function: Term) -> list[Named]:

@@ -13,7 +13,12 @@ from workbench.core.formula_errors import Fault
 from workbench.core.operations import CIRCULAR, GRADIENTS, OF_TENSORS, word_of
 from workbench.core.terms import Apply, Term
 from workbench.core.types import VECTOR
-from workbench.language.elaboration.arguments import is_argument, is_own_variable, refuse_member
+from workbench.language.elaboration.arguments import (
+    is_argument,
+    is_own_variable,
+    question_of_sum,
+    refuse_member,
+)
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
@@ -23,6 +28,7 @@ from workbench.language.elaboration.quotients import divided, quotient, rate
 from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.summations import summation
 from workbench.language.elaboration.superscripts import raised
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -199,7 +205,7 @@ def _factor(row: Row, place: int) -> Factor:
                 return derivative(row, place, found)
             return Factor(quotient(row.scope, item), item.at, place + 1, item)
         case Bracket(kind="(", parts=(part,)) if place and _is_place(row.scope, row.items[place - 1], part):
-            raise Fault(SyntaxCode.OR_A_PRODUCT(), item.at)
+            raise Fault(question_of_sum(latex_of(row.items[place - 1]), latex_of(part)), item.at)
         case Scripted(nucleus=Group(parts=())):
             return _with_left_scripts(row, place)
         case Leaf(kind="LETTER") | Styled() | Accented() | Scripted():
@@ -272,6 +278,7 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
         refuse_member(scope, behind, term)
     end = place + 1
     is_labelled = isinstance(following, Scripted) and following.sub is not None  # R (x)_B
+    may_say = bracket is not None and not is_labelled
     if not takes_bracket and bracket is not None and not is_labelled:
         takes_bracket = is_own_variable(scope, bracket, term)
     if following is not None and takes_bracket:
@@ -279,9 +286,19 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
             raise Fault(SyntaxCode.SCRIPTS_ARGUMENT_FUNCTION_BRACKET(), following.at)
         term = _behind(scope, term, following)
         end += 1
+        if following is bracket and may_say and _is_taken_then(row, end, term):
+            end += 1  # x(q)(t)
     if sup is not None:
         term = raised(scope, term, sup)
     return Factor(term, item.at, end, item)
+
+
+def _is_taken_then(row: Row, place: int, term: Term) -> bool:
+    """True if a second bracket contains the time at which the function of the first is evaluated: x(q)(t)."""
+    following = row.items[place] if place < len(row.items) else None
+    if not (isinstance(following, Bracket) and following.kind == "(" and len(following.parts) == 1):
+        return False
+    return row.scope.is_time(following.parts[0]) and is_own_variable(row.scope, following, term)
 
 
 def _called_function(row: Row, place: int, item: Node) -> Term | None:

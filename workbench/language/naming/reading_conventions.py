@@ -36,8 +36,6 @@ class Relaxation(StrEnum):
     FACTORS_IN_BRACKETS = "factors"
     #: \\frac{d}{dt} x y is \\dot{x} y
     RATE_OF_NEXT_FACTOR = "near"
-    #: the bracket after a symbol with an accent contains its arguments
-    ARGUMENTS_IN_BRACKET = "arguments"
     #: a bracket is not a notation of the paper
     MERE_BRACKETS = "brackets"
     #: × after a row and a column applies to the column only
@@ -52,13 +50,22 @@ class Relaxation(StrEnum):
 _EXCLUDED = {"matrices": Relaxation.DYADS, "scalar": Relaxation.UNIT_TENSOR}
 
 
+@dataclass
+class Queries:
+    """A log of the relaxations that a reader asked for, and of the symbols (LaTeX) before a bracket."""
+
+    relaxations: set[Relaxation] = field(default_factory=set)
+    symbols: set[str] = field(default_factory=set)
+
+
 @dataclass(frozen=True)
 class Conventions:
     """How a paper writes.
 
     loose, excluded: the readings that it takes, and that it states not to take.   suggestive: whether a
     letter or an accent suggests what a symbol is.   functions: those that it writes without a backslash,
-    though it has their letters as symbols.   queries: a log of the relaxations that a reader asked for."""
+    though it has their letters as symbols.   applied, asked: symbols (LaTeX) that the reader tries as
+    functions of the bracket after them, and those that it asks about.   queries: the log of a reader."""
 
     gradient: Gradient | None = None
     points: Points | None = None
@@ -66,7 +73,9 @@ class Conventions:
     excluded: frozenset[Relaxation] = frozenset()
     suggestive: bool = True
     functions: frozenset[str] = frozenset()
-    queries: set[Relaxation] | None = field(default=None, compare=False, repr=False)
+    applied: frozenset[str] = frozenset()
+    asked: frozenset[str] = frozenset()
+    queries: Queries | None = field(default=None, compare=False, repr=False)
 
     @staticmethod
     def build(chosen: Mapping[str, str], functions: Collection[str] = ()) -> Conventions:
@@ -84,13 +93,27 @@ class Conventions:
     def allow(self, relaxation: Relaxation) -> bool:
         """Returns whether the reading is taken, and logs the query."""
         if self.queries is not None:
-            self.queries.add(relaxation)
+            self.queries.relaxations.add(relaxation)
         return relaxation in self.loose
+
+    def apply(self, symbol: str) -> bool:
+        """Returns whether the symbol is tried as a function of the bracket after it, and logs the query."""
+        if self.queries is not None:
+            self.queries.symbols.add(symbol)
+        return symbol in self.applied
 
     def relaxed(self, *relaxations: Relaxation) -> Conventions:
         """Returns the same conventions with these readings added."""
         return replace(self, loose=self.loose.union(relaxations), queries=None)
 
-    def logged(self) -> Conventions:
-        """Returns the same conventions with an empty log of queries."""
-        return replace(self, queries=set())
+    def with_functions(self, symbols: Collection[str]) -> Conventions:
+        """Returns the same conventions with these symbols tried as functions."""
+        return replace(self, applied=self.applied.union(symbols), queries=None)
+
+    def asking_about(self, symbols: Collection[str]) -> Conventions:
+        """Returns the same conventions with a question on these symbols before a bracket."""
+        return replace(self, asked=self.asked.union(symbols), queries=None)
+
+    def logged(self, queries: Queries) -> Conventions:
+        """Returns the same conventions with this log of queries."""
+        return replace(self, queries=queries)

@@ -76,6 +76,14 @@ class Scope(ABC):
         """True if the paper uses this reading."""
         return self.table.conventions.allow(relaxation)
 
+    def tries_as_function(self, symbol: str) -> bool:
+        """True if the reader tries the symbol as a function of the bracket after it."""
+        return self.table.conventions.apply(symbol)
+
+    def asks_about(self, symbol: str) -> bool:
+        """True if the reader asks whether the symbol is a function of the bracket after it."""
+        return symbol in self.table.conventions.asked
+
     @abstractmethod
     def term(self, node: Node) -> Term:
         """Returns the term of a node."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -20,13 +20,13 @@ from workbench.context.read_formulas import WORDS, FormulaReader, read_statement
 from workbench.context.sentence_facts import TextSentences
 from workbench.context.unread_facts import Unread, said_unread, unread_facts
 from workbench.core.codes.syntax_codes import SyntaxCode
-from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.names import Name
 from workbench.core.paper_errors import PaperError
 from workbench.core.terms import Apply, Statement, Symbol
 from workbench.core.verdict import Strength
 from workbench.papers.corrections import mend_of
+from workbench.papers.texts.functions_in_sentences import asked_if_function, functions_in
 from workbench.papers.texts.model_assignments import Placed, assigned, means, unknown_ids
 from workbench.papers.texts.step_formulas import (
     assumed_formulas,
@@ -41,7 +41,6 @@ from workbench.source.documents import Display, Text, Token
 from workbench.source.rows.chains import Step, steps_of
 from workbench.source.toml.toml_file import TomlFile
 
-_FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _STAR = "^* as the adjugate, of which the text does not speak ([notation] can say what it is)"
 _NO_ID = re.compile(r"[^\w.+*'-]+")
@@ -81,8 +80,8 @@ def text_paper(
     ]
     if any(fault.path[:1] == ("scope",) for fault in faults):  # the notation of any display is uncertain
         claims = [claim.with_context(guessed=(*claim.context.guessed, "[[scope]]")) for claim in claims]
-    functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
-    claims = [_perhaps_of(claim, functions) for claim in claims]
+    functions = functions_in(text)
+    claims = [asked_if_function(claim, functions) for claim in claims]
     for fault in unknown_ids(entries, {claim.id for claim in claims}):
         faults.tell(fault)
     if spoilt:
@@ -98,22 +97,6 @@ def text_paper(
         faults=tuple(faults),
         warnings=tuple(text.warnings),
     )
-
-
-def _flat(latex: str) -> str:
-    return re.sub(r"[\s{}]|\\(?:left|right)(?![A-Za-z])", "", latex)
-
-
-def _perhaps_of(claim: Claim, functions: Collection[str]) -> Claim:
-    """Returns x (y) as unread if a sentence writes x(z), so that it may not be a product of vectors."""
-    printed = claim.printed
-    if printed.ill_formed is None or TypeCode.JUXTAPOSITION not in printed.ill_formed.codes:
-        return claim
-    is_one = any(f"{name}(" in _flat(printed.latex) for name in functions)
-    unread = replace(
-        printed, ill_formed=None, unread=SyntaxCode.CANNOT_BE_READ(why=SyntaxCode.OR_A_PRODUCT())
-    )
-    return replace(claim, printed=unread) if is_one else claim
 
 
 def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]) -> Claim:

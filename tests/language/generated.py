@@ -145,7 +145,10 @@ def _combined(draw, children) -> Term:
             case 8:
                 term = construct.derivative(draw(children), draw(linears))
             case 9:
-                term = construct.power(draw(children), draw(linears))
+                base, exponent = draw(children), draw(linears)
+                if base.type.is_column and exponent == Linear(0):
+                    exponent = Linear(2)  # the reader asks whether v^0 is a label
+                term = construct.power(base, exponent)
             case 10:
                 name = draw(st.sampled_from(("k", "j")))
                 term = construct.big_sum([name], draw(linears), draw(linears), draw(children))

@@ -43,7 +43,8 @@ def named(paper, name):
 @cache
 def blindly(name):
     """The repair of a claim of the chapter from the printed form alone."""
-    return repaired(replace(named(find_paper(), name), corrected=None, reading=None, note=""))
+    claim = named(find_paper(), name)
+    return repaired(replace(claim, correction=Correction(), source=replace(claim.source, note="")))
 
 
 def repaired(claim, **limits):

@@ -28,20 +28,21 @@ class Superseded(Exception):
 class Desk:
     """Judges and corrects texts in turns; a new turn ends the previous one.
 
-    Verdicts have a separate thread, so that they do not wait for a search for corrections.
+    One thread judges and searches, beside the thread of requests: a process that is forked while another
+    thread forks can wait for ever. A search ends after its current formula when a new turn begins.
     """
 
     def __init__(self, motions: bool = False, folder: Path | None = None) -> None:
         """folder: no file outside of it is read; None for no limit."""
         self._motions, self._folder = motions, folder
         self._turns: dict[Hashable, int] = {}
-        self._judging, self._searching = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
+        self._working = ThreadPoolExecutor(1)
 
     def prepare(self) -> None:
         """Loads the engines before the first request."""
         from workbench.prover.preload import load_engines
 
-        self._judging.submit(load_engines)
+        self._working.submit(load_engines)
 
     def turn(self, text: Hashable) -> Turn:
         """Begins a turn of a text."""
@@ -51,8 +52,7 @@ class Desk:
     def close(self) -> None:
         """Ends all running computations."""
         self._turns.clear()
-        for executor in (self._judging, self._searching):
-            executor.shutdown(wait=False, cancel_futures=True)
+        self._working.shutdown(wait=False, cancel_futures=True)
 
     def is_of(self, text: Hashable, turn: int) -> bool:
         return self._turns.get(text) == turn
@@ -76,7 +76,7 @@ class Turn:
 
         desk = self._desk
         judge = partial(judged_file, path, buffers, desk._motions, answers, seen, desk._folder)
-        return await self._run(desk._judging, judge)
+        return await self._run(judge)
 
     async def corrections(self, judged: Judged) -> Judged:
         """Returns the verdicts with proved corrections; the search is shorter for more faults. Raises
@@ -84,21 +84,22 @@ class Turn:
         wrong = sum(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results)
         seconds = max(1.0, min(SEARCH_SECONDS, _ALL_SECONDS / max(wrong, 1)))
         search = partial(with_corrections, judged, seconds, self._check)
-        return await self._run(self._desk._searching, search)
+        return await self._run(search)
 
     def _check(self) -> None:
         if not self._desk.is_of(self._text, self._number):
             raise Superseded
 
-    async def _run(self, executor: ThreadPoolExecutor, work: Callable[[], Result]) -> Result:
+    async def _run(self, work: Callable[[], Result]) -> Result:
         def checked() -> Result:
             self._check()
             return work()
 
         try:
-            result = await asyncio.get_running_loop().run_in_executor(executor, checked)
+            result = await asyncio.get_running_loop().run_in_executor(self._desk._working, checked)
         except asyncio.CancelledError:
-            self._desk.turn(self._text)  # ends the work in its thread
+            if self._desk.is_of(self._text, self._number):  # and not of a later turn, which goes on
+                self._desk.turn(self._text)  # ends the work in its thread
             raise
         except Exception:
             self._check()

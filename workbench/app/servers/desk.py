@@ -32,9 +32,8 @@ class Desk:
     thread forks can wait for ever. A search ends after its current formula when a new turn begins.
     """
 
-    def __init__(self, motions: bool = False, folder: Path | None = None) -> None:
-        """folder: no file outside of it is read; None for no limit."""
-        self._motions, self._folder = motions, folder
+    def __init__(self, motions: bool = False) -> None:
+        self.motions = motions
         self._turns: dict[Hashable, int] = {}
         self._working = ThreadPoolExecutor(1)
 
@@ -44,10 +43,10 @@ class Desk:
 
         self._working.submit(load_engines)
 
-    def turn(self, text: Hashable) -> Turn:
-        """Begins a turn of a text."""
+    def turn(self, text: Hashable, folder: Path | None = None) -> Turn:
+        """Begins a turn of a text. folder: no file outside of it is read; None for no limit."""
         self._turns[text] = self._turns.get(text, 0) + 1
-        return Turn(self, text, self._turns[text])
+        return Turn(self, text, self._turns[text], folder)
 
     def close(self) -> None:
         """Ends all running computations."""
@@ -57,12 +56,16 @@ class Desk:
     def is_of(self, text: Hashable, turn: int) -> bool:
         return self._turns.get(text) == turn
 
+    async def run(self, work: Callable[[], Result]) -> Result:
+        """Returns the result of the work, done in the thread."""
+        return await asyncio.get_running_loop().run_in_executor(self._working, work)
+
 
 class Turn:
     """One turn of a text at a desk. judged: the number of judged claims."""
 
-    def __init__(self, desk: Desk, text: Hashable, number: int) -> None:
-        self._desk, self._text, self._number = desk, text, number
+    def __init__(self, desk: Desk, text: Hashable, number: int, folder: Path | None) -> None:
+        self._desk, self._text, self._number, self._folder = desk, text, number, folder
         self.judged = 0
 
     async def verdicts(
@@ -74,8 +77,7 @@ class Turn:
             self.judged += 1
             self._check()
 
-        desk = self._desk
-        judge = partial(judged_file, path, buffers, desk._motions, answers, seen, desk._folder)
+        judge = partial(judged_file, path, buffers, self._desk.motions, answers, seen, self._folder)
         return await self._run(judge)
 
     async def corrections(self, judged: Judged) -> Judged:
@@ -96,7 +98,7 @@ class Turn:
             return work()
 
         try:
-            result = await asyncio.get_running_loop().run_in_executor(self._desk._working, checked)
+            result = await self._desk.run(checked)
         except asyncio.CancelledError:
             if self._desk.is_of(self._text, self._number):  # and not of a later turn, which goes on
                 self._desk.turn(self._text)  # ends the work in its thread

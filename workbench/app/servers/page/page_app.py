@@ -78,11 +78,8 @@ class Page:
         self.token, self.file = token or secrets.token_urlsafe(24), file
         self._hosts = {f"127.0.0.1:{port}", f"localhost:{port}"}
         self._empty = tempfile.TemporaryDirectory(prefix="workbench-")
-        self._desks = {"scratch": Desk(folder=Path(self._empty.name))}
-        if file is not None:
-            self._desks["file"] = Desk(folder=file.path.parent)
-        for desk in self._desks.values():
-            desk.prepare()
+        self._desk = Desk()
+        self._desk.prepare()
         self._tabs: dict[str, Tab] = {}
         calls = {
             "text": self._text,
@@ -98,8 +95,7 @@ class Page:
         self.app = Starlette(routes=routes)
 
     def close(self) -> None:
-        for desk in self._desks.values():
-            desk.close()
+        self._desk.close()
         self._empty.cleanup()
 
     def _guard(self, request: Request) -> None:
@@ -176,10 +172,10 @@ class Page:
 
     async def _check(self, data: dict[str, Any]) -> dict[str, Any]:
         """Returns the verdicts on the text of a tab."""
-        path, desk = self._place(data)
+        path = self._place(data)
         text, answers = _text_of(data), _answers_of(data)
         name = _string(data, "tab")
-        tab = Tab(desk.turn(name), answers=answers, text=text, path=path)
+        tab = Tab(self._desk.turn(name, path.parent), answers=answers, text=text, path=path)
         self._tabs.pop(name, None)
         self._tabs[name] = tab
         while len(self._tabs) > _MOST_TABS:
@@ -238,16 +234,16 @@ class Page:
             raise Refused(409, "nothing is judged in this tab; change the text, and it is")
         return tab
 
-    def _place(self, data: dict[str, Any]) -> tuple[Path, Desk]:
-        """Returns the path of a text (real or assumed), and the desk that judges it."""
+    def _place(self, data: dict[str, Any]) -> Path:
+        """Returns the path of a text, real or assumed. No file outside of its folder is read."""
         if data.get("document") == "file":
             if self.file is None:
                 raise Refused(400, "there is no file; start `workbench serve FILE`")
-            return self.file.path, self._desks["file"]
+            return self.file.path
         suffix = data.get("suffix", ".tex")
         if suffix not in SUFFIXES:
             raise Refused(400, f"suffix: expected one of {', '.join(sorted(SUFFIXES))}")
-        return Path(self._empty.name).resolve() / f"text{suffix}", self._desks["scratch"]
+        return Path(self._empty.name).resolve() / f"text{suffix}"
 
 
 async def _body(request: Request) -> dict[str, Any]:

@@ -41,8 +41,8 @@ def equal_terms(evidence: Evidence) -> Verdict:
 def conclusion(
     rule: str, premises: Sequence[Verdict], evidence: Sequence[Evidence], scope: str | None = None
 ) -> Verdict:
-    """Returns `proved` by a rule whose premises are all shown. Raises Unproved where one is not, or where
-    there is neither a premise nor evidence."""
+    """Returns `proved` by a rule whose premises are all shown. Raises Unproved if one is not, or if there is
+    no evidence."""
     missing = [premise for premise in premises if premise.outcome not in _PREMISES]
     if missing or not evidence:
         got = missing[0].outcome if missing else "nothing"

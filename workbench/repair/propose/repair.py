@@ -266,8 +266,13 @@ class _Bench:
         for candidate in candidates:
             self._tick()
             statement = candidate.statement
-            mends_step = len(candidate.changes) == 1 and self.beside.joined(statement) != statement
-            if statement in self.seen or (is_vacuous(statement) and not mends_step):
+            if statement in self.seen:
+                continue
+            vacuous = is_vacuous(statement)
+            mends_step = (
+                vacuous and len(candidate.changes) == 1 and self.beside.joined(statement) != statement
+            )
+            if vacuous and not mends_step:
                 continue
             if self.like_terms is not None and like_terms(candidate.statement) > self.like_terms:
                 continue  # an addend that another one partly cancels

@@ -12,6 +12,7 @@ import click
 
 from workbench.app.commands.options import Unusable
 from workbench.core.verdict import Grade, Outcome
+from workbench.runtime.atomic_files import replace_file
 from workbench.source.documents.source_edits import SourceEdit, applied, patch_of
 from workbench.source.documents.source_view import MOST_BYTES
 from workbench.source.toml.file_bytes import file_bytes
@@ -60,12 +61,9 @@ def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:
     """
     made = [(path, _edited(path, own[0].source, own)) for path, own in edits.items()]
     for path, data in made:
-        draft = path.with_name(f".unfinished-{path.name}")
         try:
-            draft.write_bytes(data)
-            draft.replace(path)
+            replace_file(path, data)
         except OSError as error:
-            draft.unlink(missing_ok=True)
             raise Unusable(f"{path}: cannot be written: {error.strerror or error}") from None
     return sum(len(own) for own in edits.values())
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from workbench.app.commands.options import Unusable, cache_option, memory_of_verdicts, print_json
+from workbench.runtime.atomic_files import replace_file
 
 if TYPE_CHECKING:
     from workbench.papers import Paper, PaperError
@@ -138,11 +138,7 @@ def print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -
 
 
 def write_atomically(path: Path, text: str) -> None:
-    draft = path.with_name(f".unfinished-{os.getpid()}-{path.name}")
     try:
-        draft.write_text(text, encoding="utf-8")
-        os.replace(draft, path)
+        replace_file(path, text.encode("utf-8"))
     except OSError as error:
         raise Unusable(f"{path}: cannot be written: {error.strerror or error}") from None
-    finally:
-        draft.unlink(missing_ok=True)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from workbench.papers import PaperError
+from workbench.runtime.atomic_files import replace_file
 from workbench.source.toml.file_bytes import file_bytes
 
 #: Bytes of a text that the page takes.
@@ -57,27 +57,16 @@ class PageFile:
         raw = file_bytes(self.path, "a text", MOST_BYTES)
         mark = b"\xef\xbb\xbf" if raw.startswith(b"\xef\xbb\xbf") else b""
         ends = "\r\n" if b"\r\n" in raw else "\n"
-        _write(self.path, mark + text.replace("\n", ends).encode("utf-8"))
+        replace_file(self.path, mark + text.replace("\n", ends).encode("utf-8"))
         return self._stamp()
 
     def save_model(self, text: str) -> None:
         """Writes the model next to the text. Raises Changed if there is one already, and OSError."""
         if self.model.exists():
             raise Changed(f"{self.model.name} is there already; nothing was written")
-        _write(self.model, text.encode("utf-8"))
+        replace_file(self.model, text.encode("utf-8"))
 
 
 def _stamp_of(path: Path) -> str:
     found = path.stat()
     return f"{found.st_mtime_ns}-{found.st_size}-{found.st_ino}"
-
-
-def _write(path: Path, data: bytes) -> None:
-    draft = path.with_name(f".unfinished-{os.getpid()}-{path.name}")
-    try:
-        draft.write_bytes(data)
-        if path.exists():
-            draft.chmod(path.stat().st_mode & 0o777)
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
-from workbench.core.verdict import Grade
 from workbench.papers import PaperError
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.report.findings import place_of
@@ -17,7 +16,6 @@ from workbench.source.toml.file_bytes import file_bytes
 
 _MOST_BYTES = 20_000_000
 _EXPECTED = "a baseline that `workbench check --write-baseline` wrote"
-_GRADES = (Grade.ERROR, Grade.WARNING)
 
 
 @dataclass(frozen=True, order=True)
@@ -37,7 +35,7 @@ class Known:
 
 def known_of(result: ClaimResult, folder: Path) -> Known | None:
     """Returns a result as a finding; None if there is no fault."""
-    if result.shown not in _GRADES:
+    if not result.is_wrong:
         return None
     file = os.path.relpath(place_of(result).file.resolve(), folder.resolve())
     return Known(Path(file).as_posix(), content_of(result), str(result.verdict.outcome), str(result.shown))

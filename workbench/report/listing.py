@@ -193,7 +193,7 @@ def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
     """Yields the faults of a display; formulas that one edit corrects make one item."""
     found: list[Item] = []
     for result in results:
-        if result.shown not in (Grade.ERROR, Grade.WARNING):
+        if not result.is_wrong:
             continue
         own = result.edits
         if own and any(item.edits == own for item in found):

@@ -34,18 +34,19 @@ def bisect(file: Path, most: int) -> None:
     A display is known by what it shows, whatever its line. Exit status 0 if no display is false, 1 if one
     is, 2 if FILE cannot be used or has no history."""
     from workbench.app.servers.watch import paths_of
+    from workbench.report.baseline import content_of
 
     repository = Repository.around(file)
     judged = judged_file(file)
-    faults = _faults(judged.results)
+    faults = [result for result in judged.results if result.is_wrong]
     if not faults:
         click.echo(f"{file}: no display is false")
         return
     commits = list(repository.commits(paths_of(judged.paper)))
     versions = _versions(repository, commits[:most], file)
-    found = _traced({_content(each) for each in faults}, versions, len(commits) > most)
+    found = _traced({content_of(each) for each in faults}, versions, len(commits) > most)
     for each in faults:
-        _print(each, found[_content(each)])
+        _print(each, found[content_of(each)])
     sys.exit(1)
 
 
@@ -90,6 +91,7 @@ def _traced(wanted: set[str], versions: Iterator[Version], is_cut: bool) -> dict
 def _versions(repository: Repository, commits: Sequence[Commit], file: Path) -> Iterator[Version]:
     """Yields the text in each commit, judged; none once a commit does not have it."""
     from workbench.papers import PaperError
+    from workbench.report.baseline import content_of
 
     name = file.resolve().relative_to(repository.folder)
     for commit in commits:
@@ -101,28 +103,17 @@ def _versions(repository: Repository, commits: Sequence[Commit], file: Path) -> 
             except PaperError:
                 yield Version(commit, None)
                 continue
-            faults = {_content(each) for each in _faults(results)}
-            yield Version(commit, {_content(each): _content(each) in faults for each in results})
-
-
-def _faults(results: Sequence[ClaimResult]) -> list[ClaimResult]:
-    from workbench.core.verdict import Grade
-
-    return [result for result in results if result.shown in (Grade.ERROR, Grade.WARNING)]
-
-
-def _content(result: ClaimResult) -> str:
-    from workbench.report.baseline import content_of
-
-    return content_of(result)
+            faults = {content_of(each) for each in results if each.is_wrong}
+            yield Version(commit, {content_of(each): content_of(each) in faults for each in results})
 
 
 def _print(result: ClaimResult, origin: Origin) -> None:
     from workbench.app.commands.carets import printable
     from workbench.app.commands.listing_text import MARKS
+    from workbench.report.baseline import content_of
     from workbench.report.findings import place_of
 
     place = place_of(result)
-    click.echo(printable(f"{MARKS[result.shown]} {place.file}:{place.line}: {_content(result)}"))
+    click.echo(printable(f"{MARKS[result.shown]} {place.file}:{place.line}: {content_of(result)}"))
     since = origin.since or "changes that are not committed"
     click.echo(printable(f"    false since {since}; {origin.before}"))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from workbench.app.commands.options import Unusable
-from workbench.core.verdict import Grade, Outcome
+from workbench.core.verdict import Outcome
 from workbench.runtime.atomic_files import replace_file
 from workbench.source.documents.source_edits import SourceEdit, applied, patch_of
 from workbench.source.documents.source_view import MOST_BYTES
@@ -21,15 +21,13 @@ if TYPE_CHECKING:
     from workbench.prover.results.claim_results import ClaimResult
     from workbench.source.documents import Source
 
-_FAULTS = (Grade.ERROR, Grade.WARNING)
-
 
 def proved_edits(results: Sequence[ClaimResult]) -> dict[Path, list[SourceEdit]]:
     """Returns the edits that correct errors and warnings, by file; of overlapping corrections the first."""
     found: dict[Path, list[SourceEdit]] = {}
     for result in results:
         proposed = result.proposed[0] if result.proposed else None
-        if result.shown not in _FAULTS or proposed is None or proposed.verdict is not Outcome.PROVED:
+        if not result.is_wrong or proposed is None or proposed.verdict is not Outcome.PROVED:
             continue
         kept = [edit for edits in found.values() for edit in edits]
         if any(_clash(edit, other) for edit in result.edits for other in kept):

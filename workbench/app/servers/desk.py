@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from workbench.app.servers.warm import SEARCH_SECONDS, Judged, judged_file, with_corrections
-from workbench.core.verdict import Grade
 
 if TYPE_CHECKING:
     from workbench.papers.drafting.questions_to_author import Answer
@@ -83,7 +82,7 @@ class Turn:
     async def corrections(self, judged: Judged) -> Judged:
         """Returns the verdicts with proved corrections; the search is shorter for more faults. Raises
         Superseded."""
-        wrong = sum(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results)
+        wrong = sum(result.is_wrong for result in judged.results)
         seconds = max(1.0, min(SEARCH_SECONDS, _ALL_SECONDS / max(wrong, 1)))
         search = partial(with_corrections, judged, seconds, self._check)
         return await self._run(search)

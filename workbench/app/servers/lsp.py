@@ -211,14 +211,13 @@ async def _judge(
 ) -> None:
     """Publishes the verdicts, and again with the corrections, if a search finds any; nothing once the file is
     to be judged anew."""
-    from workbench.core.verdict import Grade
     from workbench.papers import PaperError
     from workbench.report.findings import fault_finding
 
     try:
         judged = await turn.verdicts(path, buffers, answers)
         _tell_judged(server, known, path, judged)
-        if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
+        if any(result.is_wrong for result in judged.results):
             corrected = await turn.corrections(judged)
             if any(result.edits for result in corrected.results):
                 _tell_judged(server, known, path, corrected)

@@ -63,6 +63,11 @@ class ClaimResult:
     def passed(self) -> bool:
         return not self.why_not
 
+    @property
+    def is_wrong(self) -> bool:
+        """True if the claim is reported as an error or a warning."""
+        return self.shown in (Grade.ERROR, Grade.WARNING)
+
     @cached_property
     def shown(self) -> Grade:
         """The grade under which the claim is reported.

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import product
+from typing import get_args
 
 import pytest
 
@@ -12,7 +13,7 @@ from workbench.core.construct import apply, derivative, relation, symbol
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.operations import GRADIENTS, LINEAR, OPERATORS, PARTIALS
-from workbench.core.terms import IllFormed
+from workbench.core.terms import Head, IllFormed
 from workbench.core.types import QUATERNION, SCALAR, TENSOR, VECTOR, Declaration
 from workbench.core.verdict import Outcome
 from workbench.prover.decide.case import NoDefinitions
@@ -22,6 +23,11 @@ TYPES = (VECTOR, TENSOR, SCALAR, QUATERNION)
 PLACE = symbol(Declaration(Name("r"), VECTOR, coordinate=True))
 #: P D and partial derivatives are linear in what they act on; tests/judge/test_slopes.py has laws of their own.
 HEADS = sorted(set(OPERATORS) - {"compose", *PARTIALS})
+
+
+def test_each_head_has_a_row():
+    in_certificates = {"reciprocal", "turn"}  # terms of the emitter only
+    assert set(get_args(Head)) - in_certificates == set(OPERATORS)
 
 
 def free(letter, type_):

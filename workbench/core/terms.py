@@ -17,7 +17,7 @@ from workbench.core.reasons import Code, Reason
 from workbench.core.types import Declaration, Type, Weight
 
 CountingName = Literal["factorial", "binomial", "multinomial"]
-#: The operations on terms; OPERATORS in `operators.py` says what each takes and gives.
+#: The operations on terms; OPERATORS in `operations.py` says what each takes and gives.
 Head = Literal[
     "add",
     "neg",

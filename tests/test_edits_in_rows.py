@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.app.servers.warm import judged_file, with_corrections
+from workbench.app.pipeline.judged_files import judged_file, with_corrections
 from workbench.core.verdict import Grade
 from workbench.source.documents.source_edits import applied
 

@@ -161,6 +161,17 @@ def test_no_room_imports_one_beside_or_above_it(room: str) -> None:
     assert upward(graph(sources), ROOMS[room], root) == []
 
 
+def test_pipeline_imports_no_command_and_no_server() -> None:
+    edges = {
+        m: others for m, others in graph(modules(ROOT)).items() if m.startswith("workbench.app.pipeline.")
+    }
+    assert edges
+    above = {
+        other for others in edges.values() for other in others if part(other, "workbench.app") != "pipeline"
+    }
+    assert {other for other in above if other.startswith("workbench.app.")} == set()
+
+
 def test_terms_and_symbols_know_no_reading() -> None:
     knows = {m for m, others in graph(modules(ROOT)).items() for o in others if ".language.elaboration" in o}
     language = {m for m in knows if m.startswith("workbench.language.") and ".elaboration." not in m}

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from IPython.core.interactiveshell import InteractiveShell
     from markupsafe import Markup
 
-    from workbench.app.servers.warm import Judged
+    from workbench.app.pipeline.judged_files import Judged
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
     from workbench.report.listing import Listing
@@ -85,7 +85,7 @@ def check_cell(line: str, cell: str) -> CheckedCell:
     """
     from tempfile import TemporaryDirectory
 
-    from workbench.app.servers.warm import judged_file, with_corrections
+    from workbench.app.pipeline.judged_files import judged_file, with_corrections
 
     text, suffix = _as_text(cell)
     with TemporaryDirectory(prefix="workbench-") as name:

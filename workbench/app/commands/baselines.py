@@ -12,7 +12,7 @@ import click
 
 from workbench.app.commands.judging_options import write_atomically
 from workbench.app.commands.options import Unusable
-from workbench.app.servers.warm import Judged, judged_file
+from workbench.app.pipeline.judged_files import Judged, judged_file
 
 if TYPE_CHECKING:
     from workbench.report.baseline import Known

@@ -12,7 +12,7 @@ import click
 
 from workbench.app.commands.history import Commit, Repository
 from workbench.app.commands.options import reports_faults
-from workbench.app.servers.warm import judged_file
+from workbench.app.pipeline.judged_files import judged_file
 
 if TYPE_CHECKING:
     from workbench.prover.results.claim_results import ClaimResult

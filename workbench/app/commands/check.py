@@ -13,9 +13,10 @@ import click
 
 from workbench.app.commands.baselines import without_known
 from workbench.app.commands.judging_options import engine_options, judged_papers, proposals_flag
-from workbench.app.commands.options import Unusable, memory_of_verdicts, reports_faults
+from workbench.app.commands.options import Unusable, reports_faults
 from workbench.app.commands.printed import print_judged
-from workbench.app.servers.warm import Judged, Loaded, loaded_file
+from workbench.app.pipeline.judged_files import Judged, Loaded, loaded_file
+from workbench.app.pipeline.verdict_memory import memory_of_verdicts
 
 if TYPE_CHECKING:
     from workbench.source.documents.source_edits import SourceEdit

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.app.commands.options import Unusable, cache_option, memory_of_verdicts, print_json
+from workbench.app.commands.options import Unusable, cache_option, print_json
+from workbench.app.pipeline.verdict_memory import memory_of_verdicts
 from workbench.runtime.atomic_files import replace_file
 
 if TYPE_CHECKING:

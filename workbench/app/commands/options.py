@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from workbench.app.pipeline.verdict_memory import memory_of_verdicts
+
 if TYPE_CHECKING:
-    from workbench.app.pipeline.verdict_keys import Memory
     from workbench.papers import Paper
 
 INTERRUPTED = 130
@@ -88,16 +88,6 @@ cache_option = click.option(
     " where the system keeps such files.",
 )
 json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-
-
-def memory_of_verdicts(wanted: bool) -> AbstractContextManager[Memory | None]:
-    """Returns the cache of verdicts as a context; None in it if it is not wanted."""
-    if not wanted:
-        return nullcontext()
-    from workbench.app.pipeline.verdict_keys import Memory
-    from workbench.runtime.store import standard
-
-    return standard(Memory)
 
 
 def named_paper(name: str | None, cache: bool = True, meanwhile: Callable[[], None] = lambda: None) -> Paper:

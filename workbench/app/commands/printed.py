@@ -16,7 +16,7 @@ from workbench.report.counts import versions
 from workbench.report.to_json import report_json
 
 if TYPE_CHECKING:
-    from workbench.app.servers.warm import Judged
+    from workbench.app.pipeline.judged_files import Judged
     from workbench.papers import Paper, PaperError
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.prover.results.claim_results import ClaimResult

@@ -13,12 +13,12 @@ import click
 from workbench.app.commands.options import (
     Unusable,
     json_flag,
-    memory_of_verdicts,
     named_paper,
     paper_option,
     print_json,
     reports_faults,
 )
+from workbench.app.pipeline.verdict_memory import memory_of_verdicts
 from workbench.repair.propose.search_limits import STANDARD, Limits
 
 if TYPE_CHECKING:

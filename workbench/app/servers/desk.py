@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from workbench.app.servers.warm import SEARCH_SECONDS, Judged, judged_file, with_corrections
+from workbench.app.pipeline.judged_files import SEARCH_SECONDS, Judged, judged_file, with_corrections
 
 if TYPE_CHECKING:
     from workbench.papers.drafting.questions_to_author import Answer

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from workbench.app.commands.options import Unusable
+from workbench.app.pipeline.judged_files import Judged
 from workbench.app.servers.desk import Desk, Superseded, Turn
 from workbench.app.servers.key_completion import completions
 from workbench.app.servers.lsp_answers import (
@@ -22,7 +23,6 @@ from workbench.app.servers.lsp_answers import (
     lenses,
     write_model,
 )
-from workbench.app.servers.warm import Judged
 from workbench.core.code_labels import suffix
 from workbench.core.codes.syntax_codes import UNKNOWN_SYMBOLS
 from workbench.core.codes.verdict_codes import WAITS_FOR_ITS_AUTHOR

@@ -12,7 +12,7 @@ from workbench.app.commands.options import Unusable
 if TYPE_CHECKING:
     from lsprotocol.types import CodeAction, CodeLens, Range
 
-    from workbench.app.servers.warm import Judged
+    from workbench.app.pipeline.judged_files import Judged
     from workbench.papers.drafting.questions_to_author import Answer
 
 #: The commands that the editor sends back.

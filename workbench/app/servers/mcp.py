@@ -15,7 +15,7 @@ from workbench.app.commands.options import Unusable
 if TYPE_CHECKING:
     from mcp.server.mcpserver import MCPServer
 
-    from workbench.app.servers.warm import Judged
+    from workbench.app.pipeline.judged_files import Judged
     from workbench.prover.results.claim_results import ClaimResult
 
 _INSTRUCTIONS = """Judges the printed formulas of kinematics texts. Verdicts come from exact algebra, not from
@@ -107,7 +107,7 @@ def propose_correction(latex: str, symbols: dict[str, str] | None = None) -> dic
 
     def proposed() -> dict[str, Any]:
         from workbench.app.commands.try_formula import judged_formula
-        from workbench.app.servers.warm import SEARCH_SECONDS
+        from workbench.app.pipeline.judged_files import SEARCH_SECONDS
         from workbench.repair.propose.search_limits import Limits
 
         lines, inferred = judged_formula(latex, symbols or {}, ())
@@ -119,7 +119,7 @@ def propose_correction(latex: str, symbols: dict[str, str] | None = None) -> dic
 
 
 def _checked_text(folder: Path, text: str, model: str, suffix: str) -> dict[str, Any]:
-    from workbench.app.servers.warm import judged_file, with_corrections
+    from workbench.app.pipeline.judged_files import judged_file, with_corrections
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.report.listing import listing
 

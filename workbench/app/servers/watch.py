@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
-from workbench.app.commands.options import memory_of_verdicts
+from workbench.app.pipeline.verdict_memory import memory_of_verdicts
 
 if TYPE_CHECKING:
     from workbench.app.pipeline.judge_claims import EngineOptions
@@ -82,7 +82,7 @@ def _judged(
     from workbench.app.commands.judging_options import print_faults
     from workbench.app.commands.printed import print_judged
     from workbench.app.pipeline.judge_claims import judge_paper
-    from workbench.app.servers.warm import loaded_file
+    from workbench.app.pipeline.judged_files import loaded_file
     from workbench.papers import PaperError
 
     start = monotonic()

@@ -19,7 +19,7 @@ from sphinx.util import logging
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
 
-    from workbench.app.servers.warm import Judged
+    from workbench.app.pipeline.judged_files import Judged
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.prover.results.claim_results import ClaimResult
     from workbench.source.documents import Display
@@ -59,7 +59,7 @@ def _add_style(app: Sphinx) -> None:
 
 def _check_page(app: Sphinx, doctree: nodes.document) -> None:
     """Judges the formulas of a page after it was read, and marks them."""
-    from workbench.app.servers.warm import judged_file
+    from workbench.app.pipeline.judged_files import judged_file
     from workbench.papers import PaperError
     from workbench.papers.texts.text_paper import TextPaper
     from workbench.source.documents import SUFFIXES

@@ -19,10 +19,10 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import HTMLResponse, JSONResponse, Response
 from starlette.routing import Route
 
+from workbench.app.pipeline.judged_files import Judged
 from workbench.app.servers.desk import Desk, Superseded, Turn
 from workbench.app.servers.page.page_file import MOST_BYTES, Changed, PageFile
 from workbench.app.servers.page.page_view import fault_view, page_view
-from workbench.app.servers.warm import Judged
 from workbench.papers import PaperError
 from workbench.papers.drafting.questions_to_author import Answer
 from workbench.report import ReportError

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup, escape
 
-from workbench.app.servers.warm import Judged
+from workbench.app.pipeline.judged_files import Judged
 from workbench.core.spans import Span
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.texts.text_paper import TextPaper

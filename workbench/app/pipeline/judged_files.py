@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from workbench.app.commands.options import memory_of_verdicts
+from workbench.app.pipeline.verdict_memory import memory_of_verdicts
 from workbench.source.toml.file_bytes import unsaved, within
 
 if TYPE_CHECKING:

@@ -38,6 +38,12 @@ def test_equation_alone_is_note_with_counterexample(tmp_path: Path, formula: str
     assert verdict.counterexample is not None
 
 
+def test_quaternion_1_is_no_value_that_a_formula_gives(tmp_path: Path) -> None:
+    formula = r"\frac{\operatorname{Sc}(q) + q}{|q|^2} = 1"
+    *_, verdict = judged(tmp_path, text_of([formula]), model({"q": "hamilton quaternion", "a": "vector"}))
+    assert (verdict.outcome, verdict.grade) == (Outcome.REFUTED, Grade.ERROR)
+
+
 def test_condition_of_another_symbol_makes_no_claim(tmp_path: Path) -> None:
     (verdict,) = judged(tmp_path, text_of([r"a \cdot b = g"], r"For $a \cdot a = 1$ we have"), MODEL)
     assert verdict.grade is Grade.NOTE

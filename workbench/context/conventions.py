@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from workbench.context import vector_figures
-from workbench.context.facts import Context, Fact, Origin, Provider, Strength
+from workbench.context.facts import Context, Duration, Fact, Origin, Provider, Strength
 from workbench.context.formula_subject import Subject, names_of
 from workbench.context.free_symbols import free_in, terms_of
 from workbench.context.property_statements import having, joined, meaning, of_length_one
@@ -31,12 +31,14 @@ class Convention:
     Attributes:
         of_letters: Whether it depends on letters, accents or typefaces, so that renaming symbols may change
             it.
+        duration: How long the facts hold.
     """
 
     name: str
     strength: Strength
     of_letters: bool
     make: Callable[[Subject], Iterator[Made]]
+    duration: Duration = Duration.ALWAYS
 
 
 def conventional(subject: Subject) -> Context:
@@ -50,7 +52,7 @@ def conventional(subject: Subject) -> Context:
             if any(each.declaration.hidden or each.declaration.introduced for each in own):
                 continue  # a symbol that only frames and definitions introduce is not the author's
             about = names_of([each.declaration for each in own])
-            fact = Fact(content, about, Origin(Provider.CONVENTION, words), row.strength)
+            fact = Fact(content, about, Origin(Provider.CONVENTION, words), row.strength, row.duration)
             if row.strength is Strength.HINTED:
                 hints.append(fact)
             else:
@@ -251,6 +253,7 @@ CONVENTIONS = (
     Convention("orthogonal", Strength.GUESSED, False, _flag("orthogonal")),
     Convention("axes", Strength.GUESSED, True, vector_figures.axes),
     Convention("right angle", Strength.GUESSED, False, vector_figures.right_angles),
+    Convention("coincident", Strength.GUESSED, False, vector_figures.coincident, Duration.INSTANT),
     Convention("turning", Strength.GUESSED, False, vector_figures.turning),
     Convention("spin", Strength.GUESSED, False, _spins),
     Convention("length one", Strength.GUESSED, False, _of_length_one),

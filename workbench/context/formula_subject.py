@@ -10,7 +10,7 @@ from functools import cached_property
 
 from workbench.context.facts import Act
 from workbench.context.free_symbols import equations_of, free_in, terms_of
-from workbench.core.construct import symbol
+from workbench.core.construct import number, symbol, zero
 from workbench.core.names import Name
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import (
@@ -27,7 +27,7 @@ from workbench.core.terms import (
     column_of_symbols,
     sides_of,
 )
-from workbench.core.types import SCALAR, Declaration, Type
+from workbench.core.types import SCALAR, VECTOR, Declaration, Type
 from workbench.engines.inventory.inventory import Inventory, NotExact, take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
@@ -243,8 +243,11 @@ def _components_of(body: Term) -> tuple[Symbol, ...]:
 
 
 def _is_value(term: Term) -> bool:
-    """True if the term is a matrix of numbers other than the zero and the unit matrix."""
-    parts = [] if term.type.rows == 1 == term.type.columns else list(term.walk())
+    """True if the term is a matrix or quaternion of numbers other than 0 and 1."""
+    is_one = (
+        isinstance(term, Apply) and term.head == "quaternion" and term.arguments == (number(1), zero(VECTOR))
+    )
+    parts = [] if is_one or term.type.rows == 1 == term.type.columns else list(term.walk())
     has_symbol = any(isinstance(part, Symbol) for part in parts)
     return any(isinstance(part, Number) for part in parts) and not has_symbol
 

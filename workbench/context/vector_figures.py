@@ -13,7 +13,7 @@ from workbench.context.property_statements import having, joined
 from workbench.core.construct import apply, block, derivative, number, relation, symbol, zero
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
-from workbench.core.terms import Apply, Relation, Statement, Symbol, Term
+from workbench.core.terms import Apply, Relation, Statement, Symbol, Term, sides_of
 from workbench.core.types import SCALAR, TENSOR, Declaration
 from workbench.language.printing.printer import to_latex
 
@@ -131,6 +131,25 @@ def _turns_across(statement: Statement, axis: Symbol, arm: Symbol) -> bool:
         and any(isinstance(part, Apply) and part.head == "cross" for part in right.walk())
         for left, right in crosses
     )
+
+
+def coincident(subject: Subject) -> Iterator[Made]:
+    """Yields the supposition that a moving point is where a point of a frame is, as in the one-point theorem.
+
+    A formula with the vector between the two does not mean that.
+    """
+    frames = subject.symbols.frames
+    reached = {part for side in sides_of(subject.statement) for part in subject.definitions.reached(side)}
+    written = [term for term in terms_of(subject.statement) if isinstance(term, Symbol)]
+    shown = [each.body for own in dict.fromkeys(written) for each in subject.definitions.about(own)]
+    own = [each for each in dict.fromkeys(written) if each.type.kind == "vector"]
+    for (point, place), (carried, spot) in permutations(frames.places.items(), 2):
+        is_carried = carried in frames.fixed and point not in frames.fixed
+        between = {apply("add", one, apply("neg", other)) for one, other in permutations((place, spot))}
+        parts = {part for term in (place, spot) for part in term.walk() if isinstance(part, Symbol)}
+        if is_carried and parts <= reached and between.isdisjoint(shown):
+            words = f"{point} and {carried}: at one place"
+            yield words, own, Supposition((), (relation("=", place, spot),))
 
 
 def turning(subject: Subject) -> Iterator[Made]:

@@ -120,9 +120,10 @@ class _Reader:
             self.known(label(str(dot)), frames.labels, "dot")
             if not has_components:
                 self.keep_constants(label(dot))
-        for point, fixed in _table(self.entries["points"], "fixed").items():
+        fixed = _table(self.entries["points"], "fixed")
+        for point, carriers in fixed.items():
             self.known(label(point), frames.points, "fixed")
-            for frame in [fixed] if isinstance(fixed, str) else fixed:
+            for frame in [carriers] if isinstance(carriers, str) else carriers:
                 self.known(label(frame), frames.labels, "fixed")
                 frames.fix(label(point), label(frame))
         placed = _table(self.entries["points"], "place")
@@ -157,6 +158,8 @@ class _Reader:
                 resolved=self.rates(),
                 constant=self.table.frames.constant,
                 directions=frozenset(frames.directions),
+                places=dict(frames.places),
+                fixed=frozenset(map(label, fixed)),
             ),
             defined=replace(self.table.defined, members={**self.table.defined.members, **defined}),
         )

@@ -20,13 +20,14 @@ from typing import Any
 from evaluator.mutations import mutated_once
 
 from workbench.app.pipeline.judge_claims import judge_claims
-from workbench.context.claims import Claim
+from workbench.context.claims import Claim, Formula
 from workbench.context.formula_acts import act_of
 from workbench.core.formula_errors import IllFormedAt
 from workbench.core.names import Name
 from workbench.core.paper_errors import PaperError
 from workbench.core.terms import IllFormed, Relation
 from workbench.core.verdict import Outcome, Verdict
+from workbench.language.printing.printer import to_latex
 from workbench.papers.installed_papers import installed, installed_names
 from workbench.papers.load import load_paper
 
@@ -108,7 +109,7 @@ def mutants_of(file: Path, change: Callable[[str], str], seed: int) -> list[Row]
             other = mutated_once(random, said, claim.notation.symbols)
         except (IllFormed, IllFormedAt, IndexError, ValueError):
             continue
-        printed = replace(claim.printed, statement=other)
+        printed = Formula(to_latex(other), other)
         act = act_of(printed, claim.notation)
         edited.append(replace(claim, printed=printed).with_context(act=act))
     bare = [c.with_context(alone=True, facts=(), given=(), guessed=()) for c in edited]

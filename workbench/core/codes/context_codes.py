@@ -16,6 +16,7 @@ class ContextCode(Code):
     POSTULATES = "postulates a law of {symbol}"
     CONSTRAINS = "says what {symbol} is, which stands in no definition"
     HOLDS_BY = "holds by {facts}"
+    FOR_KNOWN_MEMBERS = "holds for {orders}, the members that the definitions hold"
     FALSE_IF_KINDS = "false if {kinds}{reason}"
     HOLDS_IF_KINDS = "holds if {kinds}{reason}"
     SCOPE_UNKNOWN = "{outcome} if no [[scope]] stands before it; say where each begins"

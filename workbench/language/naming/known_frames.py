@@ -6,7 +6,7 @@ from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, replace
 
 from workbench.core.names import Name
-from workbench.core.terms import Term
+from workbench.core.terms import Symbol, Term
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,8 @@ class KnownFrames:
     differentiates vectors; None with frames where it is not stated.   resolved: {}^F x, the components of a
     vector in another frame than that → what {}^F\\dot{x} is: the matrix and the vector whose rate it
     multiplies; None where it is not stated whether it is that or the rate of {}^F x.   constant: what is
-    constant in that frame, and turns with it.   directions: the vectors that are no points."""
+    constant in that frame, and turns with it.   directions: the vectors that are no points.
+    places: point → its position.   fixed: the points that a frame carries."""
 
     velocities: Mapping[str, Term] = field(default_factory=dict)
     orientations: Mapping[str, Term] = field(default_factory=dict)
@@ -26,6 +27,8 @@ class KnownFrames:
     resolved: Mapping[Name, tuple[Term, Term] | None] = field(default_factory=dict)
     constant: frozenset[Name] = frozenset()
     directions: frozenset[Name] = frozenset()
+    places: Mapping[str, Term] = field(default_factory=dict)
+    fixed: frozenset[str] = frozenset()
 
     def part(self, names: Set[Name]) -> KnownFrames:
         """Returns the frames without the properties of other names."""
@@ -34,4 +37,9 @@ class KnownFrames:
             resolved={name: own for name, own in self.resolved.items() if name in names},
             constant=self.constant & names,
             directions=self.directions & names,
+            places={point: place for point, place in self.places.items() if _names_in(place) <= names},
         )
+
+
+def _names_in(term: Term) -> set[Name]:
+    return {part.declaration.name for part in term.walk() if isinstance(part, Symbol)}

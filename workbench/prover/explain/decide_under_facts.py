@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from workbench.context.claims import Claim, Notation
-from workbench.context.facts import Duration, Fact, Supposition
+from workbench.context.facts import Duration, Fact, Provider, Supposition
 from workbench.core.codes.verdict_codes import UNLESS_IT_LASTS, VerdictCode
 from workbench.core.construct import relation
 from workbench.core.names import Name
@@ -53,7 +53,7 @@ class Decider:
 
     def __init__(self, claim: Claim, judge_of: JudgeOf, second_engine: bool) -> None:
         assert claim.printed.statement is not None
-        self.claim, self._judge_of, self._second_engine = claim, judge_of, second_engine
+        self.claim, self.judge_of, self._second_engine = claim, judge_of, second_engine
         self._statement: Statement = claim.printed.statement
         self._known: dict[tuple[object, ...], Verdict] = {}
         self._count = 0
@@ -61,8 +61,12 @@ class Decider:
     def holds(
         self, facts: Sequence[Fact], statement: Statement | None = None, approximately: bool = False
     ) -> bool:
-        """True if the polynomial engine proves it; a random point is tried first."""
-        return is_true(self.decide(facts, statement, approximately, by_both=False))
+        """True if the polynomial engine proves it; a random point is tried first.
+
+        A guess that is meant for one instant is not tried for all times.
+        """
+        verdict = self.decide(facts, statement, approximately, by_both=False)
+        return is_true(verdict) and not (verdict.code in UNLESS_IT_LASTS and any(map(_is_momentary, facts)))
 
     def is_refuted(self, facts: Sequence[Fact]) -> bool:
         return self.decide(facts, by_both=False).outcome is Outcome.REFUTED
@@ -92,7 +96,7 @@ class Decider:
 
     def witness(self) -> Counterexample | None:
         """Returns values of which the claim is false on what is declared, be it a law or not."""
-        judge = replace(self._judge_of(self.claim.notation), laws=False)
+        judge = replace(self.judge_of(self.claim.notation), laws=False)
         with suppress(Unsatisfiable, *_PROBLEMS):
             found = judge.judge(self._statement, self.claim.supposed, orders=self.claim.orders)
             return found.counterexample
@@ -143,7 +147,7 @@ class Decider:
 
         notation = self.claim.notation
         if known is notation.definitions:
-            return self._judge_of(notation)
+            return self.judge_of(notation)
         bound = frozenset(symbol.declaration.name for symbol in notation.motion)
         return Judge(known, second_engine=self._second_engine, bound=bound)
 
@@ -156,6 +160,10 @@ class Decider:
         with suppress(*_PROBLEMS):
             return Equation(judge, goal, tuple(supposed))._at_random_point() is False
         return False
+
+
+def _is_momentary(fact: Fact) -> bool:
+    return fact.origin.provider is Provider.CONVENTION and fact.duration is Duration.INSTANT
 
 
 class _Put:

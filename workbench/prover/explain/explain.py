@@ -25,6 +25,7 @@ from workbench.prover.explain.fact_layers import layers_of
 from workbench.prover.explain.false_premises import under_premises
 from workbench.prover.explain.field_alternatives import other_convention
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
+from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law
 from workbench.prover.explain.other_readings import other_reading
 
@@ -96,7 +97,8 @@ class _Explanation:
         is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.context.alone
         if is_refuted and (why := other_reading(self.claim, self.base, self.decider)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=self.base.read_back)
-        if (held := self._by_what_is_stated()) is not None:
+        held = for_known_members(self.claim, self.base, self.decider.judge_of) if is_refuted else None
+        if held is not None or (held := self._by_what_is_stated()) is not None:
             return held
         was, own = self.act, self.own
         self._count_again()

@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 import threading
 import time
+from contextlib import closing, nullcontext
 from pathlib import Path
 
 import pytest
@@ -17,10 +19,11 @@ from click.testing import CliRunner, Result
 from workbench.app.commands.commands import main
 from workbench.app.pipeline import dask_workers
 from workbench.app.pipeline.judge_claims import PaperJudge
+from workbench.app.pipeline.judged_files import Loaded, loaded_file
 from workbench.app.pipeline.many_papers import judge_papers
 from workbench.app.pipeline.verdict_keys import Memory
 from workbench.app.servers import watch
-from workbench.papers import load_paper
+from workbench.source.documents import texts_in
 
 HEAD = 'title = "p"\n[symbols]\na = { kind = "vector" }\nb = { kind = "vector" }\n'
 TRUE = "[[claim]]\nid = 'true'\nprinted = 'a \\times b = -b \\times a'\n"
@@ -37,18 +40,22 @@ def run(*arguments: str) -> Result:
     return CliRunner().invoke(main, [*arguments], catch_exceptions=False)
 
 
-def papers(folder: Path) -> list[tuple[str, object]]:
+def papers(folder: Path) -> list[tuple[str, Loaded]]:
+    """A paper file, a text with a model, and one without."""
     (folder / "one.toml").write_text(HEAD + TRUE + FALSE)
     (folder / "two.tex").write_text(TEXT)
     (folder / "part.tex").write_text("\\[ 2 a = a + a \\]")
-    return [(str(folder / name), load_paper(folder / name)) for name in ("one.toml", "two.tex")]
+    (folder / "three.md").write_text(
+        "$$ \\mathbf{a} \\times \\mathbf{b} = \\mathbf{b} \\times \\mathbf{a} $$\n"
+    )
+    return [(str(folder / name), loaded_file(folder / name)) for name in ("one.toml", "two.tex", "three.md")]
 
 
-VERDICTS = [["proved", "refuted"], ["proved", "refuted", "proved"]]
+VERDICTS = [["proved", "refuted"], ["proved", "refuted", "proved"], ["refuted"]]
 
 
 def outcomes(found) -> list[list[str]]:
-    return [[str(result.verdict.outcome) for result in results] for results in found]
+    return [[str(result.verdict.outcome) for result in each.results] for each in found]
 
 
 def test_an_unreadable_formula_hides_no_other(tmp_path: Path) -> None:
@@ -85,7 +92,8 @@ def test_a_text_without_a_model_says_what_it_needs(tmp_path: Path) -> None:
 
 
 def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> None:
-    (name, paper), *_ = papers(tmp_path)
+    (name, loaded), *_ = papers(tmp_path)
+    paper = loaded.paper
     judge, bundle = PaperJudge(paper, motions=False), dask_workers.Bundle.of(paper, name)
     claim = paper.claims[1]
     options = {"motions": False}
@@ -138,9 +146,11 @@ def test_an_interrupted_run_continues_from_its_verdicts(tmp_path: Path) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        list(judge_papers(chosen, memory=memory, motions=False, progress=interrupt))
-    judge = PaperJudge(chosen[0][1], memory=memory, motions=False)
-    claims = chosen[0][1].claims
+        list(
+            judge_papers(chosen, memory=memory, motions=False, progress=lambda count: nullcontext(interrupt))
+        )
+    judge = PaperJudge(chosen[0][1].paper, memory=memory, motions=False)
+    claims = chosen[0][1].paper.claims
     assert memory.recall(judge.key(claims[0], "printed")) is not None
     assert memory.recall(judge.key(claims[1], "printed")) is None
     memory.close()
@@ -178,3 +188,94 @@ def _until(process: subprocess.Popen, words: str) -> str:
         assert line, told
         told += line
     return told
+
+
+@pytest.mark.slow
+def test_a_scheduler_that_dies_and_comes_back_loses_no_verdict(tmp_path: Path) -> None:
+    path = tmp_path / "many.toml"
+    claims = (
+        TRUE.replace("'true'", f"'{n}'").replace("a \\times b =", f"{n} a \\times b = {n - 1} a \\times b")
+        for n in range(2, 42)
+    )
+    path.write_text(HEAD + "".join(claims))
+    paper = loaded_file(path)
+    with closing(socket.socket()) as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+
+    def start() -> list[subprocess.Popen]:
+        words = [
+            ["scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"],
+            ["worker", f"tcp://127.0.0.1:{port}", "--nthreads", "1", "--no-dashboard", "--no-nanny"],
+        ]
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": tmp_path}
+        return [
+            subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_" + first, *rest], **quiet)
+            for first, *rest in words
+        ]
+
+    running = start()
+    seen = []
+
+    def replaced(result) -> None:
+        seen.append(result.claim.id)
+        if len(seen) == 3:
+            for process in running:
+                process.kill()
+            running[:] = start()
+
+    try:
+        found = list(
+            judge_papers(
+                [(str(path), paper)],
+                scheduler=f"tcp://127.0.0.1:{port}",
+                progress=lambda count: nullcontext(replaced),
+                motions=False,
+            )
+        )
+    finally:
+        for process in running:
+            process.kill()
+    assert outcomes(found) == [["proved"] * 40] and sorted(seen) == sorted(set(seen))
+
+
+def test_a_folder_is_its_texts_without_their_parts(tmp_path: Path) -> None:
+    for name, text in {
+        "main.tex": "\\documentclass{article}\\input{parts/one} % \\input{old}\n\\subfile{two.tex}\\import{parts/}{three}",
+        "parts/one.tex": "\\input four\n",
+        "parts/three.tex": "",
+        "two.tex": "",
+        "four.tex": "",
+        "old.tex": "",
+        "notes.md": "\\input{notes}",
+        "data.csv": "",
+        ".git/x.tex": "",
+    }.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    (tmp_path / "link.tex").symlink_to(tmp_path / "old.tex")
+    found = [str(path.relative_to(tmp_path)) for path in texts_in(tmp_path)]
+    assert found == ["main.tex", "notes.md", "old.tex"]
+
+
+def test_each_text_of_a_folder_is_shown_when_it_is_judged(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    papers(tmp_path)
+    (tmp_path / "prose.md").write_text("No formula.")
+    told = run("check", str(tmp_path), "--no-motions", "--no-proposals")
+    assert told.exit_code == 1 and "prose" not in told.output and "part.tex" not in told.output
+    assert "two.tex: 1 error" in told.output and "three.md: 1 warning" in told.output
+    shown: list[str] = []
+
+    def broken(judged, *_: object, **__: object) -> None:
+        shown.append(judged.paper.paths[-1].name)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("workbench.app.commands.check.print_for_people", broken)
+    assert run("check", str(tmp_path), "--no-motions").exit_code == 130 and shown == ["three.md"]
+
+
+def test_a_folder_without_a_text_is_said(tmp_path: Path) -> None:
+    told = run("check", str(tmp_path))
+    assert told.exit_code == 2 and "holds no text; expected" in told.output

@@ -41,6 +41,16 @@ class PaperError(ValueError):
         return PaperError, (self.file, self.line, self.column, self.message)
 
 
+class NoDisplay(PaperError):
+    """A text without a displayed formula."""
+
+    def __init__(self, file: Path) -> None:
+        super().__init__(file, None, None, "no displayed equation in it")
+
+    def __reduce__(self) -> tuple:
+        return NoDisplay, (self.file,)
+
+
 class PaperErrors(PaperError):
     """Several faults of a file; the message is that of the first."""
 

@@ -18,28 +18,31 @@ if TYPE_CHECKING:
     from workbench.report.baseline import Known
 
 
-def without_known(
-    judged: Sequence[Judged], baseline: Path | None, written: Path | None, since: str | None
-) -> list[Judged]:
-    """Returns the results, with those marked that a file lists or that were wrong in a revision.
+class KnownFindings:
+    """What was known before a run: the findings that a file lists, and those of a git revision."""
 
-    written: the file to which all findings are written, which makes them known.
-    """
-    made = list(judged)
-    if since is not None:
-        made = [_since(each, since) for each in made]
-    if baseline is not None:
-        made = _by_file(made, baseline)
-    return made if written is None else _written(judged, made, written)
+    def __init__(self, baseline: Path | None = None, since: str | None = None) -> None:
+        """Raises PaperError for an unusable file."""
+        from workbench.report.baseline import read_baseline
 
+        self._path, self._since = baseline, since
+        self._judged: list[Judged] = []
+        if baseline is not None:
+            self._listed, self._folder = read_baseline(baseline), baseline.resolve().parent
 
-def _by_file(judged: Sequence[Judged], path: Path) -> list[Judged]:
-    from workbench.report.baseline import read_baseline
+    def marked(self, judged: Judged) -> Judged:
+        """Returns the results, with those marked that were known."""
+        if self._since is not None:
+            judged = _since(judged, self._since)
+        if self._path is not None:
+            self._judged.append(judged)
+            judged = _marked(judged, self._listed, self._folder)
+        return judged
 
-    known, folder = read_baseline(path), path.resolve().parent
-    made = [_marked(each, known, folder) for each in judged]
-    _tell_stale(judged, known, path)
-    return made
+    def tell_stale(self) -> None:
+        """Prints the entries about the judged files that are no longer wrong."""
+        if self._path is not None:
+            _tell_stale(self._judged, self._listed, self._path)
 
 
 def _tell_stale(judged: Sequence[Judged], rest: Counter[Known], path: Path) -> None:
@@ -55,7 +58,8 @@ def _tell_stale(judged: Sequence[Judged], rest: Counter[Known], path: Path) -> N
         click.echo(f"`workbench check --write-baseline {path}` leaves them out", err=True)
 
 
-def _written(judged: Sequence[Judged], made: Sequence[Judged], path: Path) -> list[Judged]:
+def written_baseline(judged: Sequence[Judged], marked: Sequence[Judged], path: Path) -> list[Judged]:
+    """Writes all findings into a file, and returns the marked results with these marked, too."""
     from workbench.report.baseline import all_known, baseline_text
 
     folder = path.resolve().parent
@@ -63,7 +67,7 @@ def _written(judged: Sequence[Judged], made: Sequence[Judged], path: Path) -> li
     write_atomically(path, baseline_text(known))
     count = known.total()
     click.echo(f"{path}: {count} known finding{'' if count == 1 else 's'}", err=True)
-    return [_marked(each, known, folder) for each in made]
+    return [_marked(each, known, folder) for each in marked]
 
 
 def _since(judged: Judged, name: str) -> Judged:

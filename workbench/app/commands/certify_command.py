@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def certify(select: Sequence[str], paper_name: str | None, out: Path | None, asked: bool) -> None:
     """Write the proved and refuted forms of the claims that SELECT means as Coq theorems. With --check, exit
     status 3 if Coq refuses one of them."""
-    from workbench.app.commands.judging_options import judged
+    from workbench.app.commands.judging_options import judged_claims
     from workbench.app.commands.terminal import certificates_table, console, progress_bar
     from workbench.certificates import coqc
     from workbench.certificates.certify import exact_forms, recalled, written
@@ -39,7 +39,7 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     if out is not None and out.exists() and not out.is_dir():
         raise Unusable(f"{out}: expected a directory for the certificates, got a file")
     paper = named_paper(paper_name)
-    results = judged(paper, select)
+    results = judged_claims(paper, select)
     made = [written(form, verdict) for form, _, verdict in exact_forms(results)]
     steps = all_steps(results, paper.theorems)
     if out is not None:

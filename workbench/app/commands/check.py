@@ -11,14 +11,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.app.commands.baselines import without_known
-from workbench.app.commands.judging_options import engine_options, judged_papers, proposals_flag
+from workbench.app.commands.baselines import KnownFindings, written_baseline
+from workbench.app.commands.judging_options import (
+    engine_options,
+    judged_claims,
+    judged_files,
+    print_faults,
+    proposals_flag,
+)
 from workbench.app.commands.options import Unusable, reports_faults
-from workbench.app.commands.printed import print_judged
-from workbench.app.pipeline.judged_files import Judged, Loaded, loaded_file
-from workbench.app.pipeline.verdict_memory import memory_of_verdicts
+from workbench.app.commands.printed import print_for_people, print_judged
+from workbench.app.pipeline.judged_files import Judged, Loaded
+from workbench.core.paper_errors import NoDisplay
 
 if TYPE_CHECKING:
+    from workbench.papers import PaperError
     from workbench.source.documents.source_edits import SourceEdit
 
 FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
@@ -124,39 +131,53 @@ def check(
             raise Unusable("--watch prints text, github or rdjsonl, and judges here")
         if baseline or write_baseline or since:
             raise Unusable("--watch: expected no --baseline, --write-baseline or --since")
-        watch_files(files, form, jobs, **engines)
+        watch_files(_texts(files), form, jobs, **engines)
         return
     from workbench.app.commands.fix import diff_of, proved_edits
-    from workbench.app.commands.judging_options import print_faults
-    from workbench.papers import PaperError
 
-    loaded: list[tuple[str, Loaded]] = []
     unusable: list[PaperError] = []
-    with memory_of_verdicts(engines["cache"]) as memory:
-        for file in dict.fromkeys(map(_read_from, files)):
-            try:
-                loaded.append((str(file), loaded_file(file, memory)))
-            except PaperError as error:
-                unusable += error.faults
-    found = judged_papers([(name, each.paper) for name, each in loaded], jobs, scheduler, **engines)
-    judged = [each.judged(results) for (_, each), results in zip(loaded, found, strict=True)]
+    texts = _texts(files)
+    known = KnownFindings(baseline, since)
     is_text = form == "text" and json_out is None
-    if ask and is_text:
-        judged = [_asked(each, engines) for each in judged]
-    judged = without_known(judged, baseline, write_baseline, since)
-    judged = [_corrected(each, proposals or fix or diff, engines["cache"], repair_seconds) for each in judged]
+    shows_at_once = is_text and not (diff or write_baseline)
+    asks = not (quiet or ask)
+    found: list[Judged] = []
+    judged: list[Judged] = []
+    for each in judged_files(texts, unusable, jobs, scheduler, **engines):
+        if ask and is_text:
+            each = _asked(each, engines)
+        found.append(each)
+        each = _corrected(known.marked(each), proposals or fix or diff, engines["cache"], repair_seconds)
+        judged.append(each)
+        if shows_at_once:
+            print_for_people(each, quiet, verbose, asks, is_one_of_many=len(texts) > 1)
+    unusable = [fault for fault in unusable if fault.file in files or not isinstance(fault, NoDisplay)]
+    known.tell_stale()
+    if write_baseline is not None:
+        judged = written_baseline(found, judged, write_baseline)
     if report_out is not None and judged:
         _write_report(judged[0], report_out)
     edits = proved_edits([result for each in judged for result in each.results])
-    if diff:
+    if shows_at_once or diff:
         print_faults(unusable)
-        click.echo(diff_of(edits), nl=False)
+        click.echo(diff_of(edits) if diff else "", nl=False)
     else:
-        print_judged(judged, json_out, form, unusable, quiet, verbose, asks=not (quiet or ask))
+        print_judged(judged, json_out, form, unusable, quiet, verbose, asks)
     if fix and _fixed(edits):
         context = click.get_current_context()
         context.invoke(check, **{**context.params, "fix": False})
     sys.exit(max([_status(each, strict) for each in judged], default=2) if not unusable else 2)
+
+
+def _texts(files: Sequence[Path]) -> list[Path]:
+    """Returns the files, with the texts of each folder in its place. Raises PaperError."""
+    from workbench.source.documents import texts_in
+
+    return list(
+        dict.fromkeys(
+            text for file in files for text in (texts_in(file) if file.is_dir() else [_read_from(file)])
+        )
+    )
 
 
 def _read_from(file: Path) -> Path:
@@ -198,8 +219,7 @@ def _asked(judged: Judged, engines: dict[str, Any]) -> Judged:
 
     if judged.draft is None or (draft := ask(judged.draft, judged.results)) is None:
         return judged
-    (results,) = judged_papers([(str(draft.paper.paths[0]), draft.paper)], None, None, **engines)
-    return Loaded(draft.paper, draft).judged(results)
+    return Loaded(draft.paper, draft).judged(judged_claims(draft.paper, (), **engines))
 
 
 def _corrected(judged: Judged, wanted: bool, cache: bool, seconds: float) -> Judged:

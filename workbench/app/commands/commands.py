@@ -21,7 +21,7 @@ from workbench.app.commands.command_groups import CommandGroups
 from workbench.app.commands.judging_options import (
     as_expected,
     engine_options,
-    judged,
+    judged_claims,
     loading,
     print_results,
     proposals_flag,
@@ -85,7 +85,7 @@ def verify(select: Sequence[str], paper_name: str | None, as_json: bool, **engin
     """Judge the claims that SELECT means: equations (58), ranges (45-70), ids (58.det), sections (4.1),
     patterns (58.*); all of them if there is none. Exit status 0 if each verdict is the expected one."""
     paper = named_paper(paper_name, engines["cache"], loading(**engines))
-    results = judged(paper, select, **engines)
+    results = judged_claims(paper, select, **engines)
     print_results(paper, results, as_json)
     sys.exit(0 if as_expected(paper, results) else 1)
 
@@ -106,7 +106,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     from workbench.report.to_json import claim_json
 
     paper = named_paper(paper_name, meanwhile=loading(motions=True))
-    results = with_proposals(judged(paper, [claim_id]), proposals)
+    results = with_proposals(judged_claims(paper, [claim_id]), proposals)
     results = with_certificates(results, paper)
     if as_json:
         told = [claim_json(result) for result in results]
@@ -159,7 +159,7 @@ def report(
     if out.exists() and not out.is_dir():
         raise Unusable(f"{out}: expected a directory for the report, got a file")
     paper = named_paper(paper_name, engines["cache"], loading(**engines))
-    results = judged(paper, select, **engines)
+    results = judged_claims(paper, select, **engines)
     recheck = "workbench report" + f" --paper {paper_name}" * bool(paper_name)
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})
     told = with_proposals(results, True, engines["cache"], paper=paper) if proposals else results

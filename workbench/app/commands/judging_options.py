@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import closing
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +16,7 @@ from workbench.app.pipeline.verdict_memory import memory_of_verdicts
 from workbench.runtime.atomic_files import replace_file
 
 if TYPE_CHECKING:
+    from workbench.app.pipeline.judged_files import Judged, Loaded
     from workbench.papers import Paper, PaperError
     from workbench.prover.results.claim_results import ClaimResult
 
@@ -63,7 +66,7 @@ def loading(motions: bool, **_: Any) -> Callable[[], None]:
     return load
 
 
-def judged(
+def judged_claims(
     paper: Paper,
     select: Sequence[str],
     seconds: float | None = None,
@@ -85,26 +88,39 @@ def judged(
         return judge_paper(paper, select, progress=advance, budget=budget, memory=memory, **engines)
 
 
-def judged_papers(
-    papers: Sequence[tuple[str, Paper]],
-    jobs: int | None,
-    scheduler: str | None,
+def judged_files(
+    files: Iterable[Path],
+    unusable: list[PaperError],
+    jobs: int | None = None,
+    scheduler: str | None = None,
     seconds: float | None = None,
     megabytes: float | None = None,
     cache: bool = True,
     **engines: bool,
-) -> list[list[ClaimResult]]:
-    """Returns the results of each paper, judged by this many processes or on a cluster."""
+) -> Iterator[Judged]:
+    """Yields each file as soon as it is judged, by this many processes or on a cluster.
+
+    unusable: gets the faults of files that cannot be read.
+    """
     from workbench.app.commands.terminal import progress_bar
+    from workbench.app.pipeline.judged_files import loaded_file
     from workbench.app.pipeline.many_papers import judge_papers
     from workbench.papers import PaperError
     from workbench.runtime import Budget
 
-    count = sum(len(paper.claims) for _, paper in papers)
+    def loaded() -> Iterator[tuple[str, Loaded]]:
+        for file in files:
+            try:
+                yield str(file), loaded_file(file, memory)
+            except PaperError as error:
+                unusable.extend(error.faults)
+
     try:
         budget = Budget.of(seconds=seconds, megabytes=megabytes)
-        with memory_of_verdicts(cache) as memory, progress_bar(count, "judging") as advance:
-            return list(judge_papers(papers, jobs, scheduler, advance, budget, memory, **engines))
+        with memory_of_verdicts(cache) as memory:
+            bar = partial(progress_bar, what="judging")
+            with closing(judge_papers(loaded(), jobs, scheduler, bar, budget, memory, **engines)) as found:
+                yield from found
     except PaperError:
         raise
     except ValueError as error:

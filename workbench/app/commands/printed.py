@@ -49,15 +49,28 @@ def print_judged(
             click.echo(text, nl=False)
             return
         write_atomically(Path(json_out), text)
-    drafts = [(each.draft, each.results) for each in judged if each.draft is not None]
-    if json_out is None:
-        for draft, _ in drafts:
-            click.echo(draft.summary)
     for each in judged:
-        _print_text(each.paper, each.results, quiet, verbose, len(judged) > 1)
-    if json_out is None and asks:
-        for draft, results in drafts:
-            print_questions(draft, results)
+        print_for_people(each, quiet, verbose, asks and json_out is None, json_out is None, len(judged) > 1)
+
+
+def print_for_people(
+    judged: Judged,
+    quiet: bool = False,
+    verbose: bool = False,
+    asks: bool = True,
+    tells_draft: bool = True,
+    is_one_of_many: bool = False,
+) -> None:
+    """Prints the results of one paper: the listing of a text, or the table of a paper file.
+
+    asks: whether the questions of a draft are printed.
+    tells_draft: whether it is said that a model was drafted.
+    """
+    if judged.draft is not None and tells_draft:
+        click.echo(judged.draft.summary)
+    _print_text(judged.paper, judged.results, quiet, verbose, is_one_of_many)
+    if judged.draft is not None and asks:
+        print_questions(judged.draft, judged.results)
 
 
 def _print_findings(judged: Sequence[Judged], unusable: Sequence[PaperError], form: str) -> None:

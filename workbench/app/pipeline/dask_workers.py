@@ -14,19 +14,26 @@ import subprocess
 import sys
 import tempfile
 import threading
+from collections import deque
 from collections.abc import Generator, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, BinaryIO
+from time import monotonic, sleep
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from workbench.app.pipeline.judge_claims import PaperJudge
+from workbench.app.pipeline.judged_files import loaded_file
 from workbench.context.claim_parts import ClaimForm
 from workbench.core.paper_errors import PaperError
 from workbench.core.verdict import Verdict
 from workbench.papers import Paper, find_paper
 from workbench.prover.decide.inference import Seal
 from workbench.runtime import Budget, OutOfBudget
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 #: How often a judgement is retried when its worker dies.
 _RETRIES = 5
@@ -63,40 +70,72 @@ class Bundle:
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
-        return find_paper(folder / self.main)
+        return loaded_file(folder / self.main).paper
 
 
 def _may_be_read(path: Path) -> bool:
-    suffixes = (".tex", ".sty", ".cls", ".toml", ".urdf")
+    suffixes = (".sty", ".cls", ".toml", ".urdf")  # what a text includes is one of its sources
     return path.is_file() and path.suffix in suffixes and path.stat().st_size < 2_000_000
 
 
 #: Seconds in which a scheduler must answer.
 CONNECT = 10
+#: Seconds in which a scheduler that died must be back.
+RETURN = 120
 
 
 class Cluster:
     """A cluster at `address` for judgements. Raises ValueError if there is none."""
 
     def __init__(self, address: str, options: Mapping[str, Any]) -> None:
+        self._address, self._options = address, dict(options)
+        self._secret = secrets.token_bytes(32)
+        self._client = self._connected()
+        self._connections = 1
+
+    def _connected(self) -> Client:
         try:
             from distributed import Client
         except ImportError:
             message = "a scheduler needs the extra dask: pip install 'kinematics-workbench[dask]'"
             raise ValueError(message) from None
         try:
-            self._client = Client(address, timeout=CONNECT)
+            return Client(self._address, timeout=CONNECT)
         except (OSError, ValueError) as error:
-            raise ValueError(f"{address}: no scheduler of Dask answers there: {error}") from None
-        self._options = dict(options)
-        self._secret = secrets.token_bytes(32)
+            raise ValueError(f"{self._address}: no scheduler of Dask answers there: {error}") from None
 
     def map(
         self, items: Iterable[tuple[Bundle, str, str, str]], budget: Budget
     ) -> Generator[Verdict | OutOfBudget]:
-        """Yields the verdict on each (paper, claim, form, key), in order; all are submitted at once."""
+        """Yields the verdict on each (paper, claim, form, key), in order; all are submitted at once.
+
+        If the scheduler dies, what is not yet answered is submitted to its successor at the same address.
+        """
+        waiting = deque(items)
+        tasks, connection = self._submitted(waiting, budget), self._connections
+
+        def answers() -> Generator[Verdict | OutOfBudget]:
+            nonlocal tasks, connection
+            while waiting:
+                try:
+                    if connection != self._connections:
+                        tasks, connection = self._submitted(waiting, budget), self._connections
+                    told = tasks[0].result()
+                except Exception as error:
+                    if tasks[0].status != "error":  # the scheduler is lost, and all its tasks
+                        if connection == self._connections:
+                            self._reconnect(error)
+                        continue
+                    told = f"the workers failed {_RETRIES + 1} times: {error}"
+                tasks.popleft()
+                *_, key = waiting.popleft()
+                yield OutOfBudget(told) if isinstance(told, str) else Seal(self._secret).opened(key, told)
+
+        return answers()
+
+    def _submitted(self, items: Iterable[tuple[Bundle, str, str, str]], budget: Budget) -> deque[Any]:
         bundles: dict[str, Any] = {}
-        tasks, keys = [], []
+        tasks: deque[Any] = deque()
         for bundle, *rest in items:
             if bundle.digest not in bundles:
                 bundles[bundle.digest] = self._client.submit(Bundle, bundle.main, bundle.files)
@@ -108,14 +147,28 @@ class Cluster:
                 pure=False,
             )
             tasks.append(task)
-            keys.append(rest[-1])
-        return (self._answer(task.result(), key) for task, key in zip(tasks, keys, strict=True))
+        return tasks
 
-    def _answer(self, told: dict[str, Any] | str, key: str) -> Verdict | OutOfBudget:
-        return OutOfBudget(told) if isinstance(told, str) else Seal(self._secret).opened(key, told)
+    def _reconnect(self, error: Exception) -> None:
+        """Waits for a scheduler at the same address. Raises ValueError if none comes back in time."""
+        with suppress(Exception):  # of a client without a scheduler
+            self._client.close(timeout=1)
+        end = monotonic() + RETURN
+        while True:
+            try:
+                self._client = self._connected()
+                self._connections += 1
+                return
+            except ValueError:
+                if monotonic() > end:
+                    message = f"{self._address}: the scheduler died and is not back after {RETURN} s: {error}"
+                    advice = "the verdicts so far are kept: the same command goes on from there"
+                    raise ValueError(f"{message}; {advice}") from None
+                sleep(1)
 
     def close(self) -> None:
-        self._client.close()
+        with suppress(Exception):  # of a client without a scheduler
+            self._client.close(timeout=5)
 
 
 class PaperOnCluster:

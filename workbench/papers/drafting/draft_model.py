@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from workbench.core.codes.syntax_codes import SyntaxCode
-from workbench.core.paper_errors import PaperError
+from workbench.core.paper_errors import NoDisplay, PaperError
 from workbench.core.reasons import Reason
 from workbench.papers.drafting.drafted_definitions import (
     Formula,
@@ -207,7 +207,7 @@ def _text(path: Path, macros: Path | None) -> tuple[Text, dict[str, str]]:
     if fences:
         text = read_text(path, macros, bodies=fences)
     if not text.displays:
-        raise PaperError(path, None, None, "no displayed equation in it")
+        raise NoDisplay(path)
     return text, fences
 
 

@@ -22,7 +22,7 @@ from workbench.context.unread_facts import Unread, said_unread, unread_facts
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.names import Name
-from workbench.core.paper_errors import PaperError
+from workbench.core.paper_errors import NoDisplay, PaperError
 from workbench.core.terms import Apply, Statement, Symbol
 from workbench.core.verdict import Strength
 from workbench.papers.corrections import mend_of
@@ -68,7 +68,7 @@ def text_paper(
     spoilt = any(_spoils(fault, model.chain) for fault in faults)
     placed = list(placed_steps(text.displays, notations))
     if not placed:
-        raise PaperError(text.path, None, None, "no displayed equation in it")
+        raise NoDisplay(text.path)
     entries = assigned(model, placed, text.displays)
     claims = [_usable_claim(each, entries.get(each.id, ()), model) for each in placed]
     claims = [

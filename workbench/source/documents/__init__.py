@@ -5,6 +5,7 @@ When do I come here? To add a format of texts (read_text.py), or a construct of 
 language, and the rest of source. What checks it? tests/texts.
 """
 
+from workbench.source.documents.folder_texts import texts_in
 from workbench.source.documents.read_text import SUFFIXES, is_text, read_text
 from workbench.source.documents.source_view import Source, View
 from workbench.source.documents.tex.displays import Display, Row
@@ -25,4 +26,5 @@ __all__ = [
     "joined",
     "read_text",
     "spelled",
+    "texts_in",
 ]

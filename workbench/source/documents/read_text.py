@@ -23,14 +23,14 @@ from workbench.source.documents.web import notebook, web
 
 Find = Callable[[View], Iterator[Found]]
 
-_TEX = frozenset({".tex", ".latex", ".ltx"})
+TEX_SUFFIXES = frozenset({".tex", ".latex", ".ltx"})
 _MARKUP: dict[str, Find] = {
     **dict.fromkeys((".md", ".markdown", ".mdx", ".qmd", ".rmd"), markdown),
     ".rst": restructured,
     **dict.fromkeys((".html", ".htm", ".xhtml"), web),
     ".ipynb": notebook,
 }
-SUFFIXES = _TEX | set(_MARKUP)
+SUFFIXES = TEX_SUFFIXES | set(_MARKUP)
 
 _DECLARATION = re.compile(r"\s*\\(?:re)?newcommand|\s*\\g?def\b|\s*\\DeclareMathOperator|\s*\\let\b")
 

@@ -15,7 +15,7 @@ from typing import Any
 import uvicorn
 
 from workbench.app.servers.page.page_app import Page
-from workbench.app.servers.page.page_file import PageFile
+from workbench.app.servers.page.page_file import PageTexts
 
 
 class Served:
@@ -39,20 +39,20 @@ class Served:
         finally:
             connection.close()
 
-    def call(self, name: str, **data: Any) -> tuple[int, dict[str, Any]]:
+    def call(self, api: str, /, **data: Any) -> tuple[int, dict[str, Any]]:
         """Status and JSON of a call of the page, with its token."""
-        data = {"tab": "t", **data}
-        status, _, body = self.request("POST", f"/api/{name}", data, X_Workbench_Token=self.page.token)
+        data = {"tab": "t", "name": "paper.tex", **data}
+        status, _, body = self.request("POST", f"/api/{api}", data, X_Workbench_Token=self.page.token)
         return status, json.loads(body)
 
 
 @contextmanager
-def served(file: Path | None = None) -> Iterator[Served]:
+def served(path: Path | None = None) -> Iterator[Served]:
     """Within it the page is served at a free port."""
     listener = socket.socket()
     listener.bind(("127.0.0.1", 0))
     port = listener.getsockname()[1]
-    page = Page(port, PageFile(file) if file else None)
+    page = Page(port, PageTexts(path) if path else None)
     server = uvicorn.Server(uvicorn.Config(page.app, log_level="error", timeout_graceful_shutdown=1))
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
     thread.start()

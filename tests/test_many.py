@@ -246,6 +246,8 @@ def test_a_folder_is_its_texts_without_their_parts(tmp_path: Path) -> None:
         "parts/three.tex": "",
         "two.tex": "",
         "four.tex": "",
+        "parts/five.tex": "\\input{data}",
+        "data.tex": "",
         "old.tex": "",
         "notes.md": "\\input{notes}",
         "data.csv": "",
@@ -255,7 +257,7 @@ def test_a_folder_is_its_texts_without_their_parts(tmp_path: Path) -> None:
         (tmp_path / name).write_text(text)
     (tmp_path / "link.tex").symlink_to(tmp_path / "old.tex")
     found = [str(path.relative_to(tmp_path)) for path in texts_in(tmp_path)]
-    assert found == ["main.tex", "notes.md", "old.tex"]
+    assert found == ["data.tex", "main.tex", "notes.md", "old.tex", "parts/five.tex"]
 
 
 def test_each_text_of_a_folder_is_shown_when_it_is_judged(

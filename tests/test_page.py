@@ -56,6 +56,7 @@ def test_a_false_display_is_corrected_by_its_edits(scratch: Served) -> None:
     assert "refuted" in view["findings"][0]["message"]
     status, view = scratch.call("corrections")
     (edit,) = view["displays"][0]["items"][0]["edits"]
+    assert "<math" in view["displays"][0]["items"][0]["what"] and "&lt;" not in json.dumps(view["displays"])
     text = ("é𝒳 " + FALSE).encode("utf-16-le")
     start, end = (2 * place for place in edit["place"])
     corrected = (text[:start] + edit["new"].encode("utf-16-le") + text[end:]).decode("utf-16-le")
@@ -164,6 +165,47 @@ def test_no_file_outside_of_the_folder_is_read(on_disk, tmp_path: Path) -> None:
     _, view = page.call("check", text=FALSE + r"\input{part}", document="file")
     assert grades(view) == ["warning", "ok"], "a part in the folder is read"
     assert [each["file"] for each in view["displays"]] == [None, "part.tex"]
+
+
+def test_each_text_of_a_folder_can_be_opened(tmp_path: Path) -> None:
+    folder = tmp_path / "book"
+    (folder / "parts").mkdir(parents=True)
+    (folder / "a.md").write_text(f"$$ {FALSE[3:-3]} $$\n")
+    (folder / "parts" / "b.tex").write_text(r"\input{c}" + TRUE)
+    (folder / "c.tex").write_text(TRUE)
+    (tmp_path / "secret.tex").write_text(TRUE)
+    (folder / "link.tex").symlink_to(tmp_path / "secret.tex")
+    with served(folder) as page:
+        told = page.call("text", name=None)[1]
+        assert told["name"] == "a.md" and told["names"] == ["a.md", "c.tex", "parts/b.tex"]
+        told = page.call("text", name="parts/b.tex")[1]
+        assert told["text"] == r"\input{c}" + TRUE
+        view = page.call("check", text=told["text"], document="file", name="parts/b.tex")[1]
+        assert grades(view) == ["ok"] and "no file 'c'" in view["faults"][0]
+        assert page.call("save", name="parts/b.tex", text=FALSE, stamp=told["stamp"])[0] == 200
+        assert (folder / "parts" / "b.tex").read_text() == FALSE
+        assert page.call("model", name="a.md", write=True)[0] == 409
+        assert page.call("model", name="parts/b.tex", write=True)[0] == 200
+        assert (folder / "parts" / "b.toml").exists()
+        for name in ("link.tex", "../secret.tex", str(tmp_path / "secret.tex"), "c.tex/", "no.tex"):
+            assert page.call("text", name=name)[0] == 422
+            assert page.call("check", name=name, text=TRUE, document="file")[0] == 422
+        (folder / "new.rst").write_text("none")
+        assert "new.rst" in page.call("text", name="a.md")[1]["names"]
+
+
+def test_a_text_that_became_a_link_is_not_opened(tmp_path: Path) -> None:
+    folder = tmp_path / "book"
+    folder.mkdir()
+    (folder / "paper.tex").write_text(TRUE)
+    (tmp_path / "secret.tex").write_text(TRUE)
+    with served(folder) as page:
+        told = page.call("text")[1]
+        (folder / "paper.tex").unlink()
+        (folder / "paper.tex").symlink_to(tmp_path / "secret.tex")
+        for name, data in {"text": {}, "save": {"text": FALSE, "stamp": told["stamp"]}}.items():
+            assert page.call(name, **data)[0] == 422
+    assert (tmp_path / "secret.tex").read_text() == TRUE
 
 
 def test_commands_in_a_text_are_not_executed(scratch: Served, tmp_path: Path) -> None:
@@ -308,7 +350,8 @@ def test_the_commands_of_the_guide_serve_until_interrupted(command: str, tmp_pat
     "words,message",
     [
         (["missing.tex"], "no such file"),
-        (["paper.pdf"], "expected a text"),
+        (["paper.pdf"], "expected a folder, or a text"),
+        (["."], "holds no text"),
         (["paper.tex", "--port", "1"], "cannot be used"),
     ],
 )
@@ -316,7 +359,8 @@ def test_an_unusable_text_or_port_is_one_error(
     words: list[str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    Path("paper.tex").write_text(FALSE)
+    if words != ["."]:
+        Path("paper.tex").write_text(FALSE)
     if "--port" in words:
         monkeypatch.setattr("socket.socket.bind", _refused)
     done = CliRunner().invoke(main, ["serve", *words])

@@ -29,7 +29,7 @@ class Item:
 
     Attributes:
         name: The display, as in "(8) eq:coriolis".
-        what: What is wrong, or what to do.
+        what: What is wrong, or what to do; formulas between dollar signs.
         edits: Edits of the author's characters.
         proposal: The right form, if no such edit was found.
         proved: Whether the corrected formula is proved.
@@ -175,7 +175,9 @@ def _row(name: str, results: Sequence[ClaimResult]) -> Row:
     if all(result.claim.skip is not None for result in results):
         return Row(name, Grade.NOTE, "left out", results[0].claim.skip or "")
     if grade in (Grade.ERROR, Grade.WARNING):
-        return Row(name, grade, str(grade), next(_what(r) for r in results if r.shown is grade))
+        return Row(
+            name, grade, str(grade), in_plain_text(next(_what(r) for r in results if r.shown is grade))
+        )
     if grade is Grade.NOT_JUDGED:
         reason = next(str(r.verdict.reason or "") for r in results if r.shown is grade)
         return Row(name, grade, "not judged", reason)
@@ -203,7 +205,7 @@ def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
             grade=result.shown,
             name=name,
             span=place_of(result),
-            what=in_plain_text(proposed.edit) if proposed else _what(result),
+            what=proposed.edit if proposed else _what(result),
             edits=own,
             proposal=proposed.latex if proposed and not own else "",
             proved=proposed is not None and proposed.verdict is Outcome.PROVED,
@@ -222,7 +224,7 @@ def _what(result: ClaimResult) -> str:
     """Returns what is wrong, if no correction is known."""
     verdict = result.verdict
     if verdict.outcome is Outcome.CONDITIONAL and verdict.hypothesis:
-        return f"holds only where {plain_text(verdict.hypothesis)}; the text does not say so"
+        return f"holds only where ${verdict.hypothesis}$; the text does not say so"
     if verdict.outcome is Outcome.ILL_FORMED:
         return f"the parts do not fit: {verdict.reason}"
     if verdict.outcome is Outcome.REFUTED:

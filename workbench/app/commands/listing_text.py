@@ -16,7 +16,7 @@ from workbench.core.verdict import Grade
 from workbench.report.counterexamples import Against
 from workbench.report.listing import Item, Listing, Open
 from workbench.source.documents.source_edits import SourceEdit
-from workbench.source.typeset.plain_text import plain_text
+from workbench.source.typeset.plain_text import in_plain_text, plain_text
 
 MARKS = {Grade.ERROR: "✗", Grade.WARNING: "!", Grade.OK: "✓", Grade.NOTE: "·", Grade.NOT_JUDGED: "?"}
 _ASCII = str.maketrans({"✗": "x", "✓": "+", "·": ".", "…": "...", "−": "-", "×": "x", "≠": "!="})
@@ -66,9 +66,8 @@ def item_lines(item: Item, lines_in: Callable[[Path], Sequence[str]]) -> Iterato
 
 def _heading(item: Item) -> Text:
     where = "" if item.name.startswith("line ") else f", line {item.span.line}"
-    return Text.assemble(
-        (MARKS[item.grade], STYLES[item.grade]), f" {printable(item.name)}{where}: {printable(item.what)}"
-    )
+    what = printable(in_plain_text(item.what))
+    return Text.assemble((MARKS[item.grade], STYLES[item.grade]), f" {printable(item.name)}{where}: {what}")
 
 
 def _indented(text: str) -> Text:

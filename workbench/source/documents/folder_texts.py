@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from workbench.core.paper_errors import PaperError
@@ -29,7 +29,9 @@ def texts_in(folder: Path) -> list[Path]:
     found = sorted(_texts_below(folder))
     if len(found) > MOST_TEXTS:
         raise PaperError(folder, None, None, f"holds {len(found):,} texts; expected at most {MOST_TEXTS:,}")
-    parts = {part for path in found for part in _named_by(path, folder)}
+    parts: set[Path] = set()
+    while new := {part for path in found for part in _named_by(path, folder, parts)} - parts:
+        parts |= new
     texts = [path for path in found if path.resolve() not in parts]
     if not texts:
         raise PaperError(folder, None, None, f"holds no text; expected {', '.join(sorted(SUFFIXES))}")
@@ -45,17 +47,17 @@ def _texts_below(folder: Path) -> Iterator[Path]:
                 yield path
 
 
-def _named_by(path: Path, folder: Path) -> Iterator[Path]:
-    """Yields the files that a TeX file may include: named from its own folder or from one above it."""
+def _named_by(path: Path, folder: Path, parts: Collection[Path]) -> Iterator[Path]:
+    """Yields the files that a TeX file names: from its own folder, or, for a part, from one above it."""
     try:
         text = path.read_text("utf-8", errors="replace") if path.suffix.lower() in TEX_SUFFIXES else ""
     except OSError:
         return
     own = path.resolve()
-    above = [own.parent, *(parent for parent in own.parents if parent.is_relative_to(folder.resolve()))]
+    above = [parent for parent in own.parents if parent.is_relative_to(folder.resolve())]
     for match in _INCLUDED.finditer(_COMMENT.sub("", text)):
         name = "".join(part for part in match.groups() if part).strip().strip('"')
-        for place in above:
+        for place in above if own in parts else above[:1]:
             for suffix in ("", ".tex"):
                 part = (place / f"{name}{suffix}").resolve()
                 if part != own:

@@ -21,7 +21,7 @@ from starlette.routing import Route
 
 from workbench.app.pipeline.judged_files import Judged
 from workbench.app.servers.desk import Desk, Superseded, Turn
-from workbench.app.servers.page.page_file import MOST_BYTES, Changed, PageFile
+from workbench.app.servers.page.page_file import MOST_BYTES, Changed, PageFile, PageTexts
 from workbench.app.servers.page.page_view import fault_view, page_view
 from workbench.papers import PaperError
 from workbench.papers.drafting.questions_to_author import Answer
@@ -71,11 +71,11 @@ class Page:
 
     Attributes:
         token: Required in each request.
-        file: The text on disk, if the page was started with one.
+        texts: The texts on disk, if the page was started with some.
     """
 
-    def __init__(self, port: int, file: PageFile | None = None, token: str | None = None) -> None:
-        self.token, self.file = token or secrets.token_urlsafe(24), file
+    def __init__(self, port: int, texts: PageTexts | None = None, token: str | None = None) -> None:
+        self.token, self.texts = token or secrets.token_urlsafe(24), texts
         self._hosts = {f"127.0.0.1:{port}", f"localhost:{port}"}
         self._empty = tempfile.TemporaryDirectory(prefix="workbench-")
         self._desk = Desk()
@@ -162,20 +162,24 @@ class Page:
         return answered
 
     async def _text(self, data: dict[str, Any]) -> dict[str, Any]:
-        """Returns the text on disk if it differs from the page's, and a stamp of its model."""
-        if self.file is None:
-            return {"name": None}
-        text, stamp = self.file.read()
-        model = self.file.model.name if self.file.model.exists() else None
-        told = {"name": self.file.name, "stamp": stamp, "model": model, "model_stamp": self.file.model_stamp}
+        """Returns the names of the texts; of one, its content if it differs from the page's, and a stamp of
+        its model."""
+        if self.texts is None:
+            return {"name": None, "names": []}
+        names = self.texts.names
+        file = self._file({**data, "name": data.get("name") or names[0]})
+        text, stamp = file.read()
+        model = file.model.name if file.model.exists() else None
+        told: dict[str, Any] = {"name": file.name, "names": names, "stamp": stamp, "model": model}
+        told["model_stamp"] = file.model_stamp
         return told if data.get("stamp") == stamp else {**told, "text": text}
 
     async def _check(self, data: dict[str, Any]) -> dict[str, Any]:
         """Returns the verdicts on the text of a tab."""
-        path = self._place(data)
+        path, folder = self._place(data)
         text, answers = _text_of(data), _answers_of(data)
         name = _string(data, "tab")
-        tab = Tab(self._desk.turn(name, path.parent), answers=answers, text=text, path=path)
+        tab = Tab(self._desk.turn(name, folder), answers=answers, text=text, path=path)
         self._tabs.pop(name, None)
         self._tabs[name] = tab
         while len(self._tabs) > _MOST_TABS:
@@ -198,10 +202,8 @@ class Page:
         return {"judged": tab.turn.judged if tab else 0}
 
     async def _save(self, data: dict[str, Any]) -> dict[str, Any]:
-        """Writes the text into the file that the page was started with."""
-        if self.file is None:
-            raise Refused(400, "there is no file; start `workbench serve FILE`")
-        return {"stamp": self.file.save(_text_of(data), _string(data, "stamp"))}
+        """Writes the text into its file."""
+        return {"stamp": self._file(data).save(_text_of(data), _string(data, "stamp"))}
 
     async def _model(self, data: dict[str, Any]) -> dict[str, Any]:
         """Returns the drafted model with the answers, and writes it next to the file if requested."""
@@ -214,9 +216,10 @@ class Page:
         text = model_text(tab.judged.draft.ingested, tab.path.with_suffix(".toml"))
         name = tab.path.with_suffix(".toml").name
         if data.get("write"):
-            if self.file is None or tab.path != self.file.path:
-                raise Refused(400, "there is no file beside which a model could stand")
-            self.file.save_model(text)
+            file = self._file(data)
+            if tab.path != file.path:
+                raise Refused(409, "another text is judged in this tab; change the text, and it is judged")
+            file.save_model(text)
         return {"name": name, "model": text}
 
     async def _report(self, data: dict[str, Any]) -> dict[str, Any]:
@@ -234,16 +237,23 @@ class Page:
             raise Refused(409, "nothing is judged in this tab; change the text, and it is")
         return tab
 
-    def _place(self, data: dict[str, Any]) -> Path:
-        """Returns the path of a text, real or assumed. No file outside of its folder is read."""
+    def _file(self, data: dict[str, Any]) -> PageFile:
+        """Returns the text on disk that a request names."""
+        if self.texts is None:
+            raise Refused(400, "there is no file; start `workbench serve FILE`")
+        return self.texts.open(_string(data, "name", 4096))
+
+    def _place(self, data: dict[str, Any]) -> tuple[Path, Path]:
+        """Returns the path of a text, real or assumed, and the folder outside of which no file is read."""
         if data.get("document") == "file":
-            if self.file is None:
-                raise Refused(400, "there is no file; start `workbench serve FILE`")
-            return self.file.path
+            path = self._file(data).path
+            assert self.texts is not None, "it has the file"
+            return path, self.texts.folder
         suffix = data.get("suffix", ".tex")
         if suffix not in SUFFIXES:
             raise Refused(400, f"suffix: expected one of {', '.join(sorted(SUFFIXES))}")
-        return Path(self._empty.name).resolve() / f"text{suffix}"
+        folder = Path(self._empty.name).resolve()
+        return folder / f"text{suffix}", folder
 
 
 async def _body(request: Request) -> dict[str, Any]:

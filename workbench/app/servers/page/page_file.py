@@ -1,4 +1,4 @@
-"""The file that a page was started with: reading, watching and saving it, and its model."""
+"""The texts that a page was started with: reading, watching and saving them, and their models."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from workbench.papers import PaperError
 from workbench.runtime.atomic_files import replace_file
+from workbench.source.documents import texts_in
 from workbench.source.toml.file_bytes import file_bytes
 
 #: Bytes of a text that the page takes.
@@ -16,14 +17,45 @@ class Changed(Exception):
     """A file has changed since it was read."""
 
 
+class PageTexts:
+    """The texts that a page may open: one, or those of a folder.
+
+    Attributes:
+        folder: No file outside of it is read.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Raises PaperError if the text cannot be read, or the folder has none."""
+        self._one = None if path.is_dir() else path.name
+        self.folder = path.resolve() if path.is_dir() else path.resolve().parent
+        if self._one is None:
+            texts_in(self.folder)
+        else:
+            self._path = path.resolve()
+            PageFile(self._path, self._one).read()
+
+    @property
+    def names(self) -> list[str]:
+        """Returns the names of the texts, relative to the folder."""
+        if self._one is not None:
+            return [self._one]
+        return [path.relative_to(self.folder).as_posix() for path in texts_in(self.folder)]
+
+    def open(self, name: str) -> PageFile:
+        """Returns a text by its name. Raises PaperError if it is not one of the texts."""
+        if name not in self.names:
+            raise PaperError(name, None, None, "is not one of the texts of this page")
+        path = self._path if self._one is not None else (self.folder / name).resolve()
+        if not path.is_relative_to(self.folder):
+            raise PaperError(name, None, None, "is outside of the folder of this page")
+        return PageFile(path, name)
+
+
 class PageFile:
     """A text on disk. Line ends and a byte order mark stay as they are when it is saved."""
 
-    def __init__(self, path: Path) -> None:
-        """Raises PaperError if the file cannot be read."""
-        self.path = path.resolve()
-        self.name = path.name
-        self.read()
+    def __init__(self, path: Path, name: str) -> None:
+        self.path, self.name = path, name
 
     @property
     def model(self) -> Path:

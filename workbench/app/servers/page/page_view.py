@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from markupsafe import Markup, escape
+from markupsafe import escape
 
 from workbench.app.pipeline.judged_files import Judged
 from workbench.core.spans import Span
@@ -200,4 +200,4 @@ def _math(latex: str) -> str:
 
 def _prose(words: str) -> str:
     """Returns the words of a verdict with their formulas typeset."""
-    return str(Markup("").join(runs(runs_with_symbols(words)))) if words else ""
+    return str(runs(runs_with_symbols(words)))

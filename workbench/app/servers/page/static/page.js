@@ -12,7 +12,7 @@ const EXAMPLES = [
 
 const at = id => document.getElementById(id);
 const tab = crypto.randomUUID();
-const state = { document: "scratch", name: null, stamp: null, saved: "", answers: [], model: null, number: 0, judgedAt: null };
+const state = { document: "scratch", name: null, names: [], stamp: null, saved: "", answers: [], model: null, number: 0, judgedAt: null };
 
 const given = new URLSearchParams(location.hash.slice(1)).get("token");
 if (given) {
@@ -27,7 +27,7 @@ async function call(name, data = {}) {
     answer = await fetch(`api/${name}`, {
       method: "POST",
       headers: { "Content-Type": "application/json", "X-Workbench-Token": token },
-      body: JSON.stringify({ tab, document: state.document, ...data }),
+      body: JSON.stringify({ tab, document: state.document, name: state.name, ...data }),
     });
   } catch {
     stopped();
@@ -53,7 +53,7 @@ const calm = () => { at("alert").hidden = true; };
 
 function stopped() {
   const since = state.judgedAt ? ` These results are from ${state.judgedAt}.` : "";
-  const command = `workbench serve${state.name ? ` ${state.name}` : ""}`;
+  const command = `workbench serve${state.names.length > 1 ? " FOLDER" : state.name ? ` ${state.name}` : ""}`;
   alert(`The server has stopped.${since} Your text is kept in this tab. Start again: ${command}`, button("Reconnect", () => judge()));
   at("status").textContent = "not judged while the server is down";
 }
@@ -131,7 +131,7 @@ function show(view, text, milliseconds) {
   at("report").disabled = !displays;
 }
 
-const modelName = () => (state.name ?? "text.tex").replace(/\.[^.]*$/, ".toml");
+const modelName = () => (state.name ?? "text.tex").replace(/.*\//, "").replace(/\.[^.]*$/, ".toml");
 
 function blank() {
   at("displays").removeAttribute("aria-busy");
@@ -153,10 +153,12 @@ function download(name, text, type) {
   URL.revokeObjectURL(link.href);
 }
 
+const stays = () => state.document === "file" && editor.text() !== state.saved && !confirm(`Leave ${state.name} without saving it?`);
+
 at("new").addEventListener("click", () => {
-  if (state.document === "file" && editor.text() !== state.saved && !confirm(`Leave ${state.name} without saving it?`)) return;
+  if (stays()) return;
   Object.assign(state, { document: "scratch", name: null, stamp: null, answers: [], model: null });
-  at("name").textContent = "no file";
+  showName();
   at("save").hidden = true;
   editor.set("");
   selectTab("source");
@@ -182,9 +184,27 @@ at("save").addEventListener("click", async () => {
   at("save").disabled = editor.text() === text;
 });
 
-function load({ name, text, stamp, model, model_stamp: modelStamp }) {
-  Object.assign(state, { document: "file", name, stamp, model, modelStamp, saved: text });
-  at("name").textContent = name;
+function showName() {
+  at("name").textContent = state.name ?? "no file";
+  at("name").hidden = state.names.length > 1;
+  at("texts").hidden = state.names.length <= 1;
+  const first = state.name ? [] : [make("option", { value: "" }, "no file")];
+  at("texts").replaceChildren(...first, ...state.names.map(each => make("option", { value: each }, each)));
+  at("texts").value = state.name ?? "";
+}
+
+at("texts").addEventListener("change", async () => {
+  if (stays()) return showName();
+  const opened = await call("text", { name: at("texts").value, stamp: null }).catch(() => null);
+  if (opened == null) return showName();
+  state.answers = [];
+  calm();
+  load(opened);
+});
+
+function load({ name, names, text, stamp, model, model_stamp: modelStamp }) {
+  Object.assign(state, { document: "file", name, names, stamp, model, modelStamp, saved: text });
+  showName();
   at("save").hidden = false;
   editor.set(text);
 }
@@ -192,6 +212,7 @@ function load({ name, text, stamp, model, model_stamp: modelStamp }) {
 async function look() {
   if (state.document !== "file" || document.hidden) return;
   const found = await call("text", { stamp: state.stamp });
+  if (found.name !== state.name) return; // another text was opened meanwhile
   if (found.model_stamp !== state.modelStamp) {
     Object.assign(state, { model: found.model, modelStamp: found.model_stamp, answers: [] });
     judge();

@@ -11,7 +11,7 @@ from workbench.context.circular_conditions import IS_THE_CONCLUSION, is_conclusi
 from workbench.context.claims import Formula, Notation
 from workbench.context.index_values import Orders, orders_within
 from workbench.core.codes.syntax_codes import SyntaxCode
-from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.formula_errors import Fault, IllFormedAt, ReadError, place
 from workbench.core.paper_errors import KeyPath
 from workbench.core.reasons import Reason
 from workbench.core.terms import Conjunction, Statement
@@ -143,8 +143,14 @@ def with_intent(reason: Reason, error: IllFormedAt) -> Reason:
 def read_statement(
     latex: str, notation: Notation, orders: Orders | None, as_condition: bool = False
 ) -> tuple[Statement, tuple[Range, ...]]:
-    """Returns the formula as one statement, and the ranges that it states for its integers."""
+    """Returns the formula as one statement, and the ranges that it states for its integers. Raises ReadError,
+    also for a bar of evaluation whose variable stands outside of it in a definition."""
     integers = orders.variables if orders else ()
     reading = read_formula(latex, notation.symbols, integers, as_condition)
+    for apart in reading.apart:
+        try:
+            apart.require(notation.definitions)
+        except Fault as fault:
+            raise ReadError(fault.reason, *place(latex, fault.at)) from None
     statements = reading.statements
     return statements[0] if len(statements) == 1 else Conjunction(statements), reading.ranges

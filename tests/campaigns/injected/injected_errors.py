@@ -14,9 +14,9 @@ sys.path[:0] = [str(TESTS / "errata")]
 
 from errata_cases import is_same_formula  # noqa: E402
 
-from workbench.app.pipeline.judge_claims import judge_claims  # noqa: E402
+from workbench.app.pipeline.judge_claims import judge_claims, judge_paper  # noqa: E402
 from workbench.context.claim_parts import Mend  # noqa: E402
-from workbench.context.claims import Claim, Correction, Formula  # noqa: E402
+from workbench.context.claims import Claim, Correction, Formula, Paper  # noqa: E402
 from workbench.context.read_formulas import read_statement  # noqa: E402
 from workbench.core.codes.verdict_codes import VerdictCode  # noqa: E402
 from workbench.core.formula_errors import Fault, IllFormedAt, ReadError  # noqa: E402
@@ -207,22 +207,22 @@ def proved_claims(sources: Sequence[str] = ()) -> Iterator[tuple[str, Claim]]:
     proved, with their source."""
     for name in sorted(installed_names()):
         if not sources or name in sources:
-            yield from ((name, claim) for claim in _proved(load_installed(name).claims))
+            yield from ((name, claim) for claim in _proved(load_installed(name)))
     for file in sorted((TESTS / "errata").glob("*/after.toml")) if not sources or "errata" in sources else ():
         try:
-            claims = load_paper(file).claims
+            paper = load_paper(file)
         except PaperError:
             continue
-        yield from ((f"errata/{file.parent.name}", claim) for claim in _proved(claims))
+        yield from ((f"errata/{file.parent.name}", claim) for claim in _proved(paper))
 
 
-def _proved(claims: Sequence[Claim]) -> list[Claim]:
+def _proved(paper: Paper) -> list[Claim]:
     asked = [
-        c
-        for c in claims
+        c.id
+        for c in paper.claims
         if c.printed.statement is not None and c.proof.theorem is None and c.proof.goal is None
     ]
-    results = judge_claims(asked, motions=False)
+    results = judge_paper(paper, asked, motions=False) if asked else []
     return [r.claim for r in results if r.verdict.outcome is Outcome.PROVED]
 
 

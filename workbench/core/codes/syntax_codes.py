@@ -63,6 +63,12 @@ class SyntaxCode(Code):
     DYAD_OF = "⊗ of a {type} and a {type_2}: of vectors it is the dyad"
     D_AS_FACTOR = "{message} set d behind its factor for a product"
     ELLIPSIS = "{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"
+    EVALUATED_ELSEWHERE = "a bar that says where, outside of an equation; an equation for a symbol can say it"
+    EVALUATED_OUTSIDE_TOO = (
+        "{name} outside of the bar may change with {variable}; is its value there meant, too?"
+    )
+    EVALUATED_UNDER_RATE = "a value at a place, differentiated"
+    EVALUATED_WHERE = "a bar that says where: expected one or more places, as in \\left. f \\right|_{{x = 0}}"
     EXPECTED_DIRECTION_CDOT_NABLA = "expected a direction, (a \\cdot \\nabla)"
     EXPECTED_EXPRESSION_GOT_NOTHING = "expected an expression, got nothing"
     EXPECTED_EXPRESSION_NOT_STATEMENT = "expected an expression, not a statement"
@@ -148,7 +154,7 @@ class SyntaxCode(Code):
     NUMBER_DIGITS_AT_MOST = "a number of {text} digits; at most {LONGEST_NUMBER}"
     NUMBER_FORMULA_OR_FACTOR = "the number of the formula, or a factor? leave it out"
     ODD_POWER_VECTOR_QUATERNION = "an odd power of a vector: is it a quaternion? write (0, x)"
-    ONE_SIDED_BRACKET_LEFT = "a one-sided bracket \\left. or \\right.; {EVALUATED}"
+    ONE_SIDED_BRACKET_LEFT = "a one-sided bracket \\left. or \\right."
     ONLY_POWER_MAY_STAND = "only a power may stand on {word_of}"
     OPAQUE_MACROS = "the macro {names} could not be expanded; --macros can say what it is"
     OPERATION_OF_NOTATION = "{spelled} of a {type}; [notation] has it for: {known}"

@@ -38,6 +38,7 @@ from workbench.language.grammar.syntax import (
     Summation,
     core,
 )
+from workbench.language.grammar.vocabulary import BAR
 from workbench.language.naming.patterns import Known
 from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.scope import Scope
@@ -150,6 +151,8 @@ class Elaborator(Scope):
     def bracket(self, node: Bracket) -> Term:
         if node.kind == "[" and len(node.parts) == 1 and isinstance(row := core(node.parts[0]), Product):
             refuse_row_of_vectors(self, row)
+        if node.kind == BAR:
+            raise Fault(SyntaxCode.EVALUATED_WHERE(), node.at)
         terms = [self.term(part) for part in node.parts]
         if node.kind in ("|", "\\|") and len(terms) == 1:
             own = terms[0].type

@@ -19,6 +19,7 @@ from workbench.language.elaboration.arguments import (
     question_of_sum,
     refuse_member,
 )
+from workbench.language.elaboration.evaluations import is_evaluated, value_at, with_brackets
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
@@ -62,7 +63,7 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
     the end."""
     rows: list[list[Node]] = [[]]
     signs: list[Infix] = []
-    for place, item in enumerate(items := spelled_out(scope, items)):
+    for place, item in enumerate(items := with_brackets(scope, spelled_out(scope, items))):
         if isinstance(item, Infix):
             if (sign := with_sign(rows, signs, item)) is not None:
                 rows[-1][-1] = sign
@@ -188,6 +189,8 @@ def _factor(row: Row, place: int) -> Factor:
         return of_field(row, place, sign)
     if (directed := along(item)) is not None:
         return of_field(row, place, directed[1], directed[0])
+    if is_evaluated(item):
+        return Factor(value_at(row.scope, item), item.at, place + 1, item)
     match item:
         case Product(items=(_, Infix())) if (spelt := row.scope.spelt(item)) is not None:
             return Factor(spelt, item.at, place + 1, item)

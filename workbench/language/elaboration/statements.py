@@ -22,6 +22,7 @@ from workbench.core.terms import (
 )
 from workbench.core.types import SCALAR, Type, type_of_kind
 from workbench.language.elaboration.elaborate import Elaborator
+from workbench.language.elaboration.evaluations import Apart, under_places
 from workbench.language.elaboration.extremum_operators import extrema, is_extremal
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
 from workbench.language.elaboration.ranges import (
@@ -46,10 +47,12 @@ GENERIC_VALUES, MOST_GENERIC = 3, 4
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """The statements of a formula, line by line, and the ranges of its integers."""
+    """The statements of a formula, line by line, the ranges of its integers, and what stands outside of its
+    bars of evaluation."""
 
     statements: tuple[Statement, ...]
     ranges: tuple[Range, ...] = ()
+    apart: tuple[Apart, ...] = ()
 
 
 def reading_of(
@@ -89,7 +92,7 @@ def _reading(lines: Lines, table: SymbolTable, integers: frozenset[str], as_cond
     statements += [statement for row in rows for statement in row.statements(reader)]
     if not statements:
         raise Fault(SyntaxCode.SAYS_NOTHING(), lines.at)
-    return Reading(tuple(statements), stated)
+    return Reading(tuple(statements), stated, tuple(reader.apart))
 
 
 def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
@@ -292,7 +295,9 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
     if any(map(is_extremal, chain.sides)):
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
+    reader.evaluations, reader.takes_bars = [], True
     terms = reader.with_units([reader.term(side) for side in chain.sides])
+    reader.takes_bars = False
     if any(term.type == type_of_kind("matrix 4×1") for term in terms):
         terms = [reader.as_point(term, side.at) for term, side in zip(terms, chain.sides, strict=True)]
     _refuse_applied(reader, terms)
@@ -303,7 +308,8 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         _link(reader, sign, at, left, right)
         for (sign, at), left, right in zip(chain.relations, terms, terms[1:], strict=False)
     )
-    return links[0] if len(links) == 1 else Conjunction(links)
+    said = links[0] if len(links) == 1 else Conjunction(links)
+    return under_places(reader, terms, said)
 
 
 def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> Statement:

@@ -12,7 +12,9 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
 from workbench.core.operations import FUNCTIONS
 from workbench.language.grammar.token_context import marked
+from workbench.language.grammar.token_patterns import AFTER_ALIGNMENT, CONTROL, SIDES, TOKEN
 from workbench.language.grammar.vocabulary import (
+    BAR,
     BRACKETS,
     CHARACTERS,
     COMMANDS,
@@ -33,36 +35,9 @@ from workbench.language.grammar.vocabulary import (
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
 
-#: Relation signs after an alignment mark, which do not begin a condition.
-_RELATES = re.compile(r"\s*(?:=|:|\\(?:approx|equiv|neq?|triangleq|coloneqq?)(?![A-Za-z]))")
-
-_SIDES = re.compile(r"\\(left|right)(?![A-Za-z])\s*(\\?.)")
-
-_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
-
 #: Limits on length and nesting, far above those of formulas in print.
 MOST_CHARACTERS = 20_000
 DEEPEST = 40
-
-_TOKEN = re.compile(
-    r"""(?P<space>[ \t\r\n~]+|\\[a-z]+(?:sep|skip|stretch)\s*=\s*-?[0-9.]+(?:pt|em|ex|mm))
-    | \\(?:stackrel|overset)\s*\{\s*(?:\\(?:text|mathrm|rm)\s*\{\s*def\.?\s*\}|def|\\triangle|\\Delta)\s*\}
-      \s*(?P<defined>\{\s*=\s*\}|=)
-    | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
-    | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
-    | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
-      \{(?P<words>(?:arc|a)tan2|[1-3](?:-[1-3])+|\s*\\&\s*|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
-    | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
-    | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
-    | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
-    | \\(?P<function>(?:arc|a)tan2)(?=\s*(?:\\left)?\()
-    | \\(?P<command>[A-Za-z]+|[^A-Za-z])
-    | (?P<number>[0-9]+(?:\.[0-9]+)?)
-    | (?P<letters>(?:arc|a)tan2(?![A-Za-z0-9])|[A-Za-z]+)
-    | (?P<assign>:=)
-    | (?P<character>.)""",
-    re.VERBOSE | re.DOTALL,
-)
 
 
 class _Open(NamedTuple):
@@ -87,9 +62,6 @@ def tokenize(text: str) -> Iterator[Token]:
     return iter(Tokenizer(text).tokens())
 
 
-_EVALUATED = "a bar that says where something is evaluated is not read"
-
-
 class Tokenizer:
     def __init__(self, text: str) -> None:
         self.text = text
@@ -100,14 +72,12 @@ class Tokenizer:
         self.refused: list[Fault] = []  # the first one is raised if the brackets match
 
     def tokens(self) -> list[Token]:
-        if found := _CONTROL.search(self.text):
+        if found := CONTROL.search(self.text):
             raise Fault(SyntaxCode.FORBIDDEN_CHARACTER(ord=f"{ord(found[0]):04X}"), found.start())
-        for match in _TOKEN.finditer(self.text):
+        for match in TOKEN.finditer(self.text):
             self.match(match)
         if self.open:
-            opened = self.open[-1]
-            is_bar = opened.what == "|" and self.text[opened.at + 1 :].lstrip().startswith("_")
-            raise Fault(_EVALUATED if is_bar else f"{opened.what} is never closed", opened.at)
+            raise Fault(f"{self.open[-1].what} is never closed", self.open[-1].at)
         if self.size:
             raise Fault(SyntaxCode.WITHOUT_BRACKET(size=self.size), len(self.text))
         if self.refused:
@@ -301,7 +271,7 @@ class Tokenizer:
             self.scripts.pop()
 
     def alignment_mark(self, text: str, at: int) -> None:
-        if self.inside("cases") and not _RELATES.match(self.text, at + 1):
+        if self.inside("cases") and not AFTER_ALIGNMENT.match(self.text, at + 1):
             self.joining("GIVEN", text, at)  # the value, and behind the mark its condition
         elif self.inside("matrix"):
             doubled = self.text[at - 1 : at] == "&"  # && may leave room between two columns
@@ -314,12 +284,18 @@ class Tokenizer:
         return [script for script in self.scripts[-1:] if script.depth == len(self.open)]
 
     def null_delimiter(self, at: int) -> None:
-        """Closes \\left\\{ \\begin{array} … \\right., a brace around lines. Raises Fault for other one-sided
-        brackets."""
+        """Opens \\left. f \\right|, or closes \\left\\{ \\begin{array} … \\right., a brace around lines.
+
+        Raises Fault for another one-sided bracket."""
         size, self.size = self.size, ""
-        if size != "right" or not self.is_open("\\left\\{"):
-            raise Fault(SyntaxCode.ONE_SIDED_BRACKET_LEFT(EVALUATED=_EVALUATED), at)
-        self.open.pop()
+        if size == "left":
+            self.push(BAR, at)
+            self.emit("OPEN", BAR, at)
+        elif size == "right" and self.is_open("\\left\\{"):
+            self.open.pop()
+        else:
+            opened = self.open[-1].at if self.is_open(BAR) else at
+            raise Fault(SyntaxCode.ONE_SIDED_BRACKET_LEFT(), opened)
 
     def bracket(self, text: str, at: int) -> None:
         kind, side = BRACKETS[text]
@@ -328,6 +304,11 @@ class Tokenizer:
             self.push("\\left\\{", at)
         elif side == 0 and not size and self.parts_a_script(text, at):
             self.emit("MARK", text, at)
+        elif kind == "|" and size == "right" and self.is_open(BAR):
+            self.pop(BAR, text, at)
+            self.emit("CLOSE", kind, at)
+        elif kind == "|" and not self.is_open(kind) and self.text[self.end :].lstrip().startswith("_"):
+            self.emit("MARK", kind, at)  # f |_{x = 0}
         elif side > 0 or (side == 0 and self.opens(kind, size)):
             self.push(kind, at)
             self.emit("OPEN", kind, at)
@@ -340,7 +321,7 @@ class Tokenizer:
         if not re.match(r"\s*\\begin", self.text[behind:]):
             return False
         depth = 1
-        for match in _SIDES.finditer(self.text, behind):
+        for match in SIDES.finditer(self.text, behind):
             depth += 1 if match[1] == "left" else -1
             if depth == 0:
                 return match[2] == "."
@@ -386,6 +367,8 @@ class Tokenizer:
         if not self.open:
             raise Fault(SyntaxCode.CLOSES_NOTHING(text=text), at)
         opened = self.open.pop()
+        if opened.what == BAR != what:
+            raise Fault(SyntaxCode.ONE_SIDED_BRACKET_LEFT(), opened.at)
         if opened.what != what:
             raise Fault(SyntaxCode.CANNOT_CLOSE_OPENED_BEFORE(text=text, what=opened.what), at)
 

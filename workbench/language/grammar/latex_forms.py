@@ -29,7 +29,7 @@ from workbench.language.grammar.syntax import (
     Summation,
     core,
 )
-from workbench.language.grammar.vocabulary import CLOSING, written
+from workbench.language.grammar.vocabulary import BAR, CLOSING, written
 
 BESIDE = ", \\quad "
 AND = " \\text{ and } "
@@ -111,7 +111,7 @@ def _grouped(node: Group | Bracket) -> str:
         case Bracket(kind="[", parts=(Matrix() as inner,)):
             return latex_of(inner)
     opening, closing, inside = node.kind, CLOSING[node.kind], _listed(node.parts)
-    if any(tall in inside for tall in _TALL):
+    if any(tall in inside for tall in _TALL) and opening != BAR:
         return f"\\left{opening} {inside} \\right{closing}"
     return f"{opening} {inside} {closing}" if opening[1:] else f"{opening}{inside}{closing}"
 

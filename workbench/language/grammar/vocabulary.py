@@ -147,7 +147,9 @@ BRACKETS = {
     "\\lVert": ("\\|", 1),
     "\\rVert": ("\\|", -1),
 }
-CLOSING = {kind: text for text, (kind, side) in reversed(BRACKETS.items()) if side < 1}
+#: The bracket of \\left. f \\right|_{x = 0}, f at a place.
+BAR = "\\left."
+CLOSING = {kind: text for text, (kind, side) in reversed(BRACKETS.items()) if side < 1} | {BAR: "\\right|"}
 
 MATRICES = frozenset(
     {"matrix", "bmatrix", "pmatrix", "Bmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix", "vmatrix"}

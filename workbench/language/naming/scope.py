@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
@@ -70,6 +70,9 @@ class Scope(ABC):
         self.brackets: dict[Named, dict[bool, Bracket]] = {}
         #: the contents of a square bracket, by the symbol and its letters
         self.members: dict[tuple[Named, str], str] = {}
+        self.takes_bars = False
+        self.evaluations: list[Any] = []  # the bars \left. f \right|_{x = 0} of the statement so far
+        self.apart: list[Any] = []  # what stands outside of the bars of all statements
         self.tensor_operand: int | None = None  # offset of the last operator on a bare tensor
 
     def allows(self, relaxation: Relaxation) -> bool:

@@ -292,13 +292,17 @@ class Judge(Setting):
         verdict = self._judge(claim, (*assume, *premises))
         if verdict.outcome is not Outcome.REFUTED:
             return verdict
-        with suppress(Unsatisfiable, NotExact, IllFormed):
+        try:
             lasting = [r for each in premises for r in derivatives_of(each, claim, self.definitions)]
             if not lasting:
                 return verdict
             again = self._judge(claim, (*assume, *premises, *lasting))
             if again.outcome == Outcome.REFUTED:
                 return again
+        except Unsatisfiable:
+            return verdict  # t = 0 holds at one instant
+        except (NotExact, IllFormed):
+            pass
         is_field = has_gradient(sides_of(claim))
         code = VerdictCode.AT_ONE_PLACE if is_field else VerdictCode.AT_ONE_INSTANT
         return Verdict(Outcome.UNCHECKED, reason=code())

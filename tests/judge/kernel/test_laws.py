@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
+from evaluator.identities import TABLE
 
 from workbench import check
+from workbench.context.claims import Notation
+from workbench.context.read_formulas import read_statement
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Derivative, Relation
 from workbench.core.verdict import Outcome
+from workbench.engines.inventory.inventory import take_inventory
+from workbench.language.definitions import Definitions
+from workbench.prover.decide.law_statements import law_for
 
 SYMBOLS = {
     **{name: "vector" for name in ("p", "g", "a", "b", "v", "F", r"\omega", "M", "d")},
@@ -259,3 +269,14 @@ def test_a_wrong_rate_of_what_is_defined_is_no_law(rate: str, outcome: str) -> N
     known = [rf"{name} = \begin{{bmatrix}} {body} \\ 0 \end{{bmatrix}}" for name, body in columns.items()]
     symbols = {r"\phi": "scalar", "g": {"kind": "scalar", "constant": True}}
     assert check(rf"\dot e = {rate} n", symbols=symbols, definitions=known).outcome == outcome
+
+
+def test_a_derivative_of_a_general_order_is_no_law() -> None:
+    """The text of notebook 2 states aₙ = v⁽ⁿ⁾ + … for each n."""
+    notation = Notation(TABLE, Definitions([]), {})
+    relation = read_statement(r"\dot{a} = \dot{b}", notation, None)[0]
+    assert isinstance(relation, Relation) and isinstance(relation.left, Derivative)
+    general = replace(relation, left=replace(relation.left, order=Linear.variable("n")))
+    inventory = take_inventory([relation.left, relation.right], notation.definitions)
+    assert law_for(relation, inventory, notation.definitions) is not None
+    assert law_for(general, inventory, notation.definitions) is None

@@ -47,7 +47,7 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     """Returns the derivative of a free symbol that the equation can be solved for; None if it is not a
     law."""
     sides = (relation.left, relation.right)
-    if relation.operator != "=" or any(part.type.kind == "operator" for s in sides for part in s.walk()):
+    if relation.operator != "=" or any(_is_no_rate(part, definitions) for s in sides for part in s.walk()):
         return None
     found: dict[Symbol, list[_Occurrence]] = defaultdict(list)
     named: dict[Symbol, list[_Occurrence]] = defaultdict(list)
@@ -202,6 +202,15 @@ def _occurrences(
                 and all(is_constant(other, definitions) for other in others)
             )
             yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
+
+
+def _is_no_rate(part: Term, definitions: Lookup) -> bool:
+    """True for an operator, and for a derivative of a general order, which is of no one rate."""
+    if isinstance(part, Derivative):
+        return not part.order.is_number
+    body = definitions.lookup(part) if isinstance(part, Symbol) else None
+    inside = () if body is None else body.walk()
+    return part.type.kind == "operator" or any(_is_no_rate(each, definitions) for each in inside)
 
 
 def _rate_of_momentum(term: Term) -> Derivative | None:

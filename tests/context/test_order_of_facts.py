@@ -17,3 +17,11 @@ def test_first_definition_counts_on_whatever_line_it_stands(tmp_path: Path, befo
     *_, again, right, wrong = judged(tmp_path, text_of([OTHER] * before + formulas), MODEL)
     assert (again.outcome, wrong.outcome) == (Outcome.REFUTED, Outcome.REFUTED)
     assert right.outcome is Outcome.CONDITIONAL and "x = 2 f" in str(right.reason)
+
+
+def test_definition_of_a_family_is_the_first_one_of_its_members(tmp_path: Path) -> None:
+    formulas = ["J_n = f q_n", "J_2 = 3 f q_2", "J_1 + J_2 = f (q_1 + q_2)", "J_1 + J_2 = f (q_1 + 3 q_2)"]
+    of = model({"f": "scalar", "q_n": "scalar", "J_n": "scalar"})
+    _, again, right, wrong = judged(tmp_path, text_of(formulas), of)
+    assert (again.outcome, wrong.outcome) == (Outcome.REFUTED, Outcome.REFUTED)
+    assert right.outcome is Outcome.CONDITIONAL

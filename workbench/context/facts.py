@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
 from typing import NamedTuple
 
+from workbench.context.index_values import Orders
 from workbench.core.names import Name
 from workbench.core.terms import Definition, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Strength
@@ -93,6 +94,7 @@ class Fact:
         bound: A bound for the values of a symbol.
         act: The act of the formula that the fact comes from.
         earlier: Whether it stands before the claim.
+        orders: The values of the integers of which it is said; None for any.
     """
 
     content: Definition | Statement | Supposition | None
@@ -103,6 +105,7 @@ class Fact:
     bound: Bound | None = None
     act: Act = Act.ASSERT
     earlier: bool = True
+    orders: Orders | None = field(default=None, hash=False)
 
     def __post_init__(self) -> None:
         if not self.about:

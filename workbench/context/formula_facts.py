@@ -113,7 +113,7 @@ def _saying(claim: Claim, at: int) -> _Saying | None:
     definition = definition_by(statement, own) if act is Act.DEFINE and not is_framed else None
     about = names_of(registered | {own.declaration})
     origin = Origin(Provider.FORMULA, to_latex(statement), claim.id)
-    fact = Fact(definition or statement, about, origin, Strength.STATED, act=act)
+    fact = Fact(definition or statement, about, origin, Strength.STATED, act=act, orders=claim.orders)
     return _Saying(claim, at, fact, registered)
 
 
@@ -196,7 +196,8 @@ def _law(claim: Claim, earlier: bool) -> Fact:
     assert statement is not None
     origin = Origin(Provider.LAW, claim.printed.latex, claim.id)
     about = names_of(_spoken(claim)) or frozenset(names_in(statement))
-    return Fact(statement, about, origin, Strength.STATED, act=claim.context.act[0], earlier=earlier)
+    act = claim.context.act[0]
+    return Fact(statement, about, origin, Strength.STATED, act=act, earlier=earlier, orders=claim.orders)
 
 
 def _spoken(claim: Claim) -> set[Declaration]:

@@ -63,6 +63,15 @@ class Orders:
         """The variables for which the formula states no range."""
         return tuple(each.variable for each in self.stated if each.generic)
 
+    def holds(self, name: str, value: int) -> bool:
+        """True if no stated range with numeric bounds excludes the value of the integer."""
+        stated = [each for each in self.stated if each.variable == name and not each.generic]
+        if not stated:
+            return name not in self.ranges or name in self.generic or value in self.ranges[name]
+        above = all(not each.lower.is_number or int(each.lower) <= value for each in stated)
+        uppers = [each.upper for each in stated if each.upper is not None and each.upper.is_number]
+        return above and all(value <= int(upper) for upper in uppers)
+
     def assignments(self) -> Iterator[dict[str, int]]:
         """Yields every combination of values within the stated ranges, the last variable fastest."""
         for chosen in product(*self.ranges.values()):

@@ -61,11 +61,12 @@ class Decider:
     def holds(
         self, facts: Sequence[Fact], statement: Statement | None = None, approximately: bool = False
     ) -> bool:
-        """True if the polynomial engine proves it; a random point is tried first.
+        """True if the polynomial engine proves it, for every n by both; a random point is tried first.
 
         A guess that is meant for one instant is not tried for all times.
         """
-        verdict = self.decide(facts, statement, approximately, by_both=False)
+        is_of_any_n = self.claim.orders is not None and bool(self.claim.orders.generic)
+        verdict = self.decide(facts, statement, approximately, by_both=is_of_any_n)
         return is_true(verdict) and not (verdict.code in UNLESS_IT_LASTS and any(map(_is_momentary, facts)))
 
     def is_refuted(self, facts: Sequence[Fact]) -> bool:

@@ -23,6 +23,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, OutOfDecisions, is_true
 from workbench.prover.explain.fact_layers import layers_of
 from workbench.prover.explain.false_premises import under_premises
+from workbench.prover.explain.family_facts import for_members
 from workbench.prover.explain.field_alternatives import other_convention
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
@@ -56,6 +57,7 @@ class Explainer:
     def _explained(self, claim: Claim, base: Verdict) -> Verdict:
         if claim.corrected is not None:
             return base
+        claim = for_members(claim)
         act, own = claim.context.act if claim.context.span is not None else _act_by_sign(claim)
         if is_all_given(claim):  # the given formulas determine all symbols
             act = Act.ASSERT

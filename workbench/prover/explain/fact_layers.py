@@ -12,7 +12,9 @@ from contextlib import suppress
 from workbench.context.claims import Claim
 from workbench.context.facts import Fact, Provider, Supposition
 from workbench.context.formula_subject import Subject
+from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Definition, IllFormed, sides_of
+from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.engines.inventory.inventory import NotExact, take_inventory
 from workbench.prover.explain.laws_of_motion import is_all_given, laws_of
@@ -53,11 +55,18 @@ def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
 
 
 def _first(formulas: Sequence[Fact]) -> list[Fact]:
-    """Returns the definitions, only the first one per symbol: later ones are claims about it."""
+    """Returns the definitions, only the first one per symbol: later ones are claims about it.
+
+    A definition of a family is one of all its members."""
     found: dict[object, Fact] = {}
+    families: set[Declaration] = set()
     for fact in formulas:
-        if isinstance(fact.content, Definition):
-            found.setdefault((fact.content.declaration, fact.content.index), fact)
+        if isinstance(said := fact.content, Definition) and said.declaration not in families:
+            found.setdefault((said.declaration, said.index), fact)
+            if said.index and all(
+                [Linear.variable(name) for name in each.variables] == [each] for each in said.index
+            ):
+                families.add(said.declaration)
     return list(found.values())
 
 

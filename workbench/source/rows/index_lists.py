@@ -38,7 +38,7 @@ def _listed(
         letters += pieces[place]
         place += 1
     texts = [token.text for token in pieces[place] if token.text != " "]
-    if not (len(texts) == 3 and texts[1] == "=" and texts[2] in ("0", "1")):
+    if not (len(texts) == 3 and texts[1] == "=" and texts[2].isdecimal()):
         return None
     letters.append(pieces[place][0])
     if not all(letter.text in INDEX_LETTERS and _is_index(letter.text, line) for letter in letters):

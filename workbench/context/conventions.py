@@ -195,9 +195,13 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
 
 
 def _spins(subject: Subject) -> Iterator[Made]:
+    """Yields vectors as the angular velocity of a frame, where no product of the two would vanish."""
+    crosses = [t for t in terms_of(subject.statement) if isinstance(t, Apply) and t.head == "cross"]
     for frame, spin in subject.symbols.frames.velocities.items():
         for own in subject.free:
-            if own.type == spin.type and not isinstance(spin, Zero):
+            beside = [each for t in crosses if own in t.arguments for each in t.arguments if each != own]
+            is_void = any(spin in subject.definitions.reached(each) for each in beside)
+            if own.type == spin.type and not (isinstance(spin, Zero) or is_void):
                 yield f"{to_latex(own)}: the angular velocity of {frame}", [own], meaning(own, spin)
 
 

@@ -24,7 +24,7 @@ from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, OutOfD
 from workbench.prover.explain.fact_layers import layers_of
 from workbench.prover.explain.false_premises import under_premises
 from workbench.prover.explain.family_facts import for_members
-from workbench.prover.explain.field_alternatives import other_convention
+from workbench.prover.explain.field_alternatives import other_convention, with_other_gradient
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law
@@ -52,6 +52,8 @@ class Explainer:
             base.outcome is Outcome.UNCHECKED and claim.context.span is not None and is_law(claim)
         ):
             verdict = self._explained(claim, base)
+        elif base.outcome is Outcome.ILL_FORMED:
+            verdict = with_other_gradient(claim, base, self._judge_of)
         return on_guessed_kinds(claim, verdict)
 
     def _explained(self, claim: Claim, base: Verdict) -> Verdict:
@@ -153,14 +155,16 @@ class _Explanation:
         if said and self.act in _TESTED:
             self.subject = subject_of(self.claim, said)
             self.act, self.own = self.subject.act
-        if self.act is Act.POSTULATE and any(self._follows_from(fact.content) for fact in self.known):
+        if self.act is Act.POSTULATE and any(map(self._follows_from, self.known)):
             self.act = Act.ASSERT
 
-    def _follows_from(self, law: object) -> bool:
-        """True if a law states a lower rate of the symbol, from which this one follows."""
+    def _follows_from(self, fact: Fact) -> bool:
+        """True if a law states a lower rate of the symbol, or a definition the symbol, from which this one
+        follows."""
         own, order = self._rate_in(self.claim.printed.statement)
-        other, lower = self._rate_in(law)
-        return own is not None and own == other and 0 < lower < order
+        other, lower = self._rate_in(fact.content)
+        is_given = lower > 0 or fact.act is Act.DEFINE
+        return own is not None and own == other and is_given and lower < order
 
     def _rate_in(self, said: object) -> tuple[Symbol | None, int]:
         """Returns the symbol of the act and its order, if its rate stands alone on a side."""

@@ -5,51 +5,87 @@ Each is tried alone, on a refutation only, and only where the model does not cho
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import Any
 
-from workbench.context.claims import Claim
+from workbench.context.claims import Claim, Formula
 from workbench.context.facts import Fact
 from workbench.context.read_formulas import read_statement
 from workbench.core.construct import apply, block, rebuild, relation
 from workbench.core.formula_errors import IllFormedAt, ReadError
-from workbench.core.terms import Apply, Block, Definition, IllFormed, Statement, Symbol, Term
-from workbench.core.types import Type
+from workbench.core.terms import (
+    Apply,
+    Block,
+    Definition,
+    IllFormed,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    sides_of,
+)
+from workbench.core.types import Declaration, Type
+from workbench.core.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions, expand
 from workbench.language.naming.reading_conventions import Gradient
 from workbench.prover.decide.mapped_statements import mapped
-from workbench.prover.explain.decide_under_facts import Decider
+from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, judged_alone
 
 #: What a draft lists among its guesses where it has guessed a convention.
-_GUESSED = "[conventions]"
+_GUESSED, _GUESSED_FRAMES = "[conventions]", "[frames]"
+
+_JPL = "quaternions are multiplied as JPL does (i j = -k)"
+_GRADIENT = "the gradient is the other one of row and column"
+_DOTS = "a dot differentiates in another frame"
+#: What is tried where a draft has guessed the convention: the doubt about the guess, by name.
+OF_GUESSES = (_JPL, _GRADIENT, _DOTS)
+
+
+@dataclass(frozen=True)
+class Known:
+    """The definitions under which a claim is refuted, and the symbols of which a definition or the text
+    speaks."""
+
+    definitions: Definitions
+    spoken: frozenset[Declaration]
 
 
 @dataclass(frozen=True)
 class Alternative:
-    """words: what is true then.   other: the formula as it is read then; None where that changes nothing."""
+    """words: what is true then.   others: the formula as it is read then, for each choice that there is."""
 
     words: str
-    other: Callable[[Claim, Definitions], Statement | None]
+    others: Callable[[Claim, Known], Iterator[Statement]]
 
 
 def other_convention(claim: Claim, decider: Decider, facts: Sequence[Fact]) -> str | None:
     """Returns the convention of the field by which the claim is true under the facts; None without one."""
-    said = [fact.content for fact in facts if isinstance(fact.content, Definition)]
-    definitions = Definitions([*claim.notation.definitions, *said])
+    known = _known(claim, facts)
     for alternative in ALTERNATIVES:
         with suppress(IllFormed, IllFormedAt, ReadError, ValueError):
-            other = alternative.other(claim, definitions)
-            if other not in (None, claim.printed.statement) and decider.holds(facts, other):
-                return alternative.words
+            for other in alternative.others(claim, known):
+                if other != claim.printed.statement and decider.holds(facts, other):
+                    return alternative.words
     return None
 
 
-def _jpl(claim: Claim, definitions: Definitions) -> Statement | None:
-    """Returns the formula with each product of two quaternions in the other order, definitions unfolded."""
-    if not claim.notation.symbols.has_quaternions or _GUESSED not in claim.context.guessed:
-        return None
-    return _with_terms(claim, _product_of_jpl, definitions)
+def _known(claim: Claim, facts: Sequence[Fact]) -> Known:
+    said = [fact.content for fact in facts if isinstance(fact.content, Definition)]
+    bodies = [each.body for each in (*claim.notation.definitions, *said)]
+    equations = [fact.content for fact in facts if isinstance(fact.content, Relation)]
+    terms = [*bodies, *(side for equation in equations for side in sides_of(equation))]
+    symbols = (part for term in terms for part in term.walk() if isinstance(part, Symbol))
+    return Known(
+        Definitions([*claim.notation.definitions, *said]), frozenset(part.declaration for part in symbols)
+    )
+
+
+def _jpl(claim: Claim, known: Known) -> Iterator[Statement]:
+    """Yields the formula with each product of two quaternions in the other order, definitions unfolded."""
+    if claim.notation.symbols.has_quaternions and _GUESSED in claim.context.guessed:
+        yield _with_terms(claim, _product_of_jpl, known.definitions)
 
 
 def _product_of_jpl(term: Term) -> Term:
@@ -60,30 +96,41 @@ def _product_of_jpl(term: Term) -> Term:
     return term
 
 
-def _turned(claim: Claim, definitions: Definitions) -> Statement | None:
-    """Returns the formula with the transpose of each rotation of which a definition speaks, and no frame."""
-    parts = (part for each in definitions for part in each.body.walk())
-    spoken = {part.declaration for part in parts if isinstance(part, Symbol)}
+def _turned(claim: Claim, known: Known) -> Iterator[Statement]:
+    """Yields the formula with the transpose of each rotation that is spoken of and no frame."""
 
     def turn(term: Term) -> Term:
         if not isinstance(term, Symbol) or not term.declaration.rotation:
             return term
-        is_meant = term.declaration in spoken and term.declaration.name not in claim.notation.framed
+        is_meant = term.declaration in known.spoken and term.declaration.name not in claim.notation.framed
         return apply("transpose", term) if is_meant else term
 
-    return _with_terms(claim, turn)
+    yield _with_terms(claim, turn)
 
 
-def _perturbed(claim: Claim, definitions: Definitions) -> Statement | None:
-    """Returns the formula with each exponential on the other side of the rotation that it multiplies."""
-    return _with_terms(claim, _on_the_other_side)
+def _perturbed(claim: Claim, known: Known) -> Iterator[Statement]:
+    """Yields the formula with each exponential on the other side of the rotation that it multiplies."""
+    yield _with_terms(claim, lambda term: _on_the_other_side(term, _is_exponential))
 
 
-def _on_the_other_side(term: Term) -> Term:
+def _rated(claim: Claim, known: Known) -> Iterator[Statement]:
+    """Yields the formula with the skew tensor of an angular velocity that the text defines on the other side
+    of the rotation that it multiplies."""
+
+    def is_spin(term: Term) -> bool:
+        if not isinstance(term, Apply) or term.head != "skew":
+            return False
+        own = [part for part in term.walk() if isinstance(part, Symbol)]
+        return any(known.definitions.about(s) != claim.notation.definitions.about(s) for s in own)
+
+    yield _with_terms(claim, lambda term: _on_the_other_side(term, is_spin))
+
+
+def _on_the_other_side(term: Term, is_factor: Callable[[Term], bool]) -> Term:
     if isinstance(term, Apply) and term.head == "mul" and len(term.arguments) == 2:
         one, other = term.arguments
         is_alike = one.type == other.type and one.type.kind in ("tensor", "matrix")
-        if is_alike and _is_exponential(one) != _is_exponential(other):
+        if is_alike and is_factor(one) != is_factor(other):
             return apply("mul", other, one)
     return term
 
@@ -92,9 +139,9 @@ def _is_exponential(term: Term) -> bool:
     return isinstance(term, Apply) and term.head == "exp"
 
 
-def _twists(claim: Claim, definitions: Definitions) -> Statement | None:
-    """Returns the formula with the halves of each column of six, and of each matrix on one, exchanged."""
-    return _with_terms(claim, _halves_exchanged)
+def _twists(claim: Claim, known: Known) -> Iterator[Statement]:
+    """Yields the formula with the halves of each column of six, and of each matrix on one, exchanged."""
+    yield _with_terms(claim, _halves_exchanged)
 
 
 def _halves_exchanged(term: Term) -> Term:
@@ -106,14 +153,35 @@ def _halves_exchanged(term: Term) -> Term:
     return block([row[::-1] for row in rows[::-1]])
 
 
-def _other_gradient(claim: Claim, definitions: Definitions) -> Statement | None:
-    """Returns the formula as it is read with gradients that are columns instead of rows, or rows."""
-    table = claim.notation.symbols
-    given = table.conventions.gradient
-    if given is None or _GUESSED not in claim.context.guessed:
-        return None
-    other = next(each for each in Gradient if each is not given)
-    symbols = replace(table, conventions=replace(table.conventions, gradient=other))
+def _other_gradient(claim: Claim, known: Known) -> Iterator[Statement]:
+    """Yields the formula as it is read with gradients that are columns instead of rows, or rows."""
+    conventions = claim.notation.symbols.conventions
+    if conventions.gradient is not None and _GUESSED in claim.context.guessed:
+        other = next(each for each in Gradient if each is not conventions.gradient)
+        yield _read_again(claim, conventions=replace(conventions, gradient=other))
+
+
+def with_other_gradient(claim: Claim, ill_formed: Verdict, judge_of: JudgeOf) -> Verdict:
+    """Returns the verdict, which names the other gradient if the formula is well-formed and true with it."""
+    with suppress(IllFormed, IllFormedAt, ReadError, ValueError):
+        for other in _other_gradient(claim, Known(claim.notation.definitions, frozenset())):
+            meant = replace(claim, printed=Formula(claim.printed.latex, other))
+            if judged_alone(meant, judge_of).outcome is Outcome.PROVED:
+                return replace(ill_formed, unless=(*ill_formed.unless, _GRADIENT))
+    return ill_formed
+
+
+def _other_dots(claim: Claim, known: Known) -> Iterator[Statement]:
+    """Yields the formula as it is read with dots that differentiate in another frame."""
+    frames = claim.notation.symbols.frames
+    if frames.dot is not None and _GUESSED_FRAMES in claim.context.guessed:
+        for frame in frames.velocities:
+            if frame != frames.dot:
+                yield _read_again(claim, frames=replace(frames, dot=frame))
+
+
+def _read_again(claim: Claim, **settings: Any) -> Statement:
+    symbols = replace(claim.notation.symbols, **settings)
     return read_statement(claim.printed.latex, replace(claim.notation, symbols=symbols), claim.orders)[0]
 
 
@@ -133,9 +201,11 @@ def _with_terms(
 
 
 ALTERNATIVES = (
-    Alternative("quaternions are multiplied as JPL does (i j = -k)", _jpl),
-    Alternative("rotations take columns the other way (the transpose)", _turned),
+    Alternative(_JPL, _jpl),
+    Alternative("rotations take columns the other way (the transpose, active or passive)", _turned),
     Alternative("small rotations act from the other side (left or right perturbation)", _perturbed),
+    Alternative("angular velocities are seen from the other side (left or right Jacobian)", _rated),
     Alternative("twists have their linear and angular parts in the other order", _twists),
-    Alternative("the gradient is the other one of row and column", _other_gradient),
+    Alternative(_GRADIENT, _other_gradient),
+    Alternative(_DOTS, _other_dots),
 )

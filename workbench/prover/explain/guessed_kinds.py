@@ -8,6 +8,7 @@ from itertools import groupby
 from workbench.context.claims import Claim
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.verdict import Outcome, Strength, Verdict
+from workbench.prover.explain.field_alternatives import OF_GUESSES
 
 _FALSE = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
 _NAMED = 5
@@ -26,7 +27,9 @@ def on_guessed_kinds(claim: Claim, verdict: Verdict) -> Verdict:
     if verdict.outcome in _FALSE or verdict.outcome is Outcome.CONDITIONAL:
         code = ContextCode.FALSE_IF_KINDS if verdict.outcome in _FALSE else ContextCode.HOLDS_IF_KINDS
         reason = code(kinds=_kinds(claim), reason=f": {reason}" if reason else "")
-    if verdict.outcome in _FALSE:
+    is_of_tables = all(name.startswith("[") for name in claim.context.guessed)
+    is_named = is_of_tables and any(words in doubt for words in OF_GUESSES for doubt in unless)
+    if verdict.outcome in _FALSE and not is_named:
         unless = (*unless, "the guessed kinds are others")
     return replace(verdict, basis=Strength.GUESSED, reason=reason, unless=unless)
 

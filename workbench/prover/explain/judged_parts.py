@@ -113,7 +113,8 @@ def _needs_all(claim: Claim) -> bool:
     """True if all symbols of the notation may be used: by a proof, or by a formula that is printed in the
     author's spellings or parsed again."""
     has_proof = claim.proof.goal is not None or claim.proof.every_n is not None
-    return has_proof or not claim.notation.author_notation.is_plain or differentiates_product(claim.printed)
+    is_read_again = differentiates_product(claim.printed) or claim.printed.ill_formed is not None
+    return has_proof or is_read_again or not claim.notation.author_notation.is_plain
 
 
 def differentiates_product(formula: Formula) -> bool:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pydrake.polynomial import Polynomial
 from pydrake.trajectories import PiecewisePolynomial
 
 from workbench.kinematics import lines, screws
@@ -51,6 +52,22 @@ def test_files_that_drake_reads_are_read(robot_of, name):
 def test_a_moving_link_named_world_gets_its_own_message(robot_of):
     with pytest.raises(UrdfError, match="joint 'j' moves the link 'world': that name is the world's own"):
         robot_of("link_named_world")
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_peaks_of_a_septic_path_are_exact(robot_of, seed):
+    """The case peak_digits: the peak to 1e-10 and its time to 1e-6 s, here against the roots of the polynomial."""
+    robot, path = robot_of("jump_of_acceleration"), np.random.default_rng(seed).normal(size=8)
+    motion = robot.along(
+        PiecewisePolynomial([np.array([[Polynomial(path)]], dtype=object)], [0.0, 1.0]), order=3
+    )
+    jerk = np.polynomial.Polynomial(path).deriv(3)
+    roots = jerk.deriv().roots()
+    times = np.array([0, 1, *roots[(abs(roots.imag) < 1e-12) & (roots.real > 0) & (roots.real < 1)].real])
+    highest = times[np.argmax(abs(jerk(times)))]
+    found = peaks_of(motion)["jerk"]
+    assert found.value == pytest.approx(abs(jerk(highest)), rel=1e-10)
+    assert found.time == pytest.approx(highest, abs=1e-6)
 
 
 def test_a_jump_of_acceleration_has_no_bounded_jerk(robot_of):

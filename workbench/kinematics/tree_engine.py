@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy import empty
 
+from workbench.kinematics.spare_memory import spare_memory
 from workbench.kinematics.tree_steps import Frame, Step, Wanted
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ def states_side_by_side(frames: int, states: int, rows: int) -> np.ndarray:
     from workbench.kinematics.simd_lanes import SIZE, WIDTH
 
     padded = -(-states // WIDTH) * WIDTH
-    memory = np.empty(frames * rows * padded + WIDTH)
+    memory = spare_memory(frames * rows * padded + WIDTH)
     start = -memory.ctypes.data % SIZE // 8
     whole = memory[start : start + frames * rows * padded].reshape(frames, rows, padded)
     return whole[..., :states].swapaxes(1, 2)

@@ -23,6 +23,7 @@ from workbench.kinematics.simd_lanes import (
     store_past_caches,
     store_states,
 )
+from workbench.kinematics.spare_memory import spare_memory
 from workbench.kinematics.tree_arithmetic import OPTIONS, compiled, inlined
 
 AHEAD = 1024  # bytes that are asked for before they are read
@@ -156,7 +157,7 @@ def _copier() -> Callable[[int, int, int, int], bool]:
 def finite_copy(numbers: np.ndarray) -> np.ndarray | None:
     """Returns a copy of a large contiguous array of doubles in one pass over memory, which caches are
     spared of; None unless all numbers, and their sum, are finite."""
-    memory = np.empty(numbers.size + 2 * WIDTH)
+    memory = spare_memory(numbers.size + 2 * WIDTH)
     start = -memory.ctypes.data % SIZE // 8
     copy = memory[start : start + numbers.size]
     whole = numbers.size // (2 * WIDTH) * (2 * WIDTH)

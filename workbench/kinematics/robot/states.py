@@ -29,6 +29,7 @@ from workbench.kinematics.robot.leibniz import (
 from workbench.kinematics.robot.partials import twist_partial
 from workbench.kinematics.robot.robot_frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.structure import LARGE, Body, Structure, whole
+from workbench.kinematics.spare_memory import spare_memory
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD
 
@@ -186,7 +187,7 @@ class States:
         if jacobians == 0 and q.shape[1] * plan.rows >= LARGE:
             (record,) = states_side_by_side(1, q.shape[1], plan.rows)
         else:
-            record = np.empty((q.shape[1], plan.rows))
+            record = spare_memory(q.shape[1] * plan.rows).reshape(q.shape[1], plan.rows)
         compute(q, plan, record[None, :, None])
         record.setflags(write=False)
         return record.reshape(*self.shape, plan.rows)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from click.testing import CliRunner
@@ -9,7 +10,10 @@ from click.testing import CliRunner
 from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome
+from workbench.papers.drafting.draft_model import ingest
 from workbench.papers.drafting.judged_draft import draft_of, needs_draft, on_drafted_kinds
+from workbench.papers.drafting.model_file import loaded_model
+from workbench.papers.drafting.typefaces import Guess
 from workbench.prover.results.claim_results import ClaimResult
 
 WRONG = r"""The vectors $\mathbf{a}$, $\mathbf{b}$ and $\mathbf{c}$:
@@ -56,3 +60,15 @@ def test_texts_with_a_model_or_comments_need_no_draft(tmp_path: Path) -> None:
     assert not needs_draft(path)
     (tmp_path / "p.toml").write_text('source = "p.tex"\n')
     assert not needs_draft(path)
+
+
+def test_a_guess_that_no_model_can_hold_is_left_out(tmp_path: Path) -> None:
+    """Two members of one family were declared, so that the model of the text did not load."""
+    path = tmp_path / "chain.md"
+    path.write_text("$$m = 2 k$$\n")
+    drafted = ingest(path)
+    members = {name: Guess(name, "scalar") for name in (r"\eta_{n+1}", r"\eta_{n-1}")}
+    text, model = loaded_model(
+        replace(drafted, guesses=drafted.guesses | members), path.with_suffix(".toml"), False
+    )
+    assert not model.faults and text.count("refused: ") == 1 and text.count("\n'm' = ") == 1

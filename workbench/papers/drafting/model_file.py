@@ -20,7 +20,7 @@ _WIDTH = 100
 
 
 def model_text(ingested: Ingested, path: Path) -> str:
-    """Returns the model for a file at `path`. Definitions that the loader rejects become comments with the
+    """Returns the model for a file at `path`. Entries that the loader rejects become comments with the
     reason."""
     return loaded_model(ingested, path, is_confirmed=False)[0]
 
@@ -39,10 +39,11 @@ def loaded_model(ingested: Ingested, path: Path, is_confirmed: bool) -> tuple[st
         if scopes := [fault.path[1] for fault in faults if fault.path[:1] == ("scope",)]:
             del ingested.scopes[int(scopes[0])]
             continue
+        wrong |= {str(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("symbols",)}
         if not wrong and faults and ingested.scopes:
             ingested.scopes.clear()
             continue
-        if not wrong:
+        if refused.keys() >= wrong.keys():
             faults.stop()
             return written, model
         refused |= wrong
@@ -69,7 +70,8 @@ def _lines(
         yield "# Take out what is right: until then, no fault is found in what rests on it."
         yield "guessed = ["
         names = [*(f"[{table}]" for table in tables), *ingested.fences, *ingested.guesses]
-        yield from (f"    {string(name)}," for name in names if name not in ingested.confirmed)
+        known = ingested.confirmed | refused.keys()
+        yield from (f"    {string(name)}," for name in names if name not in known)
         yield "]"
     yield ""
     if ingested.fences:
@@ -88,8 +90,9 @@ def _lines(
     for guess in ingested.guesses.values():
         flags = "".join(f", {flag} = true" for flag in guess.spec if flag != "kind")
         entry = f'{string(guess.name)} = {{ kind = "{guess.kind}"{flags} }}'
-        mark = "# " if guess.name in defined else ""
-        yield f"{mark}{entry}  # guessed: {_comment(guess.why)}"
+        mark = "# " if guess.name in defined or guess.name in refused else ""
+        why = f"; refused: {_comment(refused[guess.name])}" if guess.name in refused else ""
+        yield f"{mark}{entry}  # guessed: {_comment(guess.why)}{why}"
     yield ""
     yield "[definitions]"
     for proposed in ingested.definitions:

@@ -71,7 +71,7 @@ UNREADABLE = [
     (r"\hat{\omega} = 0", 6, r"unknown symbol \hat{\omega}"),
     (r"\int \omega = 0", 1, "integrals are not read"),
     (r"\omega \approx \omega", 8, "an approximation is not read"),
-    (r"\operatorname{Log} R = \omega", 1, "logarithms are not read"),
+    (r"\operatorname{Log} R = \omega", 1, "of two logarithms"),
     (r"\lim \omega = 0", 1, "limits are not read"),
     (r"\sum_k \omega = 0", 1, "a sum without bounds is not read"),
     (r"\input{/etc/passwd} = 0", 1, r"unknown command \input"),

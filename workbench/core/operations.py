@@ -76,6 +76,7 @@ OPERATORS: dict[Head, Operator] = {
     "norm": Operator(signatures.norm),
     "root": Operator(signatures.root, ("sqrt",)),
     "exp": Operator(signatures.exp, ("exp",)),
+    "log": Operator(signatures.log, ("log",)),
     "sin": Operator(_SCALARS, ("sin",), partner="cos", takes="angle"),
     "cos": Operator(_SCALARS, ("cos",), partner="sin", takes="angle"),
     "arccos": Operator(_SCALARS, ("arccos", "acos"), takes="angle"),
@@ -113,7 +114,9 @@ FUNCTIONS = {word: head for head, operator in OPERATORS.items() for word in oper
 SIGNS: dict[str, Head] = {operator.sign: head for head, operator in OPERATORS.items() if operator.sign}
 
 #: Functions that have a TeX command of the same name.
-TEX_FUNCTIONS = frozenset(("det", "exp", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS, *HYPERBOLIC))
+TEX_FUNCTIONS = frozenset(
+    ("det", "exp", "log", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS, *HYPERBOLIC)
+)
 
 
 def _heads(has: Callable[[Operator], bool]) -> frozenset[Head]:

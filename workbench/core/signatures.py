@@ -263,6 +263,16 @@ def exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return arguments[0].type, weightless(arguments)
 
 
+def log(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """Returns the type and weight of the logarithm of a square matrix or of a quaternion."""
+    type_ = arguments[0].type
+    if type_.kind == "scalar" or type_.dual:
+        raise Unsupported(TypeCode.LOGARITHM(type=type_))
+    if not type_.is_square:
+        _expect(arguments, {"tensor", "quaternion"})
+    return type_, weightless(arguments)
+
+
 def dot(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """Returns the type and weight of x · y for two vectors of any length."""
     left, right = (a.type.with_dual(False) for a in arguments)

@@ -42,6 +42,7 @@ Head = Literal[
     "norm",
     "root",
     "exp",
+    "log",
     "sin",
     "cos",
     "arccos",

@@ -119,6 +119,7 @@ _QUESTIONS = {
     Relaxation.CROSS_OF_LAST_FACTOR: SyntaxCode.REACH_OF_CROSS(),
     Relaxation.ROW_FOR_COLUMN: SyntaxCode.ROW_OR_COLUMN(),
     Relaxation.OWN_SIGN: SyntaxCode.OR_A_DYAD(),
+    Relaxation.LOGARITHM_AS_COLUMN: SyntaxCode.OR_A_COLUMN(),
 }
 
 

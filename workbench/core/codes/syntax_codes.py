@@ -159,6 +159,10 @@ class SyntaxCode(Code):
     OPAQUE_MACROS = "the macro {names} could not be expanded; --macros can say what it is"
     OPERATION_OF_NOTATION = "{spelled} of a {type}; [notation] has it for: {known}"
     ORDER_OF_DERIVATIVE = "the {what} of the derivative, or the derivative of the {what}?"
+    OR_A_COLUMN = (
+        "the logarithm as a matrix, or as the column of its coordinates? [notation] says so: "
+        "'\\log(R)' = {{ means = '\\operatorname{{vect}}(\\ln R)' }}"
+    )
     OR_A_DYAD = "⊗ of vectors is read as their dyad; [notation] can say what it is"
     OR_DYADS = 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so'
     OR_MERE_BRACKETS = "square brackets as the paper's [notation] has them, or mere brackets? round ones are"

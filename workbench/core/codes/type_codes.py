@@ -39,6 +39,7 @@ class TypeCode(Code):
     FUNCTION_ARGUMENT_WEIGHT = "{name} takes an argument of weight {weight}, got {weight_2}"
     INDEX_COUNT = "{name} takes {indices} indices, got {count}"
     INVERSE = "the inverse of a {type}"
+    LOGARITHM = "the logarithm of a {type}; of rotations, transforms and unit quaternions it is read"
     JUXTAPOSITION = "juxtaposition of a {left} and a {right} has no meaning"
     MATRIX_PRODUCT = "matrix product of {left} and {right}"
     MEMBER_DECLARED_APART = "{member} is declared apart, as no member of {name}"

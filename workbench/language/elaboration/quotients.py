@@ -26,6 +26,7 @@ from workbench.language.grammar.syntax import (
     core,
     in_a_row,
 )
+from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import spell_label
 
@@ -170,6 +171,8 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
             raise Unsupported(TypeCode.EXPONENTIAL_OF_VECTOR())
         if argument.type.kind == "matrix" and argument.type != Type(4, 4):
             raise Unsupported(TypeCode.EXPONENTIAL(type=argument.type))
+    if head == "log" and scope.allows(Relaxation.LOGARITHM_AS_COLUMN):
+        return _coordinates(construct.apply("log", scope.quaternion_of_four(argument)))
     if head == "re" and argument.type.kind == "quaternion":
         if argument.type.dual:
             raise Unsupported(TypeCode.REAL_PART_OF_DUAL_QUATERNION())
@@ -179,6 +182,13 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
     top, bottom = QUOTIENTS[head]
     numerator = construct.number(1) if top is None else construct.apply(top, argument)
     return construct.apply("div", numerator, construct.apply(bottom, argument))
+
+
+def _coordinates(logarithm: Term) -> Term:
+    """Returns the column of the coordinates of a logarithm. Of a transform, whose order is open, it is 0."""
+    if logarithm.type.kind == "matrix":
+        return construct.zero(Type(6, 1))
+    return construct.apply("vect" if logarithm.type.kind == "tensor" else "vector part", logarithm)
 
 
 def slope(scope: Scope, at: int, found: Rate, body: Term) -> Term:

@@ -44,6 +44,8 @@ class Relaxation(StrEnum):
     ROW_FOR_COLUMN = "rows"
     #: ⊗ of vectors is a sign of the paper
     OWN_SIGN = "signs"
+    #: \\log R is the vector of its skew tensor
+    LOGARITHM_AS_COLUMN = "columns"
 
 
 #: Readings that a value of [conventions] excludes.

@@ -33,7 +33,7 @@ _BY_LATEX = (
         "optimization",
     ),
     (r"\\(?:mapsto|to|rightarrow|colon)(?![A-Za-z])", "maps"),
-    (r"\\log(?![A-Za-z])|\\ln(?![A-Za-z])", "logarithms"),
+    (r"\\log(?![A-Za-z])|\\ln(?![A-Za-z])|\bLog\b", "logarithms"),
     (r"\\(?:approx|simeq|sim|propto)(?![A-Za-z])|\\mathcal\{?O", "approximation"),
     (r"(?:\{\}|(?<![A-Za-z}\])]))\s*[_^]\s*\{?[A-Za-z\\]|\{\}\s*\^", "frames (scripts on the left)"),
     (r"/", "slashes"),

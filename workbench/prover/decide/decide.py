@@ -24,7 +24,7 @@ from workbench.core.terms import (
     sides_of,
 )
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
-from workbench.engines.inventory import WithoutDefinitions
+from workbench.engines.inventory import Lookup, WithoutDefinitions
 from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
 from workbench.engines.inventory.exponentials import holds_exponentials, without_exponentials
 from workbench.engines.inventory.first_order import to_first_order
@@ -39,6 +39,8 @@ from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
 from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
+from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
+from workbench.prover.decide.matrix_exponentials import refuted_by_commutator
 from workbench.prover.decide.orders_past_literals import OrderRanges
 from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
 
@@ -153,6 +155,8 @@ class Judge(Setting):
                 return self._of_parts(parts, assume)
             case Relation() if holds_arc(statement):
                 return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
+            case Relation(operator="=") if holds_logarithm(statement, self.definitions):
+                return self._logarithm(statement, assume)
             case Relation(operator="=") if holds_exponentials(statement, self.definitions):
                 return self._exponential(statement, assume)
             case Relation(operator="="):
@@ -175,7 +179,11 @@ class Judge(Setting):
         try:
             verdict = Equation(self, said, assume).verdict()
         except NotExact:
-            if (found := self._by_premise(said, assume)) is None:
+            found = self._by_premise(said, assume)
+            if found is None:
+                with suppress(NotExact):
+                    found = refuted_by_commutator(said, lambda other: self._judge(other, assume))
+            if found is None:
                 raise
             return found
         is_open = verdict.outcome is Outcome.UNCHECKED and said.left != said.right
@@ -199,6 +207,16 @@ class Judge(Setting):
                     evidence = Evidence("premise", "equal angles", {"formula": formulas})
                     return replace(verdict, evidence=(evidence, *verdict.evidence))
         return None
+
+    def _logarithm(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        def judge(statement: Statement, definitions: Lookup) -> Verdict:
+            return replace(self, definitions=definitions)._judge(statement, assume)
+
+        verdict = judge_logarithm(said, bool(assume), self.definitions, judge)
+        law = law_of_logarithm(said, self.definitions) if self.laws and not assume else None
+        if verdict.outcome is Outcome.REFUTED and law is not None:
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.STATES_A_LAW(name=to_latex(law)))
+        return verdict
 
     def _exponential(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         found = without_exponentials(said, self.definitions)
@@ -227,7 +245,7 @@ class Judge(Setting):
 
         For a part whose sides are the same term only its definedness is checked, and the evidence records it.
         """
-        judged = [(part, self._judge(part, assume)) for part in parts]
+        judged = self._each(parts, assume)
         if all(verdict.code is VerdictCode.SAME_TERM for _, verdict in judged):
             return judged[0][1]
         verdicts, idle = [], []
@@ -240,6 +258,23 @@ class Judge(Setting):
             verdicts.append(verdict)
         verdict = _together(verdicts)
         return replace(verdict, evidence=(*verdict.evidence, *idle))
+
+    def _each(
+        self, parts: Sequence[Statement], assume: tuple[Statement, ...]
+    ) -> list[tuple[Statement, Verdict]]:
+        """Returns the parts with their verdicts.
+
+        Raises NotExact for a part outside exact arithmetic, unless another part is refuted.
+        """
+        found, faults = [], []
+        for part in parts:
+            try:
+                found.append((part, self._judge(part, assume)))
+            except NotExact as fault:
+                faults.append(fault)
+        if faults and not any(verdict.outcome is Outcome.REFUTED for _, verdict in found):
+            raise faults[0]
+        return found
 
     def _named(self, said: Naming, assume: tuple[Statement, ...]) -> Verdict:
         """Returns the verdict on a set or a map: a definition, if its conditions are proved."""

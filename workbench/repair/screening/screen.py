@@ -24,10 +24,10 @@ from workbench.engines.inventory.angle_combinations import with_parts_of_angles
 from workbench.engines.inventory.assumptions import Assumptions
 from workbench.engines.inventory.inventory import Lookup, NotExact, take_inventory
 from workbench.engines.inventory.parameters import SPHERES, Parameter
-from workbench.engines.jet.components import OperatorValue, Value
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PRIME, PointSource
 from workbench.language.printing.printer import to_latex
+from workbench.repair.screening.sharing_engine import SharingEngine
 
 #: The most points tried to find one where the roots of the printed statement exist.
 _TRIED_POINTS = 16
@@ -87,53 +87,6 @@ class RandomPoint(dict):
         square = sum((t * t for t in slopes), start=nmod(0, PRIME))
         for index, x in enumerate([1 - square, *(t + t for t in slopes)]):
             self[Parameter(parameter.symbol, parameter.part, 0, index)] = x / (1 + square)
-
-
-class SharingEngine(JetEngine):
-    """Caches values by the identity of terms, because hashing a large term would cost more than its value.
-
-    Attributes:
-        given: Symbols with prescribed values, as if they were constant.
-    """
-
-    def __init__(self, source: Any, definitions: Lookup) -> None:
-        super().__init__(source, definitions)
-        self.given: dict[Symbol, Value] = {}
-        self._kept: dict[int, tuple[Term, Value]] = {}
-        self._symbols: dict[Symbol, Value] = {}
-        self._passing: dict[int, tuple[Term, Value]] = {}
-        self._operators: dict[tuple[Symbol, int], OperatorValue] = {}
-        self.keeps = True
-
-    def value(self, term: Term, depth: int) -> Value:
-        if isinstance(term, Symbol):
-            if term in self.given:
-                return self._given(term, depth)
-            known = self._symbols.get(term)
-            if known is None or known.depth < depth:
-                known = self._symbols[term] = self._evaluate(term, depth)
-            return known.cut(0, depth)
-        entry = self._kept.get(id(term)) or self._passing.get(id(term))
-        if entry is None or entry[1].depth < depth:
-            kept = self._kept if self.keeps else self._passing
-            entry = kept[id(term)] = (term, self._evaluate(term, depth))
-        return entry[1].cut(0, depth)
-
-    def operator(self, term: Term, depth: int) -> OperatorValue:
-        if not isinstance(term, Symbol) or term.type.kind != "operator":
-            return super().operator(term, depth)
-        if (term, depth) not in self._operators:
-            self._operators[term, depth] = super().operator(term, depth)
-        return self._operators[term, depth]
-
-    def forget_candidate(self) -> None:
-        """Drops the values that were computed while `keeps` was False."""
-        self._passing.clear()
-
-    def _given(self, symbol: Symbol, depth: int) -> Value:
-        value = self.given[symbol]
-        du = None if value.du is None else value.du + [0 * value.du[0]] * depth
-        return Value(value.re + [0 * value.re[0]] * depth, du)
 
 
 class ScreenPoint:

@@ -17,6 +17,7 @@ from workbench.core.construct import (
     number,
     power,
     symbol,
+    zero,
 )
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import OPERATORS, PRODUCTS
@@ -36,7 +37,7 @@ from workbench.core.terms import (
     Term,
     Zero,
 )
-from workbench.core.types import Weight
+from workbench.core.types import SCALAR, Weight
 from workbench.language.printing.printer import to_latex
 from workbench.repair.terms.subterm_positions import places
 from workbench.repair.terms.term_arithmetic import (
@@ -92,6 +93,7 @@ def variants(
             yield from _bounds(term)
         case Block():
             yield from _entries_exchanged(term)
+            yield from _zeros_and_ones(term)
         case Apply(head="add"):
             yield from _sums(term)
         case Apply():
@@ -165,9 +167,26 @@ def _entries_exchanged(matrix: Block) -> Iterator[Variant]:
             continue
         changed = list(entries)
         changed[one], changed[other] = changed[other], changed[one]
-        rows = [changed[start : start + width] for start in range(0, len(changed), width)]
+        rows = _rows(changed, width)
         said = ("exchange {} and {}", entries[one], entries[other])
         yield "swap", said, partial(block, rows)
+
+
+def _zeros_and_ones(matrix: Block) -> Iterator[Variant]:
+    """Yields the matrix with 0 for an entry 1 or -1, and with 1 for a scalar entry 0."""
+    entries, width = matrix.children, len(matrix.entries[0])
+    for place, entry in enumerate(entries):
+        if entry.type != SCALAR or not isinstance(entry, Zero | Number):
+            continue
+        if isinstance(entry, Number) and abs(entry.value) != 1:
+            continue
+        new = number(1) if isinstance(entry, Zero) else zero()
+        rows = _rows([*entries[:place], new, *entries[place + 1 :]], width)
+        yield "coefficient", ("replace the entry {} by {}", entry, new), partial(block, rows)
+
+
+def _rows(entries: Sequence[Term], width: int) -> list[Sequence[Term]]:
+    return [entries[start : start + width] for start in range(0, len(entries), width)]
 
 
 def _indices(term: Symbol) -> Iterator[Variant]:

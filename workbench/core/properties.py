@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from workbench.core.construct import apply, derivative, identity, number, relation, zero
 from workbench.core.terms import Conjunction, Relation, Statement, Symbol, Term
+from workbench.core.types import Declaration
 
 _SQUARE = frozenset({"tensor", "matrix"})
 _ANY = frozenset({"scalar", "vector", "tensor", "matrix", "quaternion"})
@@ -16,10 +17,15 @@ _ANY = frozenset({"scalar", "vector", "tensor", "matrix", "quaternion"})
 class Property:
     """One property.
 
-    kinds: the kinds of symbols that can have it.   flag: the flag in a declaration, from which the engines
-    and the certificates choose a parametrization.   term: the general form of a symbol with the property.
+    kinds: the kinds of symbols that can have it.   flag: the flag in a declaration.   term: the general form
+    of a symbol with the property.
     equations: the equations that hold for the symbols; None for a condition that no equation expresses.
-    count: the number of symbols that the property relates.
+    count: the number of symbols that the property relates.   chart: the coordinates by which the engines
+    parametrize a symbol of one of the kinds.   free: the number of free entries of a matrix of n rows.
+    coq: the predicate of the certificates' library; {dual} is put before a predicate that has a form for
+    real and one for dual symbols, {d} and {k} are the implicit arguments that others need.
+
+    The two engines share the parameters, not what they make of them.
     """
 
     name: str
@@ -28,6 +34,9 @@ class Property:
     term: Callable[[Term], Term] | None = None
     equations: Callable[..., Sequence[Relation]] | None = None
     count: int = 1
+    chart: Mapping[str, str] = field(default_factory=dict)
+    free: Callable[[int], int] | None = None
+    coq: str | None = None
 
     def fits(self, symbol: Symbol) -> bool:
         """True if the symbol can have the property."""
@@ -52,31 +61,53 @@ def _transposed(x: Term) -> Term:
 
 
 def _orthogonal(x: Term) -> list[Relation]:
-    return [_same(apply("mul", _transposed(x), x), identity(x.type))]
+    return [_same(apply("mul", x, _transposed(x)), identity(x.type))]
 
 
 def _rotation(x: Term) -> list[Relation]:
     return [*_orthogonal(x), _same(apply("det", x), number(1))]
 
 
+def _unit(x: Term) -> list[Relation]:
+    square = apply("norm", x) if x.type.kind == "quaternion" else apply("dot", x, x)
+    return [_same(square, number(1))]
+
+
 PROPERTIES: Mapping[str, Property] = {
     each.name: each
     for each in (
         Property(
+            "rotation",
+            _SQUARE,
+            flag="rotation",
+            equations=_rotation,
+            chart={"tensor": "quaternion"},
+            coq="{dual}rotation",
+        ),
+        Property(
             "unit",
             frozenset({"vector", "quaternion"}),
             flag="unit",
-            equations=lambda x: [_same(apply("norm", x), number(1))],
+            equations=_unit,
+            chart={"vector": "unit", "quaternion": "quaternion"},
+            coq="unit_vector (K := K) (d := {d})",
         ),
-        Property("rotation", _SQUARE, flag="rotation", equations=_rotation),
         Property("orthogonal", _SQUARE, equations=_orthogonal),
-        Property("symmetric", _SQUARE, flag="symmetric", equations=lambda x: [_same(_transposed(x), x)]),
+        Property(
+            "symmetric",
+            _SQUARE,
+            flag="symmetric",
+            equations=lambda x: [_same(_transposed(x), x)],
+            free=lambda size: size * (size + 1) // 2,
+        ),
+        Property("diagonal", _SQUARE, flag="diagonal", free=lambda size: size),
         Property("skew", _SQUARE, equations=lambda x: [_same(_transposed(x), apply("neg", x))]),
         Property(
             "constant",
             _ANY,
             flag="constant",
             equations=lambda x: [_same(derivative(x, 1), zero(x.type))],
+            coq="constant (K := K) (d := {d}) (k := {k})",
         ),
         Property("positive", frozenset({"scalar"}), flag="positive"),
         Property("small", frozenset({"scalar", "vector"}), flag="small"),
@@ -102,5 +133,17 @@ PROPERTIES: Mapping[str, Property] = {
     )
 }
 
+_FLAGGED = tuple(each for each in PROPERTIES.values() if each.flag)
 #: Flags of a declaration that an equation expresses, and that a definition of the symbol must satisfy.
 FLAGS = tuple(each.flag for each in PROPERTIES.values() if each.flag and each.equations)
+
+
+def properties_of(declaration: Declaration) -> list[Property]:
+    """Returns the properties that the flags of a declaration state, in the order of the table."""
+    return [each for each in _FLAGGED if each.flag and getattr(declaration, each.flag)]
+
+
+def members_of(declaration: Declaration, term: Term) -> list[Relation]:
+    """Returns the equations by which the term is a value of the declared set, such as that of rotations."""
+    rows = (each for each in properties_of(declaration) if each.chart and each.equations)
+    return [equation for row in rows if row.equations for equation in row.equations(term)]

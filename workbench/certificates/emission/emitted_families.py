@@ -137,7 +137,7 @@ def _free_family(emitter: Collector, symbol: Symbol, kind: str) -> str:
         type_ = emitted_nodes.type_name(symbol.type.dual, kind)
         emitter.binders.append((name, "nat -> " * len(places) + type_))
         if declaration.rotation:
-            word = "dual_rotation" if symbol.type.dual else "rotation"
+            word = emitted_suppositions.predicate("rotation", symbol.type.dual, kind)
             member_ = " ".join([name, *places])
             emitter.binders.append(
                 (f"{name}_rotation", f"forall {' '.join(places)} : nat, {word} ({member_})")

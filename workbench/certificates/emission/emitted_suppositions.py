@@ -5,14 +5,22 @@ from __future__ import annotations
 from workbench.certificates.emission import emitted_nodes
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.emitted_nodes import ATOM, KINDS, Node, flag, single
+from workbench.core.properties import PROPERTIES, properties_of
 from workbench.core.terms import Symbol
 from workbench.core.types import Declaration
+
+
+def predicate(name: str, dual: bool, kind: str) -> str:
+    """Returns the library's predicate for a property of the table."""
+    words = PROPERTIES[name].coq
+    assert words is not None, f"the library has no {name}"
+    return words.format(dual="dual_" * dual, d=flag(dual), k=kind)
 
 
 def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:
     """Returns a free symbol as a variable of the theorem, with the premises of its declaration."""
     declaration, dual = symbol.declaration, symbol.type.dual
-    said = [word for word in ("rotation", "unit", "constant") if getattr(declaration, word)]
+    said = [row.name for row in properties_of(declaration) if row.coq]
     node = emitter.variable(dual, kind, name, " ".join(said) or "free")
     if declaration.rotation:
         rotation(emitter, node)
@@ -42,12 +50,12 @@ def rotation(emitter: Collector, node: Node, known: str | None = None) -> None:
         (f"(Det {node.deep})", emitted_nodes.number(1, node.dual).deep),
     ]
     if not node.dual:
-        known = known or supposed(emitter, node, "rotation", says)
+        known = known or supposed(emitter, node, predicate("rotation", False, node.kind), says)
         spin = emitter.slot(False, "Vector", f"(spin {node.at(ATOM)})")
         places = f"{index(node)} {index(spin)}"
         emitter.facts.append(f"(@rotation_at_ok K here {places} {known} eq_refl)")
         return
-    known = known or supposed(emitter, node, "dual_rotation", says)
+    known = known or supposed(emitter, node, predicate("rotation", True, node.kind), says)
     text = node.at(ATOM)
     real = emitter.slot(False, "Tensor", f"(real_part {text} : tensor K)")
     spin = emitter.slot(False, "Vector", f"(spin (real_part {text} : tensor K))")
@@ -58,7 +66,7 @@ def rotation(emitter: Collector, node: Node, known: str | None = None) -> None:
 
 def _unit(emitter: Collector, node: Node, constant: bool) -> None:
     says = [(f"(Dot {node.deep} {node.deep})", emitted_nodes.number(1, node.dual).deep)]
-    known = supposed(emitter, node, f"unit_vector (K := K) (d := {flag(node.dual)})", says)
+    known = supposed(emitter, node, predicate("unit", node.dual, node.kind), says)
     still = _still(emitter, node) if constant else None
     if not node.dual:
         spin = emitter.slot(False, "Vector", f"({node.text} × D {node.text})")
@@ -81,8 +89,7 @@ def _unit(emitter: Collector, node: Node, constant: bool) -> None:
 
 def _still(emitter: Collector, node: Node) -> str:
     says = [(f"(DD {node.deep})", emitted_nodes.zero(node.dual, node.kind).deep)]
-    what = f"constant (K := K) (d := {flag(node.dual)}) (k := {node.kind})"
-    return supposed(emitter, node, what, says)
+    return supposed(emitter, node, predicate("constant", node.dual, node.kind), says)
 
 
 def _rate(node: Node, known: str) -> str:
@@ -92,12 +99,5 @@ def _rate(node: Node, known: str) -> str:
 
 def conditions(own: Declaration, name: str) -> list[str]:
     """Returns the conditions for a member of the declared set, in the library's words, in a fixed order."""
-    dual, kind = own.type.dual, KINDS[own.type.kind]
-    said = []
-    if own.rotation:
-        said.append(f"{'dual_' if dual else ''}rotation {name}")
-    if own.unit:
-        said.append(f"unit_vector (K := K) (d := {flag(dual)}) {name}")
-    if own.constant:
-        said.append(f"constant (K := K) (d := {flag(dual)}) (k := {kind}) {name}")
-    return said
+    rows = (row.name for row in properties_of(own) if row.coq)
+    return [f"{predicate(row, own.type.dual, KINDS[own.type.kind])} {name}" for row in rows]

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 from workbench.certificates.emission.emitted_nodes import KINDS, NotCertified, flag
 from workbench.certificates.theorem import relations
-from workbench.core.construct import apply, identity, number, relation, symbol
+from workbench.core.construct import relation, symbol
+from workbench.core.properties import members_of
 from workbench.core.terms import Relation, Statement, Term
-from workbench.core.types import TENSOR
 from workbench.language.definitions import expand
 from workbench.language.goals.goals import Atom, Both, Goal, Scope, Variable
 from workbench.prover.goals.sequents import kind_of
@@ -110,10 +110,4 @@ def as_given(alias: Alias) -> tuple[Relation, str]:
 
 
 def belongs(variable: Variable, term: Term) -> list[Relation]:
-    own, said_ = variable.declaration, []
-    if own.rotation:
-        said_.append(relation("=", apply("mul", term, apply("transpose", term)), identity(TENSOR)))
-        said_.append(relation("=", apply("det", term), number(1)))
-    if own.unit:
-        said_.append(relation("=", apply("dot", term, term), number(1)))
-    return said_
+    return members_of(variable.declaration, term)

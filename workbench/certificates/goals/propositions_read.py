@@ -11,6 +11,7 @@ from workbench.certificates.reading.meaning import OfTerm, OfText
 from workbench.certificates.reading.read_back import Expression, Parser, Unread
 from workbench.certificates.theorem import relations
 from workbench.core.construct import symbol
+from workbench.core.properties import PROPERTIES
 from workbench.core.terms import Relation, Term
 from workbench.core.types import Declaration
 from workbench.language.goals.goals import (
@@ -26,7 +27,12 @@ from workbench.language.goals.goals import (
     Variable,
 )
 
-_SUPPOSED = ("rotation", "dual_rotation", "unit_vector", "constant")
+_SUPPOSED = {
+    row.coq.format(dual=dual, d="", k="").split()[0]
+    for row in PROPERTIES.values()
+    for dual in ("", "dual_")
+    if row.coq
+}
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from workbench.core.properties import properties_of
 from workbench.core.terms import Symbol, Term
 from workbench.engines.inventory.inventory import Inventory, NotExact
 from workbench.engines.inventory.partial_derivatives import coordinate_count, indices
@@ -67,12 +68,12 @@ def parts(symbol: Symbol, order: int) -> tuple[tuple[str, int, int], ...]:
         return tuple((part, count * len(places), 1) for part, places in degrees)
     if declaration.transform:
         return (("quaternion", 4, 1), ("spin", 3, moving), ("translation", 3, moving + 1))
-    if declaration.unit and symbol.type.kind == "vector":
-        moment = (("moment", 3, moving + 1),) if dual else ()
-        return (("unit", 3, 1), ("spin", 3, moving), *moment)
-    if declaration.rotation or declaration.unit:
-        translation = (("translation", 3, moving + 1),) if dual else ()
-        return (("quaternion", 4, 1), ("spin", 3, moving), *translation)
+    kind = symbol.type.kind
+    charts = [each.chart[kind] for each in properties_of(declaration) if kind in each.chart]
+    if charts:
+        shift = "moment" if charts[0] == "unit" else "translation"
+        shifted = ((shift, 3, moving + 1),) if dual else ()
+        return ((charts[0], SPHERES[charts[0]], 1), ("spin", 3, moving), *shifted)
     count = components(symbol)
     dual_part = (("dual", count, moving + 1),) if dual else ()
     return (("value", count, moving + 1), *dual_part)
@@ -84,8 +85,5 @@ def components(symbol: Symbol) -> int:
     type_ = symbol.type
     if type_.kind == "operator":
         raise NotExact(f"{symbol.declaration.name} is an undefined {type_}")
-    if symbol.declaration.diagonal:
-        return type_.rows
-    if symbol.declaration.symmetric:
-        return type_.rows * (type_.rows + 1) // 2
-    return type_.rows * type_.columns
+    free = [each.free(type_.rows) for each in properties_of(symbol.declaration) if each.free]
+    return min(free, default=type_.rows * type_.columns)

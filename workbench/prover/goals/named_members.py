@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from workbench.core.construct import apply, derivative, identity, number, power, relation, symbol, zero
+from workbench.core.construct import apply, derivative, number, power, relation, symbol, zero
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
+from workbench.core.properties import members_of
 from workbench.core.terms import Relation, Symbol, Term, Zero
-from workbench.core.types import SCALAR, TENSOR
+from workbench.core.types import SCALAR
 from workbench.language.goals.goals import AllBelow, Atom, Both, Goal, Scope, Variable, equations
 from workbench.language.naming.declarations import read_key
 from workbench.prover.goals.sequents import NotShown, Obligation, Sequent, names_of, supposed
@@ -114,12 +115,7 @@ def belongs(
         (own.rotation and term.declaration.rotation) or (own.unit and term.declaration.unit)
     ):
         return
-    said = []
-    if own.rotation:
-        said.append(relation("=", apply("mul", term, apply("transpose", term)), identity(TENSOR)))
-        said.append(relation("=", apply("det", term), number(1)))
-    if own.unit:
-        said.append(relation("=", apply("dot", term, term), number(1)))
+    said = members_of(own, term)
     known = supposed(sequent, using) if own.constant else supposed(sequent.at_all_times(), None)
     premises = tuple(known)
     for one in said:

@@ -90,7 +90,7 @@ class ClaimJudge:
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[tuple[int, int], Judge] = {}
-        self._explainer = Explainer(self._judge, second_engine)
+        self._explainer = Explainer(self._judge, second_engine, self.budget.seconds / 2)
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory

@@ -8,6 +8,7 @@ refuted.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from workbench.context.claims import Claim
@@ -29,6 +30,7 @@ from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law
 from workbench.prover.explain.other_readings import other_reading
+from workbench.runtime.limits import within
 
 _SURE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
 _GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
@@ -38,10 +40,11 @@ _NAMED = 2
 
 
 class Explainer:
-    """judge_of: the judge of a notation.   second_engine: whether the judges ask both engines."""
+    """judge_of: the judge of a notation.   second_engine: whether the judges ask both engines.   seconds: the
+    limit on the processor time of one explanation, so that a refutation stands when it is used up."""
 
-    def __init__(self, judge_of: JudgeOf, second_engine: bool) -> None:
-        self._judge_of, self._second_engine = judge_of, second_engine
+    def __init__(self, judge_of: JudgeOf, second_engine: bool, seconds: float) -> None:
+        self._judge_of, self._second_engine, self._seconds = judge_of, second_engine, seconds
 
     def verdict(self, claim: Claim, base: Verdict) -> Verdict:
         """Returns the verdict on a claim in its context; base: the verdict under the declarations."""
@@ -66,15 +69,10 @@ class Explainer:
         if act is Act.ASSIGN:
             return _only_said(base, act, own)
         decider = Decider(claim, self._judge_of, self._second_engine)
-        subject = subject_of(claim)
-        may_be = base.outcome is Outcome.REFUTED and act in _TESTED
-        if may_be and not subject.conditioned and decider.is_impossible(()):
-            act = Act.ASSERT
-        explanation = _Explanation(claim, subject, base, decider, act, own)
-        try:
+        explanation = _Explanation(claim, subject_of(claim), base, decider, act, own)
+        with within(self._seconds), suppress(OutOfDecisions):
             return explanation.verdict()
-        except OutOfDecisions:
-            return explanation.unfinished()
+        return explanation.unfinished()
 
 
 @dataclass
@@ -98,6 +96,9 @@ class _Explanation:
     doubts: list[str] = field(default_factory=list)
 
     def verdict(self) -> Verdict:
+        may_be = self.base.outcome is Outcome.REFUTED and self.act in _TESTED
+        if may_be and not self.subject.conditioned and self.decider.is_impossible(()):
+            self.act = Act.ASSERT
         is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.context.alone
         if is_refuted and (why := other_reading(self.claim, self.base, self.decider)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=self.base.read_back)

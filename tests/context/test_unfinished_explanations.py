@@ -1,0 +1,30 @@
+"""A refutation stands when its explanation has used up its processor time."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.context.judged_texts import FALSE, TRUE, model, text_of
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.verdict import Grade, Outcome
+from workbench.papers import load_paper
+from workbench.prover.explain.decide_under_facts import Decider
+from workbench.runtime import STANDARD
+
+
+def test_endless_explanation_leaves_the_refutation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def endless(*_: Any, **__: Any) -> bool:
+        while True:
+            pass
+
+    monkeypatch.setattr(Decider, "holds", endless)
+    (tmp_path / "p.md").write_text(text_of([*FALSE[:2], *TRUE[:2]]), encoding="utf-8")
+    (tmp_path / "p.toml").write_text(model(), encoding="utf-8")
+    paper = load_paper(tmp_path / "p.toml", faults=[])
+    budget = replace(STANDARD, seconds=1.0)
+    results = judge_paper(paper, motions=False, jobs=1, budget=budget)
+    assert [each.verdict.outcome for each in results] == [Outcome.REFUTED] * 2 + [Outcome.PROVED] * 2
+    assert {each.verdict.grade for each in results[:2]} == {Grade.WARNING}
+    assert all("not tried" in each.verdict.unless[0] for each in results[:2])

@@ -35,7 +35,7 @@ HERE = Path(__file__).resolve().parent
 FALSE = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
 
 #: Of wall time, for the search of one false claim.
-SECONDS = 5.0
+SECONDS = 10.0
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,20 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from fractions import Fraction
 
-from workbench.core.construct import derivative
-from workbench.core.terms import Apply, Conjunction, Identity, Relation, Statement, Term, TimeOperator, Zero
+from workbench.core.construct import apply, derivative
+from workbench.core.terms import (
+    Apply,
+    Conjunction,
+    Identity,
+    Number,
+    Relation,
+    Statement,
+    Term,
+    TimeOperator,
+    Zero,
+)
 from workbench.engines.jet.rings import PRIME
 from workbench.language.printing.author_spelling import is_spelt_as_one
 from workbench.repair.screening.screen import Screen
@@ -73,15 +84,37 @@ def is_trivial(statement: Statement) -> bool:
     """True if an equation holds by reordering and cancelling, or a chain repeats a side."""
     match statement:
         case Relation(operator="="):
-            counts: Counter[Term] = Counter()
+            counts: dict[Term, Fraction] = {}
             for sign, side in ((1, statement.left), (-1, statement.right)):
-                for factor, term in _addends(side, sign):
-                    counts[term] += factor
+                for factor, term in _multiples(side, Fraction(sign)):
+                    counts[term] = counts.get(term, Fraction(0)) + factor
             return not any(counts.values())
         case Conjunction(parts=parts):
             chain = [side for _, side in sides(statement)]
             return len(set(chain)) < len(chain) or any(map(is_trivial, parts))
     return False
+
+
+def _multiples(term: Term, factor: Fraction) -> Iterator[tuple[Fraction, Term]]:
+    """Yields the addends with the numbers before them, without (Xᵀ)ᵀ and the like."""
+    match term:
+        case Apply(head="mul", arguments=(Number(value=value), inner)):
+            yield from _multiples(inner, factor * value)
+        case Apply(head="transpose" | "conjugate" as head, arguments=(inner,)):
+            for own, part in _multiples(inner, factor):
+                yield own, _undone(head, part) or apply(head, part)
+        case Apply(head="inverse", arguments=(inner,)) if (known := _undone("inverse", inner)) is not None:
+            yield from _multiples(known, factor)
+        case _:
+            for sign, part in _addends(term, 1):
+                if part is term:
+                    yield factor * sign, part
+                else:
+                    yield from _multiples(part, factor * sign)
+
+
+def _undone(head: str, term: Term) -> Term | None:
+    return term.arguments[0] if isinstance(term, Apply) and term.head == head else None
 
 
 def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:

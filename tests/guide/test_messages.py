@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,10 +15,14 @@ from workbench.guide.message_page import all_codes, entries, meaning_of, message
 EXAMPLES = [(name, entry) for name, entry in entries().items() if "example" in entry and name in all_codes()]
 
 
-def told_codes(latex: str, symbols: dict[str, Any]) -> set[str]:
-    """The labels of all reasons of the verdicts on the formula, or of the error."""
+def told_codes(entry: dict[str, Any], folder: Path) -> set[str]:
+    """The labels of all reasons of the verdicts on the example, or of the error."""
+    given: dict[str, Any] = {"symbols": entry.get("symbols", {}), "definitions": entry.get("definitions", {})}
+    if "notation" in entry:
+        given["notation"] = folder / "notation.toml"
+        given["notation"].write_text(entry["notation"], encoding="utf-8")
     try:
-        found = check(latex, symbols=symbols)
+        found = check(entry["example"], **given)
     except ValueError as error:
         reasons = [each for each in (*error.args, *vars(error).values()) if isinstance(each, Reason)]
     else:
@@ -28,8 +33,8 @@ def told_codes(latex: str, symbols: dict[str, Any]) -> set[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "entry"), EXAMPLES, ids=[name for name, _ in EXAMPLES])
-def test_example_gives_its_code(name: str, entry: dict[str, Any]) -> None:
-    assert name in told_codes(entry["example"], entry.get("symbols", {}))
+def test_example_gives_its_code(name: str, entry: dict[str, Any], tmp_path: Path) -> None:
+    assert name in told_codes(entry, tmp_path)
 
 
 @pytest.mark.parametrize("code", all_codes().values(), ids=all_codes())

@@ -232,9 +232,10 @@ def _defined(notation: Notation, definitions: Mapping[str, str] | Sequence[str])
         try:
             notation = with_definitions(notation, {name: body})
         except SpecError as error:
-            raise ValueError(f"definitions: {error}") from None
+            raise ValueError(SyntaxCode.FAULT_OF_KEY(key="definitions", message=error.reason)) from None
         except (ReadError, IllFormedAt) as error:
-            raise ValueError(f"definitions: {name}: {error}") from None
+            key = f"definitions: {name}"
+            raise ValueError(SyntaxCode.FAULT_OF_KEY(key=key, message=error.reason)) from None
     return notation
 
 

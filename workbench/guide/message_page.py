@@ -76,7 +76,8 @@ def known_codes() -> list[str]:
 
 @cache
 def entries() -> Mapping[str, Mapping[str, Any]]:
-    """Returns the entries of messages.toml by label: meaning, example, way_out."""
+    """Returns the entries of messages.toml by label: meaning, example, way_out, and what the example is read
+    with: symbols, definitions, or notation, the text of a notation file."""
     with _DATA.open("rb") as file:
         return {f"WB-{slug.upper()}": entry for slug, entry in tomllib.load(file).items()}
 
@@ -122,15 +123,30 @@ def _entry(code: Code, level: str) -> str:
     if meaning := said.get("meaning"):
         lines += [meaning, ""]
     if example := said.get("example"):
-        lines += [f"Example: `{example}`{_where(said.get('symbols', {}))}", ""]
+        lines += [f"Example: `{example}`{_where(said)}", ""]
     if way_out := said.get("way_out"):
         lines += [f"What to do: {way_out}", ""]
     return "\n".join(lines)
 
 
-def _where(symbols: Mapping[str, str]) -> str:
-    kinds = ", ".join(f"`{name}` a {kind}" for name, kind in symbols.items())
-    return f" with {kinds}" if kinds else ""
+def _where(said: Mapping[str, Any]) -> str:
+    """Returns what the example is read with: kinds, whole entries of [symbols], definitions, [notation]."""
+    given = [
+        f"`{name}` a {kind}" if isinstance(kind, str) else f"`{name} = {_inline(kind)}`"
+        for name, kind in said.get("symbols", {}).items()
+    ]
+    given += [f"the definition `{name} = {body}`" for name, body in said.get("definitions", {}).items()]
+    given += [f"`{line}`" for line in said.get("notation", "").splitlines()[1:]]
+    return f" with {', '.join(given)}" if given else ""
+
+
+def _inline(value: Any) -> str:
+    """Returns a value as TOML in one line."""
+    if isinstance(value, dict):
+        return f"{{ {', '.join(f'{key} = {_inline(each)}' for key, each in value.items())} }}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_inline, value))}]"
+    return str(value).lower() if isinstance(value, bool) else repr(value)
 
 
 def _template(code: Code) -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import doctest
 import inspect
+import re
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -12,6 +14,9 @@ import workbench
 from workbench.app import api
 from workbench.guide.api_page import FUNCTIONS, MEMBERS, function_of, surface
 
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "workbench/guide").rglob("*.md"))]
+PUBLIC = ("workbench", "workbench.kinematics")
 RECORDED = (Path(__file__).parent / "public_api.txt").read_text(encoding="utf-8").splitlines()
 
 
@@ -59,3 +64,13 @@ def test_docstring_examples_are_right() -> None:
 def test_unknown_name_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         _ = workbench.nothing  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=[page.stem for page in PAGES])
+def test_page_imports_the_public_api_only(page: Path) -> None:
+    """Each name that a page imports is in `__all__` of a public package."""
+    text = page.read_text(encoding="utf-8")
+    for module, names in re.findall(r"\bfrom (workbench[\w.]*) import ([\w, ]+)", text):
+        assert module in PUBLIC
+        assert {name.strip() for name in names.split(",")} <= set(import_module(module).__all__)
+    assert not re.search(r"\bimport workbench\.", text)

@@ -7,7 +7,18 @@ formula. What may it import? algebra, drake. What checks it? tests/kinematics, a
 
 from typing import Any
 
-__all__ = ["Mimic", "Robot", "SingularJacobian", "TreeJoint", "UrdfError"]
+__all__ = [
+    "BallConstraint",
+    "ClosedLoops",
+    "Mimic",
+    "Robot",
+    "SingularJacobian",
+    "TreeJoint",
+    "UrdfError",
+    "WeldConstraint",
+    "slowed",
+    "waypoints",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -11,6 +11,8 @@ from workbench.kinematics.robot.inverse import SingularJacobian
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.robot import Robot
 from workbench.kinematics.robot.robot_urdf import UrdfError
+from workbench.kinematics.robot.spline_paths import waypoints
+from workbench.kinematics.robot.time_scaling import slowed
 
 __all__ = [
     "BallConstraint",
@@ -21,4 +23,6 @@ __all__ = [
     "TreeJoint",
     "UrdfError",
     "WeldConstraint",
+    "slowed",
+    "waypoints",
 ]

@@ -171,6 +171,7 @@ class ClaimContext:
         guessed: Symbols whose kinds are unconfirmed guesses.
         facts: The facts that the text states of the symbols.
         moving: Symbols whose rates the text writes.
+        properties: Properties of the symbol alone on the left that the text states, each with its words.
     """
 
     span: Span | None = None
@@ -180,6 +181,7 @@ class ClaimContext:
     guessed: tuple[str, ...] = ()
     facts: tuple[Fact, ...] = ()
     moving: frozenset[Name] = frozenset()
+    properties: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

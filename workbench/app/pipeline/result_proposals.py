@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.app.pipeline.verdict_keys import Keys, Memory
+from workbench.core.codes.context_codes import ContextCode
 from workbench.core.verdict import Outcome
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.prover.results.proposed_form import Proposed
@@ -34,7 +35,7 @@ def with_proposals(
     """
     if limits is None:
         return [replace(result, proposed=()) for result in results]
-    claims = [result.claim for result in results if _asks(result, beside_right)]
+    claims = [result.claim for result in results if asks_for_proposals(result, beside_right)]
     keys = Keys({}, {"proposals": limits})
     beside = neighbours_of([result.claim for result in results])
     kept = {c.id: keys.of_proposals(c, beside.get(c.id, ALONE).key) for c in claims} if memory else {}
@@ -58,7 +59,9 @@ def with_proposals(
     return [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
 
 
-def _asks(result: ClaimResult, beside_right: bool) -> bool:
+def asks_for_proposals(result: ClaimResult, beside_right: bool = True) -> bool:
+    """True if another form of the printed one is searched. beside_right: also beside a proved right form."""
     is_right = any(form and form.outcome in HOLDS for form in (result.corrected, result.reading))
     is_false = result.verdict.outcome in _TO_REPAIR and result.claim.proof.theorem is None
+    is_false = is_false and result.verdict.code is not ContextCode.LACKS_PROPERTY  # the equation defines
     return is_false and not result.known and (beside_right or not is_right)

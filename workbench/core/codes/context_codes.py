@@ -15,6 +15,7 @@ class ContextCode(Code):
     DEFINES = "defines {symbol}"
     POSTULATES = "postulates a law of {symbol}"
     CONSTRAINS = "says what {symbol} is, which stands in no definition"
+    LACKS_PROPERTY = "the text says “{words}” of {symbol}, and for this matrix M, {equation} fails"
     HOLDS_BY = "holds by {facts}"
     FOR_KNOWN_MEMBERS = "holds for {orders}, the members that the definitions hold"
     FALSE_IF_KINDS = "false if {kinds}{reason}"

@@ -18,6 +18,7 @@ from workbench.context.free_symbols import names_in, terms_of
 from workbench.context.index_values import Orders
 from workbench.context.read_formulas import WORDS, FormulaReader, read_statement
 from workbench.context.sentence_facts import TextSentences
+from workbench.context.stated_rotations import stated_rotation
 from workbench.context.unread_facts import Unread, said_unread, unread_facts
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
@@ -137,7 +138,9 @@ def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -
     words = placed[0].notation.words
     sentences, spoken = TextSentences(text.inline, words), InlineFormulas(text.inline)
     claims = [
-        claim.with_context(facts=tuple(dict.fromkeys((*claim.context.facts, *own))))
+        claim.with_context(
+            facts=tuple(dict.fromkeys((*claim.context.facts, *own))), properties=_properties(claim, each)
+        )
         for claim, each in zip(claims, placed, strict=True)
         for own in [_own_facts(claim, each, text, unread, sentences, spoken)]
     ]
@@ -169,6 +172,13 @@ def _own_facts(
     has_adjugate = any(isinstance(term, Apply) and term.head == "adjugate" for term in terms_of(statement))
     if has_adjugate and not any(_ADJUGATE.search(source.text) for source in text.sources):
         yield Fact(None, names, Origin(Provider.CONVENTION, _STAR), Strength.HINTED)
+
+
+def _properties(claim: Claim, placed: Placed) -> tuple[tuple[str, str], ...]:
+    """Returns the properties that the sentence before a display states of the symbol alone on its left."""
+    statement = claim.printed.statement
+    words = None if statement is None else stated_rotation(placed.display, statement)
+    return () if words is None else (("rotation", words),)
 
 
 def _names_of(formula: Formula) -> frozenset[Name]:

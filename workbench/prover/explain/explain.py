@@ -30,6 +30,7 @@ from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law
 from workbench.prover.explain.other_readings import other_reading
+from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.runtime.limits import within
 
 _SURE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
@@ -57,6 +58,7 @@ class Explainer:
             verdict = self._explained(claim, base)
         elif base.outcome is Outcome.ILL_FORMED:
             verdict = with_other_gradient(claim, base, self._judge_of)
+        verdict = with_stated_properties(claim, verdict, self._judge_of, self._explained)
         return on_guessed_kinds(claim, verdict)
 
     def _explained(self, claim: Claim, base: Verdict) -> Verdict:

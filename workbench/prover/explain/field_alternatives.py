@@ -39,6 +39,8 @@ _GUESSED, _GUESSED_FRAMES = "[conventions]", "[frames]"
 _JPL = "quaternions are multiplied as JPL does (i j = -k)"
 _GRADIENT = "the gradient is the other one of row and column"
 _DOTS = "a dot differentiates in another frame"
+#: The words for rotations that are those of a definition transposed.
+TRANSPOSED = "rotations take columns the other way (the transpose, active or passive)"
 #: What is tried where a draft has guessed the convention: the doubt about the guess, by name.
 OF_GUESSES = (_JPL, _GRADIENT, _DOTS)
 
@@ -202,7 +204,7 @@ def _with_terms(
 
 ALTERNATIVES = (
     Alternative(_JPL, _jpl),
-    Alternative("rotations take columns the other way (the transpose, active or passive)", _turned),
+    Alternative(TRANSPOSED, _turned),
     Alternative("small rotations act from the other side (left or right perturbation)", _perturbed),
     Alternative("angular velocities are seen from the other side (left or right Jacobian)", _rated),
     Alternative("twists have their linear and angular parts in the other order", _twists),

@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from workbench.app.pipeline.judge_claims import judge_claims
+from workbench.app.pipeline.result_proposals import asks_for_proposals
 from workbench.context.claims import Claim
 from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.paper_errors import PaperError
 from workbench.core.terms import Conjunction, Relation, Statement, Term, Zero
-from workbench.core.verdict import Outcome
+from workbench.core.verdict import Grade, Outcome
 from workbench.engines.inventory.inventory import NotExact
 from workbench.engines.jet.rings import PRIME
 from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
@@ -62,8 +63,8 @@ class Case:
 class Row:
     """What the workbench said of one case.
 
-    read: displays of `before` that are read as a whole, of all.   found: a display of `before` is refuted or
-    ill-formed at a misprint.   place: each misprint lies in such a display, and nothing else is called false.
+    read: displays of `before` that are read as a whole, of all.   found: a display of `before` is shown as
+    an error or a warning at a misprint.   place: each misprint lies in such a display, and nothing else is called false.
     correction: "first" if the first proposal is the author's formula, "among" if another one is, else "other" or
     "none".
     alarms: formulas of `after` that are called false."""
@@ -90,7 +91,7 @@ def measured(case: Case, drafted: bool = False, seconds: float = SECONDS) -> tup
     """The row of a case, and the seconds that it took. drafted: without the models of the folder."""
     start = time.perf_counter()
     before, after = _judged(case, "before", drafted), _judged(case, "after", drafted)
-    false = [result for result in before if result.verdict.outcome in FALSE]
+    false = [result for result in before if _is_alarm(result)]
     at_place = [result for result in false if any(_covers(result.claim, line) for line in case.lines)]
     hit = {line for line in case.lines for result in false if _covers(result.claim, line)}
     read = [result for result in before if result.claim.printed.unread is None]
@@ -101,7 +102,7 @@ def measured(case: Case, drafted: bool = False, seconds: float = SECONDS) -> tup
         bool(at_place),
         bool(at_place) and len(at_place) == len(false) and hit == set(case.lines),
         _correction(at_place, before, [result.claim for result in after], seconds),
-        sum(result.verdict.outcome in FALSE for result in after),
+        sum(map(_is_alarm, after)),
     )
     return row, time.perf_counter() - start
 
@@ -120,6 +121,11 @@ def _judged(case: Case, name: str, drafted: bool) -> list[ClaimResult]:
         return on_drafted_kinds(draft, judge_claims(draft.paper.claims))
 
 
+def _is_alarm(result: ClaimResult) -> bool:
+    """True if the formula is shown as an error or a warning, and not as a note."""
+    return result.verdict.outcome in FALSE and result.verdict.grade in (Grade.ERROR, Grade.WARNING)
+
+
 def _covers(claim: Claim, line: int) -> bool:
     """Whether the line prints a part of the formula; a step of a chain goes on from the row before."""
     first = claim.context.span.line if claim.context.span else claim.line
@@ -133,7 +139,7 @@ def _correction(
     """ "first" or "among" the proposals for a claim is the author's formula, or none of them is."""
     limits, beside = Limits(seconds=seconds), neighbours_of([result.claim for result in before])
     ranks, count = [], 0
-    for claim in (result.claim for result in false):
+    for claim in (result.claim for result in false if asks_for_proposals(result)):
         proposals = repair(claim, limits, beside=beside.get(claim.id, ALONE)).proposals
         count += len(proposals)
         ranks += [

@@ -18,11 +18,12 @@ from workbench.papers.drafting.drafted_definitions import (
     Proposed,
     definitions_in,
     each_once,
+    in_order_of_use,
     in_sentences,
     magnitudes,
 )
 from workbench.papers.drafting.drafted_frames import with_spins
-from workbench.papers.drafting.formula_shapes import columns, components_of, jacobians
+from workbench.papers.drafting.formula_shapes import columns, components, components_of, jacobians
 from workbench.papers.drafting.inference.infer import Inference, Source, infer
 from workbench.papers.drafting.marked_text import MarkedText
 from workbench.papers.drafting.missing_features import feature_of
@@ -130,6 +131,8 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     ]
     in_displays = definitions_in(made)
     shown = set().union(*(formula.outcome.symbols for formula in made))
+    parts = [(each, whole) for each, whole in components(reader.guesses, lines) if each.name in shown]
+    shown |= {whole for _, whole in parts}
     sentences = [
         Formula(display, display.latex, reader.read(display.latex))
         for display in inline
@@ -137,10 +140,11 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     ]
     said = list(in_sentences(sentences, shown, {each.name for each in in_displays}))
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
-    found = each_once([*rates, *columns(reader.guesses, lines), *in_displays, *said])
+    written = [*rates, *columns(reader.guesses, lines), *(each for each, _ in parts), *in_displays, *said]
+    found = in_order_of_use(each_once(written))
     guesses = dict(reader.guesses)
-    components = {each.name: parts for each in found if (parts := components_of(each.body))}
-    for jacobian, places in jacobians(made, components, {each.name: each for each in found}):
+    columns_of = {each.name: cells for each in found if (cells := components_of(each.body))}
+    for jacobian, places in jacobians(made, columns_of, {each.name: each for each in found}):
         found.append(jacobian)
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])

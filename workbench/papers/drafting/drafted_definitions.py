@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from graphlib import TopologicalSorter
 
 from workbench.context.formula_acts import stated
 from workbench.context.free_symbols import terms_of
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term
 from workbench.language.printing.printer import to_latex
+from workbench.papers.drafting.inference.pieces import operations_of
+from workbench.papers.drafting.inference.walker import Walker
 from workbench.papers.drafting.trial_reading import Outcome
 from workbench.papers.drafting.typefaces import Guess, without_bold
 from workbench.source.documents import Display
@@ -142,6 +145,31 @@ def each_once(proposed: Iterable[Proposed]) -> list[Proposed]:
     for each in proposed:
         first.setdefault(each.name, each)
     return list(first.values())
+
+
+def in_order_of_use(proposed: Sequence[Proposed]) -> list[Proposed]:
+    """Returns the proposals with each after those of the symbols in its body.
+
+    The one that comes last in the text of several that define each other in a circle is left out.
+    """
+    walker = Walker()
+    names = {each.name for each in proposed}
+    uses = {
+        each.name: {name for tree in operations_of(each.body, walker) for name in tree.names} & names
+        for each in sorted(proposed, key=lambda each: each.line)
+    }
+    kept: dict[str, set[str]] = {}
+    for name, own in uses.items():
+        reached, waiting = set(own), list(own)
+        while waiting:
+            more = kept.get(waiting.pop(), set()) - reached
+            reached |= more
+            waiting += more
+        if name not in reached:
+            kept[name] = own
+    order = TopologicalSorter({name: sorted(own & kept.keys()) for name, own in kept.items()}).static_order()
+    by_name = {each.name: each for each in proposed}
+    return [by_name[name] for name in order]
 
 
 def in_sentences(formulas: Iterable[Formula], shown: set[str], defined: set[str]) -> Iterator[Proposed]:

@@ -1,4 +1,4 @@
-"""Definitions inferred from names and from the shape of formulas: columns of components, and Jacobians."""
+"""Definitions inferred from names and from the shape of formulas: columns, components, and Jacobians."""
 
 from __future__ import annotations
 
@@ -13,6 +13,10 @@ from workbench.papers.drafting.inference.walker import Walker
 from workbench.papers.drafting.typefaces import Guess, without_bold
 
 _COMPONENT = re.compile(r"\\?\w+_\{\w\}")
+_QUATERNIONS, _TENSORS = ("hamilton quaternion",), ("tensor", "rotation")
+#: The labels of the vector part of a quaternion, and those of its scalar part.
+_COMPLETE = (("1", "2", "3"), ("x", "y", "z"))
+SCALAR_PARTS = ("0", "w", "s", "r", "4")
 _AXES = {1: (), 2: ("x", "y"), 3: ("x", "y", "z")}
 
 
@@ -24,12 +28,68 @@ def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[
         letter = without_bold(name)
         if own is None or own.columns != 1 or own.rows < 2 or own.algebra or (letter == name and "_" in name):
             continue
-        for places in (tuple(map(str, range(1, own.rows + 1))), _AXES.get(own.rows, ())):
+        numbered = (tuple(map(str, range(first, own.rows + first))) for first in (0, 1))
+        for places in (*numbered, _AXES.get(own.rows, ())):
             parts = [f"{letter}_{{{place}}}" for place in places]
             others = {each for each in scalars if re.fullmatch(rf"{re.escape(letter)}_\{{\w\}}", each)}
             if parts and others == {*parts}:
                 body = r"\begin{bmatrix} " + r" \\ ".join(parts) + r" \end{bmatrix}"
                 yield Proposed(name, body, lines.get(name, 1), "its components have the same letter", True)
+
+
+def components(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[tuple[Proposed, str]]:
+    """Yields each component of a quaternion or a tensor of the same letter, and its whole.
+
+    These are q_0 or q_w for the scalar part of q, q_1 or q_x for a component of its vector part, and R_{12}
+    or R_{1,2} for an entry of R. A letter whose components are not all named by such labels has none.
+    """
+    wholes = [guess for guess in guesses.values() if guess.kind in (*_QUATERNIONS, *_TENSORS)]
+    for whole in wholes:
+        letter = without_bold(whole.name)
+        pattern = re.compile(rf"{re.escape(letter)}_\{{(\w) ?,? ?(\w?)\}}")
+        parts = {
+            name: found.groups()
+            for name, guess in guesses.items()
+            if guess.kind == "scalar" and (found := pattern.fullmatch(name)) is not None
+        }
+        is_quaternion = whole.kind in _QUATERNIONS
+        labels = [tuple(filter(None, label)) for label in parts.values()]
+        fits = _are_quaternion if is_quaternion else _are_entries
+        if len(parts) > 1 and fits(labels):
+            for name, label in zip(parts, labels, strict=True):
+                body = _part(whole.name, label[0]) if is_quaternion else _entry(whole.name, *label)
+                yield (
+                    Proposed(name, body, lines.get(name, 1), f"a component of {whole.name}", True),
+                    whole.name,
+                )
+
+
+def _are_quaternion(labels: Sequence[tuple[str, ...]]) -> bool:
+    """True if labels are those of the four parts of a quaternion."""
+    found = {label[0] for label in labels if len(label) == 1}
+    return len(found) == len(labels) == 4 and any(
+        found == {scalar, *axes} for axes in _COMPLETE for scalar in SCALAR_PARTS
+    )
+
+
+def _are_entries(labels: Sequence[tuple[str, ...]]) -> bool:
+    return all(len(label) == 2 and set(label) <= set("123") for label in labels)
+
+
+def _part(whole: str, label: str) -> str:
+    if label in SCALAR_PARTS:
+        return rf"\operatorname{{Sc}} {whole}"
+    return rf"{_unit(label, ' & ')} \operatorname{{Vec}} {whole}"
+
+
+def _entry(whole: str, row: str, column: str) -> str:
+    return rf"{_unit(row, ' & ')} {whole} {_unit(column, chr(92) * 2)}"
+
+
+def _unit(label: str, sign: str) -> str:
+    """Returns the unit row or column of an axis."""
+    cells = (str(int(label in axes)) for axes in ("1x", "2y", "3z"))
+    return rf"\begin{{bmatrix}} {sign.join(cells)} \end{{bmatrix}}"
 
 
 def components_of(body: str) -> list[str]:

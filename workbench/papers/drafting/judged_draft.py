@@ -11,7 +11,7 @@ from workbench.context.free_symbols import terms_of
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
-from workbench.core.terms import Symbol
+from workbench.core.terms import Relation, Symbol
 from workbench.core.verdict import Outcome, Strength, Verdict
 from workbench.papers.drafting.draft_model import Ingested, ingest
 from workbench.papers.drafting.inference.infer import Thin, kind_name
@@ -19,6 +19,7 @@ from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.typefaces import flat
 from workbench.papers.texts.load_texts import model_beside
 from workbench.papers.texts.text_paper import TextPaper, text_paper
+from workbench.prover.explain.field_alternatives import TRANSPOSED
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.source.documents import is_text, read_text
 from workbench.source.documents.titles import own_title
@@ -80,7 +81,9 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if names and confirmed.issuperset(names):
         return verdict
     thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
-    misfits = {each.latex for each in inference.misfits}
+    if verdict.outcome is not Outcome.ILL_FORMED:  # with another kind, it is ill-formed
+        thin = [each for each in thin if not each.alone]
+    misfits = {each.latex: each.cured_by for each in inference.misfits}
     reason: Reason | None = None
     if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
         reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
@@ -91,9 +94,36 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if reason is not None:
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
     known = confirmed | {each.name for each in draft.ingested.definitions if each.sure}
-    doubts = [name for name in names if name in inference.doubtful(latex) - known]
+    is_misfit = verdict.outcome is Outcome.ILL_FORMED and latex in misfits
+    unsure = misfits[latex] if is_misfit else inference.doubtful(latex)
+    doubts = [name for name in names or unsure if name in unsure and name not in known]
+    if (own := _defined_elsewhere(draft, claim)) is not None:
+        doubts.append(own)
     unless = ("the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3]))
-    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*verdict.unless, *unless))
+    said = [doubt for doubt in map(_of_the_text, verdict.unless) if doubt]
+    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
+
+
+def _of_the_text(doubt: str) -> str:
+    """Returns a doubt without that of transposed rotations: all definitions of a draft are the text's own."""
+    return "; ".join(part for part in doubt.split("; ") if part != TRANSPOSED)
+
+
+def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
+    """Returns the symbol alone on the left that another section defines, which may be another one here."""
+    match claim.printed.statement:
+        case Relation(left=Symbol(declaration=declaration)):
+            name = str(declaration.name)
+        case _:
+            return None
+    displays = draft.ingested.text.displays
+    sections = {display.line: f"{display.section} {display.heading}".strip() or None for display in displays}
+    lines = (each.line for each in draft.ingested.definitions if each.name == name and each.sure)
+    return (
+        name
+        if any(sections.get(line, claim.source.section) != claim.source.section for line in lines)
+        else None
+    )
 
 
 def _symbols(claim: Claim) -> list[Name]:

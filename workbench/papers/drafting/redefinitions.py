@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from workbench.papers.drafting.drafted_definitions import Formula, Proposed
+from workbench.papers.drafting.formula_shapes import SCALAR_PARTS
 from workbench.papers.drafting.inference.kind_operations import SYMBOL
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
@@ -16,8 +17,6 @@ from workbench.source.documents import Display
 #: Each scope reads all definitions again; this is the limit of such readings.
 _MOST_READ = 200
 _TURNS = ("rotation", "transform")
-#: The part of a quaternion that the index of a scalar names, if all parts are scalars.
-_SCALAR_PARTS = ("0", "w", "s", "4")
 
 
 @dataclass
@@ -127,7 +126,7 @@ def _scalar_and_vector(quaternion: Quaternion, guesses: Mapping[str, Guess]) -> 
         return {
             part: rf"\operatorname{{{heads[kind]}}} {name}" for part, kind in zip(parts, kinds, strict=True)
         }
-    scalar = [part for part in parts if part.rstrip("}").endswith(_SCALAR_PARTS)]
+    scalar = [part for part in parts if part.rstrip("}").endswith(SCALAR_PARTS)]
     if kinds != ["scalar"] * 4 or len(scalar) != 1:
         return {}
     others = [part for part in parts if part not in scalar]

@@ -6,14 +6,17 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import cache
 from itertools import chain
 
 from workbench.context.free_symbols import terms_of
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
+from workbench.core.names import Name
 from workbench.core.reasons import Reason
 from workbench.core.terms import Statement, Symbol
 from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, unclaimed
 from workbench.papers.drafting.typefaces import ADJOINT, LABELLED, Guess, bare_name, flat
@@ -104,8 +107,8 @@ class Reader:
     def _used(self, latex: str, statements: tuple[Statement, ...] | None) -> set[str]:
         if statements:
             terms = (term for each in statements for term in terms_of(each))
-            used = {str(term.declaration.name) for term in terms if isinstance(term, Symbol)}
-            return used & self.guesses.keys()
+            used = {term.declaration.name for term in terms if isinstance(term, Symbol)}
+            return {name for name in self.guesses if not used.isdisjoint(_declared_names(name))}
         formula = flat(latex)
         return {name for name in self.guesses if flat(name) in formula}
 
@@ -138,6 +141,12 @@ class Reader:
             return Outcome(reason=error.message, ill_formed=True)
         except ReadError as error:
             return Outcome(reason=error.message)
+
+
+@cache
+def _declared_names(key: str) -> frozenset[Name]:
+    """Returns the names that a key may declare: a plain symbol, or a family with an index."""
+    return frozenset(read_key(key, letters)[0] for letters in (INDEX_LETTERS, frozenset()))
 
 
 def _unknown_symbol(reason: Reason | None) -> str | None:

@@ -38,6 +38,10 @@ _JOINT_SPACE = re.compile(r"[A-Z]\s*\}?\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\\ddot\s*\{
 _UNITS = re.compile(r"(?<![\\A-Za-z])i\s*j\s*k\s*=|i\s*j\s*=\s*k|\bi\s*\+[^=+]*j\s*\+[^=+]*k(?![A-Za-z])")
 
 
+#: Operations that only quaternions have.
+_OF_QUATERNIONS = frozenset(("scalar part", "vector part", "conjugate"))
+
+
 @dataclass(frozen=True)
 class Source:
     """A formula of a text: its LaTeX, its line, and whether it stands in a sentence."""
@@ -64,20 +68,31 @@ class Inferred:
 
 @dataclass(frozen=True)
 class TypeMismatch:
-    """A formula with an operation that no likely kinds satisfy. names: the symbols of the operation."""
+    """A formula with an operation that no likely kinds satisfy.
+
+    Attributes:
+        names: The symbols of the operation.
+        cured_by: The symbols with another kind that suits the formula, and nearly as well the other formulas.
+    """
 
     latex: str
     names: tuple[str, ...]
+    cured_by: tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class Thin:
-    """A symbol whose kind rests on one formula only, and its kind without that formula."""
+    """A symbol whose kind rests on one formula only, and its kind without that formula.
+
+    Attributes:
+        alone: Whether no other formula has the symbol.
+    """
 
     name: str
     latex: str
     kind: Kind
     other: Kind
+    alone: bool
 
 
 @dataclass(frozen=True)
@@ -143,14 +158,14 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
         search = _search(formulas, prose, has_units, has_joints, search)
         search.run()
     sources = [each for (each, _), formula in zip(read, formulas, strict=True) if formula.trees]
-    thin = tuple(
-        Thin(name, sources[place].latex, search.kinds[name], other)
-        for name, place, other in search.needed_once()
-    )
     misfits = tuple(
-        TypeMismatch(each.latex, operation.names)
-        for (each, _), formula in zip(read, formulas, strict=True)
-        for operation in _misfits(search, formula)
+        TypeMismatch(source.latex, operation.names, tuple(search.cured_by(place)))
+        for place, source in enumerate(sources)
+        for operation in _misfits(search, search.formulas[place])
+    )
+    thin = tuple(
+        Thin(name, sources[place].latex, search.kinds[name], other, len(search.users[name]) == 1)
+        for name, place, other in search.needed_once()
     )
     kinds = {name: _inferred(search, name) for name in search.users}
     trees = [tree for formula in search.formulas for tree in formula.trees]
@@ -196,8 +211,10 @@ def _search(
     trees = [each for formula in formulas for tree in formula.trees for each in tree.walk()]
     heads = {each.parts[0].text for each in trees if each.op == "apply" and each.parts[0].op == SYMBOL}
     units = ("i", "j", "k") if has_units else ()
-    sizes = _sizes(trees, prose, has_joints) + ([QUATERNION] if prose.has_quaternions or units else [])
-    priors = Priors(prose, sizes, heads, units)
+    parted = {name for tree in trees if tree.op in _OF_QUATERNIONS for name in tree.names}
+    speaks = prose.has_quaternions or bool(units) or bool(parted)
+    sizes = _sizes(trees, prose, has_joints) + ([QUATERNION] if speaks else [])
+    priors = Priors(prose, sizes, heads, units, parted)
     if before is None:
         return Search(formulas, priors)
     return Search(formulas, priors, before.kinds, before.costs)

@@ -17,7 +17,9 @@ from workbench.papers.drafting.inference.tables import Costs
 _UNLIKE, _INLINE = 12, 4
 #: A symbol with a kind that costs at least this much more than its cheapest one makes its formulas suspect.
 _STRANGE = 12
-_ROUNDS, _MOST_OPTIONS, _MOST_MENDED = 12, 10, 3
+_ROUNDS, _MOST_OPTIONS, _MOST_MENDED, _MOST_OTHERS = 12, 10, 3, 3
+#: A formula that does not fit may be meant with another kind that costs at most this much more elsewhere.
+_CURE = 20
 #: The limit of the number of readings of operations; the search stops there with the kinds found so far.
 _MOST_READINGS = 400_000
 
@@ -212,23 +214,54 @@ class Search:
             for _ in range(_MOST_MENDED):
                 broken = {p for name in change for p in self.users[name] if self.cost(p) >= MISFIT // 2}
                 names = {name for p in broken for name in self.names[p]} - change.keys()
-                if not any(self._take({n: kind} for kind in self._options(n)) for n in sorted(names)):
+                singles = (self._take({n: kind} for kind in self._options(n)) for n in sorted(names))
+                if not (any(singles) or self._take(self._around(change, broken))):
                     break
             if self.total() < total:
                 return True
             self._change(before)
         return False
 
+    def _around(self, change: Change, places: Collection[int]) -> Iterator[Change]:
+        """Yields joint changes of the symbols of these formulas that keep a change."""
+        for place in sorted(places):
+            yield from (each for each in self._together(place) if change.keys().isdisjoint(each))
+
     # ------------------------------------------------------------------------------------ the outcome
 
     def others(self, name: str) -> list[tuple[Kind, int]]:
         """Returns the next best kinds of a symbol and the increase of the total cost, the cheapest first."""
         now = self.kinds[name]
-        dearer = [(kind, -self.gain({name: kind})) for kind in self.prior[name] if kind != now]
-        return sorted(dearer, key=lambda each: (each[1], str(each[0])))[:3]
+        bounds = sorted(
+            (-self.gain({name: kind}), str(kind), kind) for kind in self.prior[name] if kind != now
+        )
+        found: list[tuple[int, str, Kind]] = []
+        for least, text, kind in bounds:  # `gain` stops at the first loss
+            if len(found) >= _MOST_OTHERS and sorted(found)[_MOST_OTHERS - 1][0] <= least:
+                break
+            found.append((self._dearer(name, kind), text, kind))
+        return [(kind, more) for more, _, kind in sorted(found)[:_MOST_OTHERS]]
+
+    def _dearer(self, name: str, kind: Kind, without: int | None = None) -> int:
+        """Returns the increase of the cost with another kind; without: a formula that does not count."""
+        change = {name: kind}
+        places = (place for place in self.users[name] if place != without)
+        more = sum(self._cost(place, change) - self._now[place] for place in places)
+        return more + self.own(change, change) - self.own(change, {})
+
+    def cured_by(self, place: int) -> list[str]:
+        """Returns the symbols of a misfit formula that another kind, hardly dearer elsewhere, suits."""
+        return [
+            name
+            for name in self.names[place]
+            if any(
+                self._cost(place, {name: kind}) < MISFIT // 2 and self._dearer(name, kind, place) <= _CURE
+                for kind in self.prior[name]
+            )
+        ]
 
     def needed_once(self) -> Iterator[tuple[str, int, Kind]]:
-        """Yields symbols whose kind rests on one display only, its line, and the kind without it."""
+        """Yields symbols whose kind rests on one display only, its index, and the kind without it."""
         for name, places in self.users.items():
             for kind in list(self.prior[name])[:_MOST_OPTIONS]:
                 change = {name: kind}

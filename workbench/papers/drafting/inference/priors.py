@@ -25,7 +25,7 @@ FACES = {
     "energy": (6, 20, 9, 22, 10, 20, 40),
     "identity": (10, 40, 0, 50, 4, 60, 60),
     "unit": (14, 8, 30, 30, 40, 40, 0),
-    "component": (0, 45, 50, 50, 60, 60, 60),
+    "component": (0, 45, 42, 42, 40, 45, 60),
     "omega": (4, 0, 20, 12, 30, 30, 25),
     "greek": (0, 14, 30, 18, 36, 38, 30),
     "small": (0, 16, 32, 18, 36, 38, 22),
@@ -122,16 +122,23 @@ class Priors:
     Attributes:
         functions: Letters before brackets.
         units: i, j and k, if they are those of quaternions.
+        parted: Symbols of which the text takes the scalar or the vector part.
     """
 
     def __init__(
-        self, prose: Prose, kinds: Sequence[Kind], functions: Collection[str], units: Collection[str] = ()
+        self,
+        prose: Prose,
+        kinds: Sequence[Kind],
+        functions: Collection[str],
+        units: Collection[str] = (),
+        parted: Collection[str] = (),
     ) -> None:
-        self.prose, self.kinds, self.functions, self.units = prose, kinds, functions, units
+        self.prose, self.kinds, self.functions = prose, kinds, functions
+        self.units, self.parted = units, parted
 
     def of(self, name: str) -> dict[Kind, int]:
         """Returns the cost of each kind, the cheapest kind first."""
-        has_quaternions = self.prose.has_quaternions or name in self.units
+        has_quaternions = self.prose.has_quaternions or name in (*self.units, *self.parted)
         written = "unit" if name in self.units else face(name)
         by_shape, said = list(FACES[written]), self.prose.guess(name)
         if name in self.functions and written in ("capital", "energy"):
@@ -144,6 +151,8 @@ class Priors:
             exact = type_of_kind(words)
             if exact is not None and words not in KINDS_BY_WORDS:
                 sure = (exact.rows, exact.columns)
+        if name in self.parted:
+            by_shape = [cost // 4 + own for cost, own in zip(by_shape, SAID["quaternion"], strict=True)]
         by_shape[6] += 0 if has_quaternions else _NO_QUATERNIONS
         kinds = {*self.kinds, *([] if sure is None else [sure])}
         bonus = _OPEN if _OF_JOINTS.fullmatch(_LEFT.sub("", name)) else 0

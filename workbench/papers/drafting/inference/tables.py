@@ -26,6 +26,8 @@ from workbench.papers.drafting.typefaces import flat
 BRACKETS = {"time": (60, 0), "lone": (8, 0), "tuple": (0, 4), "skewed": (0, 5), "unclear": (0, 6)}
 #: The cost of 1 as a unit tensor.
 _ONE = 15
+#: The costs of a unit tensor as a number, and of a column of four numbers as a quaternion.
+_UNIT_NUMBER, _COLUMN_AS_QUATERNION = 30, 16
 #: The sizes of a unit tensor.
 _UNITS: Table = {TENSOR: 0, (0, 0): 2, (2, 2): 5, (4, 4): 5, (6, 6): 5}
 _SETS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak)|operatorname)")
@@ -156,6 +158,7 @@ class _Blocks:
                 size = 3 if is_blocks or not self.firm else 1
                 size = max(heights[i] or 0, widths[j] or 0) or size
                 heights[i], widths[j] = heights[i] or size, widths[j] or size
+                self.cost += _UNIT_NUMBER if size == 1 else 0
         is_triad = len(widths) == 1 and len(heights) > 1 and len(self.firm) == len(heights)
         if is_triad and all(size == VECTOR for _, _, size in self.firm):
             blocks: Table = {(3 * len(heights), 1): self.cost + 6}
@@ -163,7 +166,7 @@ class _Blocks:
         wrong = sum(size != (heights[i], widths[j]) for i, j, size in self.firm)
         total = (_summed(heights), _summed(widths))
         cost = self.cost + MISFIT // 2 * min(wrong, 3) + (6 if is_blocks else 0)
-        return {total: cost, QUATERNION: cost + 6} if total == (4, 1) else {total: cost}
+        return {total: cost} | ({QUATERNION: cost + _COLUMN_AS_QUATERNION} if total == (4, 1) else {})
 
 
 def _larger(known: int | None, extent: int) -> int:

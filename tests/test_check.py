@@ -62,8 +62,11 @@ def test_lines_are_a_tuple_of_verdicts():
     assert lines._repr_markdown_().count("$$") == 4
 
 
-def test_the_notation_of_the_installed_paper_is_the_default():
-    assert check(r"\det \Phi_2 = -(\omega \times \dot{\omega})^2").holds
+def test_no_notation_of_a_paper_is_used_unless_asked():
+    formula = r"\det \Phi_2 = -(\omega \times \dot{\omega})^2"
+    assert check(formula, paper="chapter").holds
+    with pytest.raises(ValueError, match=r"unknown symbol"):
+        check(formula)
 
 
 def test_the_notation_of_a_paper_is_read_without_its_claims():
@@ -131,10 +134,10 @@ def test_an_assignment_is_no_falsehood(sign, definitions):
 
 def test_a_recurrence_of_ones_own_beside_the_notation_of_a_paper():
     own = {r"\Psi_1": r"\Phi_1", r"\Psi_{n+1}": r"\dot{\Psi}_n + \Psi_n \Phi_1"}
-    assert check(r"\Psi_3 = \Phi_3", definitions=own).holds
+    assert check(r"\Psi_3 = \Phi_3", paper="chapter", definitions=own).holds
     assert check(r"\Psi_n = \Phi_n", paper=EVERY_VERDICT, definitions=own, orders="n = 1..4").holds
     wrong = own | {r"\Psi_{n+1}": r"\dot{\Psi}_n - \Psi_n \Phi_1"}
-    assert check(r"\Psi_3 = \Phi_3", definitions=wrong).outcome == Outcome.REFUTED
+    assert check(r"\Psi_3 = \Phi_3", paper="chapter", definitions=wrong).outcome == Outcome.REFUTED
 
 
 def test_a_notation_file_needs_no_claims(tmp_path):

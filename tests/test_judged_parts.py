@@ -220,6 +220,7 @@ VALUES: dict[str, tuple[Any, Any]] = {
     "Span": (None, Span(Path("p"), 1, 2, 3, 4)),
     "Name": (Name("x"), Name("y")),
     "tuple[str, ...]": (("one",), ("two",)),
+    "tuple[tuple[str, str], ...]": ((), (("rotation", "the rotation matrix"),)),
     "tuple[Formula, ...]": ((FORMULAS_OF[0],), (FORMULAS_OF[1],)),
     "tuple[Fact, ...]": ((FACT,), (replace(FACT, earlier=False),)),
     "tuple[Act, Symbol | None]": ((Act.ASSERT, None), (Act.DEFINE, X.left)),

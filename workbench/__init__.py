@@ -93,13 +93,13 @@ def check(
     Args:
         latex: An equation; several lines (aligned, cases) give several verdicts.
         symbols: LaTeX → what it is, as in a paper file, or just its kind: {r"u": "vector"}.
-        paper: Whose notation is meant: a paper file, an installed paper's name, or a Paper. Without `paper`,
-            `notation` and `symbols` it is that of the installed paper "chapter". `symbols` come after it.
+        paper: Whose notation is meant: a paper file, an installed paper's name such as "chapter", or a Paper;
+            `symbols` come after it. Without it, only `symbols`, `definitions` and `notation` are known.
         assume: Relations (= or \\neq) that are assumed.
         orders: The values of the indices, such as "n = 1..8".
         definitions: What more symbols stand for, in order: {r"K": r"a \\times b"} or [r"K = a \\times b"].
         notation: A TOML file with [symbols] and [definitions], in place of a paper's.
-        at: The equation, id or section of the paper whose notation is meant: "32".
+        at: The equation, id or section of a paper whose notation is meant: "32"; without `paper`, "chapter".
         seconds: The processor time for each judgement, beyond which it is `unchecked`; 20 by default.
         megabytes: The memory for each judgement; 4000 by default.
 

@@ -27,6 +27,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import Range
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
+from workbench.papers.installed_papers import installed_names
 from workbench.papers.notation_tables import extended, with_definitions
 from workbench.papers.selection import select_claims
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
@@ -193,7 +194,10 @@ def _notation(
     at: str | None,
     store: Store,
 ) -> Notation:
-    """Returns the notation of the file, of the paper or a claim of it, or an empty one, plus the symbols."""
+    """Returns the notation of the file, of the paper or a claim of it, or an empty one, plus the symbols.
+
+    `at` alone is a place in the installed paper "chapter".
+    """
     if not isinstance(symbols, Mapping | None):
         raise ValueError(f'symbols: expected LaTeX → kind, such as {{"u": "vector"}}, got {symbols!r}')
     if notation is not None and (paper is not None or at is not None):
@@ -203,10 +207,10 @@ def _notation(
     }
     if notation is not None:
         return extended(papers.load_notation(notation), specs)
-    if paper is None and at is None and symbols is not None:
-        return extended(Notation(SymbolTable(), Definitions(), {}), specs)
     if paper is None and at is None:
-        return extended(papers.installed_notation(store=store), specs)
+        return extended(Notation(SymbolTable(), Definitions(), {}), specs)
+    if isinstance(paper, str) and at is None and paper in installed_names() and not Path(paper).is_file():
+        return extended(papers.installed_notation(paper, store=store), specs)
     paper = paper if isinstance(paper, Paper) else papers.find_paper(paper, store)
     return extended(paper.notation if at is None else _notation_at(paper, at), specs)
 

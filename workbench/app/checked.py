@@ -151,7 +151,7 @@ def _claims(
     If a line with a definition sign states something else of a symbol, the later lines cannot be refuted.
     """
     given = None if orders is None else Orders.parse(orders)
-    lines = split_lines(*latex)
+    lines = [line for text in latex for line in split_lines(text, with_premises=True)]
     claims: list[Claim] = []
     said: list[Fact] = []
     for number, line in enumerate(lines, start=1):
@@ -165,6 +165,7 @@ def _claims(
             origin = Origin(Provider.FORMULA, formula.latex, f"line {number}")
             said.append(Fact(formula.statement, frozenset(names), origin, Strength.STATED, act=Act.DEFINE))
         supposed = tuple(_formula(whole_line(text), known, values, "assume")[0] for text in conditions)
+        beside = tuple(_formula(premise, known, values, "condition")[0] for premise in line.premises)
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
@@ -175,7 +176,7 @@ def _claims(
                 raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
         context = ClaimContext(facts=before)
-        claims.append(Claim(name, formula, known, supposed, values, context=context))
+        claims.append(Claim(name, formula, known, (*supposed, *beside), values, context=context))
     return claims
 
 

@@ -126,7 +126,7 @@ def conditions_of(
     for formula, step in spoken.conditions(path, first, notation):
         if _holds_rate(step.tokens) or sections.holds(formula.start, display.start):
             found += spoken.said(formula, step, notation, with_equations=False)
-    for formula in spoken.before(path, last, first):
+    for formula in spoken.before(path, last, begins):
         for step in spoken.steps(formula, notation) if formula.rows else ():
             found += spoken.said(formula, step, notation, with_equations=True)
     yield from (fact for fact in found if fact.about & own)

@@ -25,6 +25,12 @@ _HEADING = re.compile(
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$\\*`(])")
 _STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$)?$")
 _THEN = re.compile(r"\s*(?:then|hence|thus|therefore|so|consequently|it follows)\b", re.IGNORECASE)
+_SUPPOSES = re.compile(
+    r"\s*(?:\\(?:begin|end|label|noindent|item)\b\s*(?:\{[^}]*\})?\s*)*"
+    r"(?:(?:now|here|first|next|we|let us|also|further(?:more)?|moreover|again)\b,? ?){0,2}"
+    r"(?:suppose|assume|let|set|put|take)\b",
+    re.IGNORECASE,
+)
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?\s*|[{}]")
 
 
@@ -111,11 +117,16 @@ def sections_of(text: str) -> Sections:
 
 
 def supposed_before(text: str, first: int) -> str:
-    """Returns the sentence before the one at `first` if that begins with "then": Suppose it is so. Then …"""
-    if not _THEN.match(text, first):
-        return ""
+    """Returns the sentence before the one at `first` in its paragraph if it supposes something, or if the one
+    at `first` begins with "then": Suppose it is so. Then …"""
     before = text[:first].rstrip()
-    return text[sentence_around(text, len(before) - 1, len(before))[0] : first]
+    if not before:
+        return ""
+    begins = sentence_around(text, len(before) - 1, len(before))[0]
+    if _HEADING.search(text, begins, first):
+        return ""
+    supposes = _SUPPOSES.match(text, begins) and not _BLANK_LINES.search(text, len(before), first)
+    return text[begins:first] if supposes or _THEN.match(text, first) else ""
 
 
 def plain(latex: str) -> str:

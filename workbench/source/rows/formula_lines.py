@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 from typing import NoReturn
 
 from workbench.core.formula_errors import ReadError, place
 from workbench.language.grammar.formula_tokens import MOST_CHARACTERS
-from workbench.source.documents import Display, Row, Source, Token
+from workbench.language.grammar.vocabulary import WORDS
+from workbench.source.documents import Display, Row, Source, Token, joined
 from workbench.source.documents.tex.tex_tokens import lex
 from workbench.source.rewriting.formulas_in_models import with_environments
+from workbench.source.rows.chains import bare
 from workbench.source.rows.cutter import cut_display, system_in
 from workbench.source.rows.display_statements import Cut, Leftover, Role, Statement
 from workbench.source.rows.display_tree import Cell, Node, parse, relation_places, rows_of, trim, trimmed
 from workbench.source.rows.display_vocabulary import ARROWS, SIDE_RELATIONS, Kind
-from workbench.source.rows.side_words import WordRole, role_of, words_of
+from workbench.source.rows.side_words import WordRole, lead_of, maths_of, role_of, words_of
 
 _CLOSING = " \t\r\n.,;"
 _NARROW = (Kind.GAP, Kind.NOTHING)
@@ -35,11 +37,14 @@ _COLUMNS_WITH_CONDITIONS = "columns of equations with conditions: write one equa
 
 @dataclass(frozen=True)
 class Line:
-    """One line of a formula, without alignment marks. slices: its parts in the whole formula."""
+    """One line of a formula, without alignment marks.
+
+    slices: its parts in the whole formula.   premises: the conditions and reasons that words introduce."""
 
     latex: str
     whole: str
     slices: tuple[slice, ...]
+    premises: tuple[Line, ...] = ()
 
     def place(self, line: int, column: int) -> tuple[int, int]:
         """Returns the line and column in the whole formula of this line's character at (line, column)."""
@@ -55,11 +60,14 @@ def whole_line(latex: str) -> Line:
     return Line(latex, latex, (slice(0, len(latex)),))
 
 
-def split_lines(latex: str) -> list[Line]:
+def split_lines(latex: str, with_premises: bool = False) -> list[Line]:
     """Returns the lines of a formula: one for each group of rows that the cutter of displays joins.
 
     The text after an environment of lines (such as ", n \\geq 1") belongs to each of its lines. A map f : A
     \\to B and its value f(x) are one line. Raises ReadError for a layout with two readings.
+
+    with_premises: conditions and reasons in words that the grammar of formulas lacks, such as "since", are
+    premises of the lines, as in a display of a text.
     """
     if len(latex) > MOST_CHARACTERS:
         return [whole_line(latex)]
@@ -67,10 +75,53 @@ def split_lines(latex: str) -> list[Line]:
     tokens = tuple(with_environments(lex(source.view())))
     nodes = parse(tokens)
     display = Display(source, 0, len(latex), "", "", "", (Row(None, (), tokens),))
+    cut = cut_display(display)
+    if with_premises and _has_premises_in_words(cut):
+        return list(_lines_with_premises(latex, cut))
     rows, behind = _rows(nodes)
-    if not rows:
-        return [whole_line(latex)]
-    return _Lines(latex, cut_display(display), rows, behind).lines()
+    return _Lines(latex, cut, rows, behind).lines() if rows else [whole_line(latex)]
+
+
+def _has_premises_in_words(cut: Cut) -> bool:
+    """True if words of the cut introduce premises that the grammar of formulas cannot read in their place."""
+    sides = [side for each in cut.statements for side in each.beside]
+    starts = [each.nodes[0].tokens[0].start for each in cut.statements]
+    is_before = any(
+        side.role is Role.CONDITION and side.nodes[0].tokens[0].start < min(starts) for side in sides
+    )
+    words = [node for node in cut.remarks if node.kind is Kind.WORDS]
+    roles = (WordRole.CONDITION, WordRole.REASON)
+    is_unknown = any(
+        words_of(node) not in WORDS or "(" in joined(node.tokens) or maths_of(node)
+        for node in words
+        if role_of(words_of(node)) in roles or lead_of(words_of(node)) is not None
+    )
+    is_plain = all(side.role in (Role.CONDITION, Role.REASON) for side in sides)
+    is_sure = not any(each.doubts or each.whole or each.is_condition_of for each in cut.statements)
+    return bool(sides) and bool(words) and (is_unknown or is_before) and is_plain and is_sure
+
+
+def _lines_with_premises(latex: str, cut: Cut) -> Iterator[Line]:
+    """Yields a line for each step of the statements, with the premises of the step."""
+    for statement in cut.statements:
+        premises = [(side.first, _line_of(latex, bare(side.nodes))) for side in statement.beside]
+        places = relation_places(statement.nodes) if any(first for first, _ in premises) else []
+        starts = [0, *(place + 1 for place in places[:-1])]
+        ends = [*places[1:], len(statement.nodes)]
+        for at, (start, end) in enumerate(zip(starts, ends, strict=True)):
+            line = _line_of(latex, statement.nodes[start:end])
+            own = tuple(premise for first, premise in premises if first <= at)
+            yield replace(line, premises=tuple(each for each in own if each.latex != line.latex))
+
+
+def _line_of(latex: str, nodes: Sequence[Node]) -> Line:
+    marks = (Kind.MARK, Kind.BREAK)
+    pieces: list[slice] = []
+    for run in _runs([token for node in nodes if node.kind not in marks for token in node.tokens]):
+        if pieces and not latex[pieces[-1].stop : run.start].strip():
+            run = slice(pieces.pop().start, run.stop)
+        pieces.append(run)
+    return Line("".join(latex[piece] for piece in pieces), latex, tuple(pieces))
 
 
 def _rows(nodes: list[Node]) -> tuple[list[list[Cell]], list[Node] | None]:

@@ -9,7 +9,7 @@ from workbench.language.grammar.vocabulary import NUMBER
 from workbench.source.documents import joined
 from workbench.source.rows.display_pieces import Piece, Separator
 from workbench.source.rows.display_statements import Beside, Leftover, Role, RowEnd, Statement
-from workbench.source.rows.display_tree import Node, relation_places, trimmed, without
+from workbench.source.rows.display_tree import Node, pairs_of, relation_places, trimmed, without
 from workbench.source.rows.display_vocabulary import Kind, Marks
 from workbench.source.rows.row_rules import (
     Action,
@@ -45,6 +45,7 @@ class RowReader(RowStatements):
         self._begun: set[int] = set()  # columns that have a statement in this row
         self._pending: Role | None = None  # role of the next formula according to the words before it
         self._pending_words = ""
+        self._in_bracket = False  # true if the words before open a bracket: (since a = b)
         self._names_what = False
         self._are_unknown = False  # true if the words before have no known meaning
         self._is_quantified = False  # true if the words before bind symbols, as "for all x"
@@ -136,8 +137,10 @@ class RowReader(RowStatements):
         if Separator.COLON in piece.apart:
             self._pending = None
         goes_on = piece.lead in (Kind.RELATION, Kind.IMPLICATION, Kind.INFIX)  # in spite of the words
+        goes_on |= self._ends_a_sentence(piece, rest)
         if goes_on or (self._is_quantified and Separator.WIDE in piece.apart):
             self._pending = None
+        self._close_bracket(piece)
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(self._pending, piece, rest)
             return False
@@ -191,6 +194,20 @@ class RowReader(RowStatements):
         statement.serves = served
         return statement
 
+    def _ends_a_sentence(self, piece: Piece, rest: Sequence[Piece]) -> bool:
+        """True if the piece is the statement in “if a = 0, b = c”, which has no other."""
+        has_statement = self._here is not None or self._state.cut.statements
+        is_last = piece.relations and not any(each.relations for each in rest)
+        is_apart = bool(piece.apart & {Separator.COMMA, Separator.WIDE})
+        return bool(self._state.waiting and is_last and is_apart and not has_statement)
+
+    def _close_bracket(self, piece: Piece) -> None:
+        """Removes the end of a bracket that the words before the piece open."""
+        if self._in_bracket and piece.kept[-1].kind is Kind.CLOSE and pairs_of(piece.kept)[2] == 1:
+            self._state.leave(Leftover.LAYOUT, piece.kept[-1:])
+            piece.kept = trimmed(piece.kept[:-1])
+            self._in_bracket = False
+
     def _behind_words(self, role: Role, piece: Piece, rest: Sequence[Piece]) -> None:
         self._is_quantified = not piece.relations
         if not piece.relations:  # for all a, b
@@ -231,6 +248,8 @@ class RowReader(RowStatements):
         self._are_unknown = role is WordRole.REMARK
         self._names_what = says_what_is(words) or (self._names_what and words == "and")
         self._last = None
+        spoken = joined(node.tokens)
+        self._in_bracket = spoken.count("(") > spoken.count(")")
         if self._here is not None and self._is_in_a_formula(self._here, role, rest):
             self._here.nodes.append(node)
             self._pending = None

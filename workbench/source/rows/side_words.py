@@ -26,6 +26,7 @@ class WordRole(Enum):
 _CONDITIONS = (
     "where|with|given|given that|provided|provided that|whenever|when|if|for|for all|for every|for any"
     "|as long as|so long as|in case|in the case|once|supposing|on condition that|assuming that"
+    "|suppose|suppose that|assume|assume that|let|set|put"
     "|while|subject to|such that|s t|subj to|assuming|at|under|on|along|in|near|during|until"
 )
 _REASONS = "since|because|as|using|by|from|due to|see|recall|noting|thanks to|owing to"
@@ -47,7 +48,7 @@ _ROLES = (
     (WordRole.JOIN, re.compile(rf"(?:{_JOINS})$")),
 )
 #: Words after which a symbol is defined.
-_NAMES_WHAT = re.compile(r"\b(?:where|with|here)$")
+_NAMES_WHAT = re.compile(r"\b(?:where|with|here|let|set|put)$")
 #: The same roles for a formula within the words: "since $a = 0$".
 _LEADS = (
     (WordRole.REASON, re.compile(rf"\b(?:{_REASONS})\b")),

@@ -247,7 +247,7 @@ VALUES: dict[str, tuple[Any, Any]] = {
         Notations(),
         Notations.build({"|x|": {"where": {"x": "vector"}, "means": r"\lVert x \rVert"}}),
     ),
-    "Mapping[str, Term]": tuple({"A": symbol(Declaration(Name(u), VECTOR), ())} for u in "uv"),
+    "Mapping[str, Term]": tuple({"A": symbol(Declaration(Name(u), VECTOR), ())} for u in "xy"),
     "Mapping[Name, frozenset[Name]]": ({Name("x"): frozenset()}, {Name("x"): frozenset({Name("y")})}),
     "Mapping[Name, tuple[Term, Term] | None]": (
         {Name("x"): None},

@@ -64,3 +64,17 @@ def test_the_inverse_of_a_2x2_matrix_of_real_or_dual_numbers(entries: tuple, dua
     cofactors = rf"\frac{{1}}{{{a} \cdot {d} - {b} \cdot {c}}} \begin{{bmatrix}} {d} & -{b} \\ -{c} & {a} \end{{bmatrix}}"
     assert check(inverse + cofactors, symbols=symbols).outcome is Outcome.CONDITIONAL
     assert check(f"{inverse} 2 {cofactors}", symbols=symbols).outcome is Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\langle f, g, h \rangle \cdot \langle 1, 2, 3 \rangle = f + 2 g + 3 h", Outcome.PROVED),
+        (r"\langle f, g, h \rangle \cdot \langle 1, 2, 3 \rangle = f + 2 g + 2 h", Outcome.REFUTED),
+        (r"\langle a, b, c \rangle = a \cdot (b \times c)", Outcome.PROVED),
+        (r"\langle a, b, c \rangle = b \cdot (a \times c)", Outcome.REFUTED),
+    ],
+)
+def test_three_numbers_in_angle_brackets_are_a_vector(formula: str, outcome: Outcome) -> None:
+    symbols = {**dict.fromkeys("abc", "vector"), **dict.fromkeys("fgh", "scalar")}
+    assert check(formula, symbols).outcome is outcome

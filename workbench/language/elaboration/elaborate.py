@@ -162,7 +162,7 @@ class Elaborator(Scope):
             return construct.apply("det" if is_determinant else "norm", terms[0])
         if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]
-        if len(terms) == 3 and node.kind == "(" and all(term.type.kind == "scalar" for term in terms):
+        if len(terms) == 3 and node.kind in ("(", "\\langle") and _are_numbers(terms):
             return self.build(node.at, construct.block, [[term] for term in terms])
         if len(terms) == 3 and node.kind in ("(", "\\langle"):
             return self.apply(node.at, "triple", *terms)
@@ -172,6 +172,10 @@ class Elaborator(Scope):
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): side by side
         message = SyntaxCode.TRIPLE_PRODUCT_OR_PAIR()
         raise Fault(SyntaxCode.EXPRESSIONS_BETWEEN_BRACKETS(terms=len(terms), message=message), node.at)
+
+
+def _are_numbers(terms: Sequence[Term]) -> bool:
+    return all(term.type.kind == "scalar" for term in terms)
 
 
 def _times_unit(term: Term) -> Term:

@@ -262,7 +262,7 @@ class Walker(RowWalker):
         parts = tuple(map(self.term, node.parts))
         if node.kind in ("|", "\\|"):
             return self.make("norm", *parts)
-        if node.kind == "\\langle":
+        if node.kind == "\\langle" and len(parts) != 3:
             return self.make("inner", *parts)
         if node.kind == "\\{":
             return self.forest.anything(*parts)

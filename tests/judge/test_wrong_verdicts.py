@@ -197,9 +197,9 @@ class TestConditions:
         assert verdict(both).outcome == Outcome.REFUTED
 
     @pytest.mark.parametrize(("premise", "follows", "not_so"), PREMISES)
-    def test_a_condition_of_nothing_is_refused(self, premise, follows, not_so):
-        with pytest.raises(ReadError, match="conditions of nothing"):
-            check(rf"\text{{if }} {premise}, {follows}", SYMBOLS)
+    def test_a_condition_without_then_is_a_premise(self, premise, follows, not_so):
+        for conclusion, outcome in ((follows, Outcome.PROVED), (not_so, Outcome.REFUTED)):
+            assert verdict(rf"\text{{if }} {premise}, {conclusion}").outcome == outcome
         below = rf" \\ \text{{where }} {premise}"  # the condition of the row before it, or asked about
         for latex, outcome in ((follows + below, Outcome.PROVED), (not_so + below, Outcome.REFUTED)):
             with suppress(ReadError):

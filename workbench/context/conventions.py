@@ -195,13 +195,16 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
 
 
 def _spins(subject: Subject) -> Iterator[Made]:
-    """Yields vectors as the angular velocity of a frame, where no product of the two would vanish."""
-    crosses = [t for t in terms_of(subject.statement) if isinstance(t, Apply) and t.head == "cross"]
+    """Yields vectors as the angular velocity of a frame, of which the formula has no symbol of the author."""
+    own_symbols = {part for part in terms_of(subject.statement) if isinstance(part, Symbol)}
     for frame, spin in subject.symbols.frames.velocities.items():
+        is_named = any(
+            spin in (each, subject.definitions.lookup(each))
+            for each in own_symbols
+            if not each.declaration.hidden
+        )
         for own in subject.free:
-            beside = [each for t in crosses if own in t.arguments for each in t.arguments if each != own]
-            is_void = any(spin in subject.definitions.reached(each) for each in beside)
-            if own.type == spin.type and not (isinstance(spin, Zero) or is_void):
+            if own.type == spin.type and not isinstance(spin, Zero) and not is_named:
                 yield f"{to_latex(own)}: the angular velocity of {frame}", [own], meaning(own, spin)
 
 

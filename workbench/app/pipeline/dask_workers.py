@@ -129,7 +129,7 @@ class Cluster:
                     told = f"the workers failed {_RETRIES + 1} times: {error}"
                 tasks.popleft()
                 *_, key = waiting.popleft()
-                yield OutOfBudget(told) if isinstance(told, str) else Seal(self._secret).opened(key, told)
+                yield self._answer(told, key)
 
         return answers()
 
@@ -148,6 +148,9 @@ class Cluster:
             )
             tasks.append(task)
         return tasks
+
+    def _answer(self, told: dict[str, Any] | str, key: str) -> Verdict | OutOfBudget:
+        return OutOfBudget(told) if isinstance(told, str) else Seal(self._secret).opened(key, told)
 
     def _reconnect(self, error: Exception) -> None:
         """Waits for a scheduler at the same address. Raises ValueError if none comes back in time."""

@@ -39,7 +39,9 @@ def loaded_model(ingested: Ingested, path: Path, is_confirmed: bool) -> tuple[st
         if scopes := [fault.path[1] for fault in faults if fault.path[:1] == ("scope",)]:
             del ingested.scopes[int(scopes[0])]
             continue
-        wrong |= {str(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("symbols",)}
+        wrong |= {
+            _symbol(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("symbols",)
+        }
         if not wrong and faults and ingested.scopes:
             ingested.scopes.clear()
             continue
@@ -48,6 +50,11 @@ def loaded_model(ingested: Ingested, path: Path, is_confirmed: bool) -> tuple[st
             return written, model
         refused |= wrong
         chosen = [proposed for proposed in chosen if proposed.name not in refused]
+
+
+def _symbol(name: object) -> str:
+    """Returns the key of a refused symbol, beside those of refused definitions."""
+    return f"[symbols] {name}"
 
 
 def _lines(
@@ -70,8 +77,11 @@ def _lines(
         yield "# Take out what is right: until then, no fault is found in what rests on it."
         yield "guessed = ["
         names = [*(f"[{table}]" for table in tables), *ingested.fences, *ingested.guesses]
-        known = ingested.confirmed | refused.keys()
-        yield from (f"    {string(name)}," for name in names if name not in known)
+        yield from (
+            f"    {string(name)},"
+            for name in names
+            if name not in ingested.confirmed and _symbol(name) not in refused
+        )
         yield "]"
     yield ""
     if ingested.fences:
@@ -90,8 +100,9 @@ def _lines(
     for guess in ingested.guesses.values():
         flags = "".join(f", {flag} = true" for flag in guess.spec if flag != "kind")
         entry = f'{string(guess.name)} = {{ kind = "{guess.kind}"{flags} }}'
-        mark = "# " if guess.name in defined or guess.name in refused else ""
-        why = f"; refused: {_comment(refused[guess.name])}" if guess.name in refused else ""
+        wrong = refused.get(_symbol(guess.name))
+        mark = "# " if guess.name in defined or wrong else ""
+        why = f"; refused: {_comment(wrong)}" if wrong else ""
         yield f"{mark}{entry}  # guessed: {_comment(guess.why)}{why}"
     yield ""
     yield "[definitions]"

@@ -90,6 +90,8 @@ def _has_premises_in_words(cut: Cut) -> bool:
         side.role is Role.CONDITION and side.nodes[0].tokens[0].start < min(starts) for side in sides
     )
     words = [node for node in cut.remarks if node.kind is Kind.WORDS]
+    if any(words_of(node) == "then" for node in words):
+        return False  # if C then A
     roles = (WordRole.CONDITION, WordRole.REASON)
     is_unknown = any(
         words_of(node) not in WORDS or "(" in joined(node.tokens) or maths_of(node)

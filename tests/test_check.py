@@ -247,3 +247,9 @@ def test_entries_that_spaces_part_are_a_row(row, column, result):
     scalars = dict.fromkeys("fgxy", "scalar")
     assert check(f"{row} {column} = {result}", symbols=scalars)
     assert not check(f"{row} {column} = {result} + f", symbols=scalars)
+
+
+def test_a_reason_in_words_that_does_not_fit_is_said() -> None:
+    """It ended in an AssertionError."""
+    with pytest.raises(ValueError, match="condition: a = f: line 1, column 3: the two sides differ in type"):
+        check(r"f g = 0 \quad \text{since } a = f", {"f": "scalar", "g": "scalar", "a": "vector"})

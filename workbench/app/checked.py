@@ -166,6 +166,9 @@ def _claims(
             said.append(Fact(formula.statement, frozenset(names), origin, Strength.STATED, act=Act.DEFINE))
         supposed = tuple(_formula(whole_line(text), known, values, "assume")[0] for text in conditions)
         beside = tuple(_formula(premise, known, values, "condition")[0] for premise in line.premises)
+        for condition in beside:
+            if condition.ill_formed:
+                raise ValueError(f"condition: {condition.latex}: {condition.ill_formed}")
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")

@@ -281,3 +281,8 @@ def test_each_text_of_a_folder_is_shown_when_it_is_judged(
 def test_a_folder_without_a_text_is_said(tmp_path: Path) -> None:
     told = run("check", str(tmp_path))
     assert told.exit_code == 2 and "holds no text; expected" in told.output
+
+
+def test_prose_on_standard_input_is_said() -> None:
+    told = CliRunner().invoke(main, ["check", "-"], input="No formula.")
+    assert told.exit_code == 2 and "no displayed equation in it" in told.output

@@ -151,7 +151,7 @@ def check(
         judged.append(each)
         if shows_at_once:
             print_for_people(each, quiet, verbose, asks, is_one_of_many=len(texts) > 1)
-    unusable = [fault for fault in unusable if fault.file in files or not isinstance(fault, NoDisplay)]
+    unusable = [fault for fault in unusable if not (isinstance(fault, NoDisplay) and _is_found(fault, files))]
     known.tell_stale()
     if write_baseline is not None:
         judged = written_baseline(found, judged, write_baseline)
@@ -178,6 +178,11 @@ def _texts(files: Sequence[Path]) -> list[Path]:
             text for file in files for text in (texts_in(file) if file.is_dir() else [_read_from(file)])
         )
     )
+
+
+def _is_found(fault: PaperError, files: Sequence[Path]) -> bool:
+    """True if the file of the fault was not named, but found in a folder."""
+    return any(folder in Path(fault.file or "").parents for folder in files if folder.is_dir())
 
 
 def _read_from(file: Path) -> Path:

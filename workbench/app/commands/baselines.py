@@ -23,11 +23,11 @@ class KnownFindings:
 
     def __init__(self, baseline: Path | None = None, since: str | None = None) -> None:
         """Raises PaperError for an unusable file."""
-        from workbench.report.baseline import read_baseline
-
         self._path, self._since = baseline, since
         self._judged: list[Judged] = []
         if baseline is not None:
+            from workbench.report.baseline import read_baseline
+
             self._listed, self._folder = read_baseline(baseline), baseline.resolve().parent
 
     def marked(self, judged: Judged) -> Judged:

@@ -47,7 +47,8 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     """Returns the derivative of a free symbol that the equation can be solved for; None if it is not a
     law."""
     sides = (relation.left, relation.right)
-    if relation.operator != "=" or any(_is_no_rate(part, definitions) for s in sides for part in s.walk()):
+    used = (part for side in sides for part in reached(side, definitions))
+    if relation.operator != "=" or any(map(_is_no_rate, used)):
         return None
     found: dict[Symbol, list[_Occurrence]] = defaultdict(list)
     named: dict[Symbol, list[_Occurrence]] = defaultdict(list)
@@ -204,13 +205,9 @@ def _occurrences(
             yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
 
 
-def _is_no_rate(part: Term, definitions: Lookup) -> bool:
+def _is_no_rate(part: Term) -> bool:
     """True for an operator, and for a derivative of a general order, which is of no one rate."""
-    if isinstance(part, Derivative):
-        return not part.order.is_number
-    body = definitions.lookup(part) if isinstance(part, Symbol) else None
-    inside = () if body is None else body.walk()
-    return part.type.kind == "operator" or any(_is_no_rate(each, definitions) for each in inside)
+    return part.type.kind == "operator" or (isinstance(part, Derivative) and not part.order.is_number)
 
 
 def _rate_of_momentum(term: Term) -> Derivative | None:

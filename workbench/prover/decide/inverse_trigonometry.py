@@ -33,7 +33,7 @@ _BRANCHES = {
 }
 #: 24π + 0.60…: this angle, its half, third and quarter have the sines and cosines of an angle on every
 #: branch.
-_ELSEWHERE = 76
+ELSEWHERE = 76
 
 
 class _Arc(NamedTuple):
@@ -65,19 +65,24 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
     branch = _BRANCHES[arc.head].format(to_latex(_divided(angle, arc.factor)))
     if not isinstance(angle, Symbol) or definitions.lookup(angle) is not None:
         return _unchecked(VerdictCode.UP_TO_BRANCH(branch=branch))
-    value = _ELSEWHERE * arc.factor
+    value = ELSEWHERE * arc.factor
     name = to_latex(angle)
     kind = str(angle.type)
     witness = Counterexample(
         {name: (str(value),)}, (str(value),), (f"an angle with {branch}",), kinds={name: kind}, kind=kind
     )
+    return on_principal_branch(verdict, branch, witness, f"{name} = {value}")
+
+
+def on_principal_branch(verdict: Verdict, branch: str, witness: Counterexample, elsewhere: str) -> Verdict:
+    """Returns the verdict under the condition on the angle. elsewhere: an angle on another branch."""
     return replace(
         verdict,
         outcome=Outcome.CONDITIONAL,
         reason=VerdictCode.ON_PRINCIPAL_BRANCH(),
         hypothesis=branch,
         counterexample=witness,
-        evidence=(*verdict.evidence, Evidence("branch", f"{name} = {value} lies on another one")),
+        evidence=(*verdict.evidence, Evidence("branch", f"{elsewhere} lies on another one")),
         basis=Strength.HINTED,
     )
 

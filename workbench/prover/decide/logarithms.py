@@ -12,16 +12,14 @@ from dataclasses import replace
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, relation, zero
 from workbench.core.terms import Apply, Number, Relation, Statement, Symbol, Term
-from workbench.core.verdict import Counterexample, Evidence, Outcome, Strength, Verdict
+from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact, WithDefinitions, reached
 from workbench.engines.inventory.logarithm_values import LogarithmValues, is_logarithm, is_rotation
 from workbench.language.definitions import expand
 from workbench.language.printing.printer import to_latex
+from workbench.prover.decide.inverse_trigonometry import ELSEWHERE, on_principal_branch
 
 Judge = Callable[[Statement, Lookup], Verdict]
-
-#: 24π + 0.60…: an angle on another branch.
-_ELSEWHERE = "76"
 
 
 def holds_logarithm(said: Relation, definitions: Lookup) -> bool:
@@ -107,15 +105,7 @@ def _on_branch(verdict: Verdict, values: LogarithmValues) -> Verdict:
             evidence=verdict.evidence,
         )
     angle = free[0]
-    entries = (_ELSEWHERE, *["0"] * (angle.type.rows - 1))
+    entries = (str(ELSEWHERE), *["0"] * (angle.type.rows - 1))
     name, kind = to_latex(angle), str(angle.type)
     witness = Counterexample({name: entries}, (f"where {branch}",), entries, kinds={name: kind}, kind=kind)
-    return replace(
-        verdict,
-        outcome=Outcome.CONDITIONAL,
-        reason=VerdictCode.ON_PRINCIPAL_BRANCH(),
-        hypothesis=branch,
-        counterexample=witness,
-        evidence=(*verdict.evidence, Evidence("branch", f"{name} = {_ELSEWHERE} lies on another one")),
-        basis=Strength.HINTED,
-    )
+    return on_principal_branch(verdict, branch, witness, f"{name} = {ELSEWHERE}")

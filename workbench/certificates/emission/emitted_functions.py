@@ -10,8 +10,8 @@ from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.emitted_nodes import APPLICATION, ATOM, Node, NotCertified, flag, single
 from workbench.core.terms import Apply, DualUnit, Head, Number, Symbol, Term
 from workbench.core.types import SCALAR
+from workbench.engines.inventory import NoDefinitions
 from workbench.engines.inventory.rodrigues import angle_and_axis
-from workbench.prover.decide.case import NoDefinitions
 
 if TYPE_CHECKING:
     from collections.abc import Callable

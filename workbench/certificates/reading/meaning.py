@@ -32,11 +32,11 @@ from workbench.core.terms import (
     Zero,
 )
 from workbench.core.types import Declaration
+from workbench.engines.inventory import NoDefinitions
 from workbench.engines.inventory.rodrigues import angle_and_axis
 from workbench.language.definitions import Definitions
 from workbench.language.goals.goals import Scope
 from workbench.language.naming.symbols import SymbolTable
-from workbench.prover.decide.case import NoDefinitions
 from workbench.prover.goals.sequents import names_of
 
 _UNARY = {

@@ -25,6 +25,13 @@ class WithDefinitions:
         return self.more.get(symbol) or self.definitions.lookup(symbol)
 
 
+class NoDefinitions:
+    """Definitions that leave every symbol free. A statement that holds for any tensor holds for Φ₄."""
+
+    def lookup(self, symbol: Symbol) -> None:
+        return None
+
+
 @dataclass(frozen=True)
 class WithoutDefinitions:
     """Definitions without those of some symbols, which are free."""

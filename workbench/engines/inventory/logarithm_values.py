@@ -16,7 +16,7 @@ from workbench.core.construct import apply, rebuild, relation, symbol, zero
 from workbench.core.names import Name
 from workbench.core.terms import Apply, Relation, Symbol, Term
 from workbench.core.types import VECTOR, Declaration
-from workbench.engines.inventory import Lookup, WithDefinitions
+from workbench.engines.inventory import Lookup, NoDefinitions
 from workbench.engines.inventory.rodrigues import angle_and_axis, rotation_vector, twist_parts
 from workbench.language.printing.printer import to_latex
 
@@ -126,14 +126,8 @@ def is_rotation(term: Term) -> bool:
 
 
 def _is_skew(exponent: Term) -> bool:
-    no_definitions = WithDefinitions(_Nothing(), {})
-    turned = angle_and_axis(exponent, no_definitions), rotation_vector(exponent, no_definitions)
+    turned = angle_and_axis(exponent, NoDefinitions()), rotation_vector(exponent, NoDefinitions())
     return any(each is not None for each in turned)
-
-
-class _Nothing:
-    def lookup(self, symbol: Symbol) -> None:
-        return None
 
 
 def _exponent(vector: Term, turn: Term) -> Term:

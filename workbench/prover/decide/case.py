@@ -59,13 +59,6 @@ class Setting:
     engines: Engines = field(default_factory=Engines, compare=False, repr=False)
 
 
-class NoDefinitions:
-    """Definitions that leave every symbol free. A statement that holds for any tensor holds for Φ₄."""
-
-    def lookup(self, symbol: Symbol) -> None:
-        return None
-
-
 class Case:
     """The engines over the inventory of some relations and their assumptions."""
 

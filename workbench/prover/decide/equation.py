@@ -10,13 +10,14 @@ from workbench.algebra.differential_ring import Polynomial
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.terms import Relation, Statement, Symbol
 from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Strength, Verdict
+from workbench.engines.inventory import NoDefinitions
 from workbench.engines.inventory.inventory import Lookup, NotExact, has_gradient
 from workbench.engines.jet.rings import PRIME
 from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import Trial
 from workbench.prover.counterexamples.real_angles import surely_differ
-from workbench.prover.decide.case import Case, NoDefinitions, Setting
+from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.frame_change import in_rotated_frame
 from workbench.prover.decide.inference import agreement
 from workbench.prover.decide.law_statements import law_for

@@ -24,9 +24,9 @@ from workbench.core.terms import (
     Term,
     Zero,
 )
+from workbench.engines.inventory import NoDefinitions
 from workbench.engines.inventory.inventory import Lookup, NotExact, has_gradient
 from workbench.engines.jet.rings import PRIME
-from workbench.prover.decide.case import NoDefinitions
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.coefficients import Vector, factor_between
 from workbench.repair.terms.subterm_positions import places

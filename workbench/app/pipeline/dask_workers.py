@@ -112,21 +112,30 @@ class Cluster:
         If the scheduler dies, what is not yet answered is submitted to its successor at the same address.
         """
         waiting = deque(items)
-        tasks, connection = self._submitted(waiting, budget), self._connections
+        tasks: deque[Any] = deque()
+        connection = self._connections
+        with suppress(OSError):  # of a scheduler that died since; the first answer reconnects
+            tasks = self._submitted(waiting, budget)
 
         def answers() -> Generator[Verdict | OutOfBudget]:
             nonlocal tasks, connection
+            in_vain = 0
             while waiting:
                 try:
-                    if connection != self._connections:
+                    if connection != self._connections or not tasks:
                         tasks, connection = self._submitted(waiting, budget), self._connections
                     told = tasks[0].result()
                 except Exception as error:
-                    if tasks[0].status != "error":  # the scheduler is lost, and all its tasks
+                    if tasks and tasks[0].status == "error":
+                        told = f"the workers failed {_RETRIES + 1} times: {error}"
+                    elif in_vain == _RETRIES:
+                        raise
+                    else:  # the scheduler is lost, and all its tasks
+                        in_vain += 1
                         if connection == self._connections:
                             self._reconnect(error)
                         continue
-                    told = f"the workers failed {_RETRIES + 1} times: {error}"
+                in_vain = 0
                 tasks.popleft()
                 *_, key = waiting.popleft()
                 yield self._answer(told, key)

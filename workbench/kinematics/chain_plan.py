@@ -21,7 +21,8 @@ from workbench.kinematics.chain_kernel import HEAD, ROW, bound_chain_kernel, cha
 from workbench.kinematics.simd_lanes import WIDTH
 from workbench.kinematics.tree_plan import Plan
 
-NEAR, NEARLY_ALL = 2500, 3072  # doubles of the nearest cache that blocks which take turns may fill; two
+# doubles of the nearest cache that blocks which take turns may fill: any number of them, and two
+NEAR, NEARLY_ALL = 2500, 3072
 NEARLY_PARALLEL = 0.1  # below this sine the foot of the common normal is not used
 
 

@@ -16,7 +16,7 @@ from workbench.core.operations import GRADIENTS, LINEAR, OPERATORS, PARTIALS
 from workbench.core.terms import Head, IllFormed
 from workbench.core.types import QUATERNION, SCALAR, TENSOR, VECTOR, Declaration
 from workbench.core.verdict import Outcome
-from workbench.prover.decide.case import NoDefinitions
+from workbench.engines.inventory import NoDefinitions
 from workbench.prover.decide.decide import Judge
 
 TYPES = (VECTOR, TENSOR, SCALAR, QUATERNION)

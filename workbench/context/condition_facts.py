@@ -37,14 +37,20 @@ _ORDERS = {
     **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
 }
 _FORMULA = r"(?:\$[^$]+\$|\\\([^$]*?\\\)|`[^`]+`)"
-#: A relation of two symbols that words state as a condition, or as the reason of a formula.
-_BETWEEN = re.compile(
+#: A relation of two symbols that words state as a condition, or as the reason of a formula: "a and b are
+#: orthogonal", "a is orthogonal to the vector b".
+_REASON = (
     r"\b(?:since|because|as|if|when|where|for|that|suppose|assume|assuming|let|given)\b[^.,;:$`\\]{0,30}?"
-    rf"(?P<one>{_FORMULA}) and (?P<other>{_FORMULA}) "
-    r"(?:(?:are|is|be) (?:both |mutually )?"
-    r"(?P<adjective>orthogonal|perpendicular|parallel|equal)|(?P<verb>commute))\b",
-    re.IGNORECASE,
 )
+_RELATED = r"(?P<adjective>orthogonal|perpendicular|parallel|equal)"
+_ONE, _OTHER = rf"(?P<one>{_FORMULA})", rf"(?P<other>{_FORMULA})"
+_BETWEEN = [
+    re.compile(_REASON + words, re.IGNORECASE)
+    for words in (
+        rf"{_ONE} and {_OTHER} (?:(?:are|is|be) (?:both |mutually )?{_RELATED}|(?P<verb>commute))\b",
+        rf"{_ONE} (?:(?:is|be) {_RELATED} to|(?P<verb>commute)s with) (?:the [a-z]+ )?{_OTHER}",
+    )
+]
 _RELATIONS = {
     "orthogonal": r"{0} \perp {1}",
     "perpendicular": r"{0} \perp {1}",
@@ -134,7 +140,8 @@ def conditions_of(
 
 def _between(words: str, line: int, notation: Notation) -> Iterator[Fact]:
     """Yields the relations of two symbols that the words state."""
-    for match in _BETWEEN.finditer(" ".join(words.replace(":math:", "").split())):
+    said = " ".join(words.replace(":math:", "").split())
+    for match in (each for pattern in _BETWEEN for each in pattern.finditer(said)):
         sides = (match[name].strip("$`").removeprefix("\\(").removesuffix("\\)") for name in ("one", "other"))
         latex = _RELATIONS[(match["adjective"] or match["verb"]).lower()].format(*map(str.strip, sides))
         with suppress(ReadError, IllFormedAt, ValueError):

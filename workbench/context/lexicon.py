@@ -6,10 +6,12 @@ from collections.abc import Mapping
 
 #: The words for each property of core/properties.py.
 PROPERTY_WORDS: Mapping[str, str] = {
-    "unit": r"unit(?:ary)?|normali[sz]ed|of (?:length|norm|magnitude) (?:one|1)|of unit (?:length|norm)",
+    "unit": r"unit(?:ary)?|normali[sz]ed|of (?:length|norm|magnitude) (?:one|1)"
+    r"|of unit (?:length|norm|magnitude)",
     "rotation": r"rotations?|proper orthogonal|rotation matri(?:x|ces)|direction cosine matri(?:x|ces)",
     "orthogonal": r"orthogonal|orthonormal",
     "symmetric": r"(?<!skew[- ])(?<!anti)symmetric",
+    "diagonal": r"diagonal",
     "skew": r"skew(?:[- ]symmetric)?|antisymmetric",
     "constant": r"constant|fixed|stationary|at rest|time[- ]invariant|independent of time|uniform",
     "positive": r"positive|length|radius|distance",
@@ -18,6 +20,14 @@ PROPERTY_WORDS: Mapping[str, str] = {
     "identity": r"identity|unit (?:matrix|tensor)",
     "perpendicular": r"perpendicular|orthogonal|normal",
     "parallel": r"parallel|collinear|aligned",
+}
+
+#: The predicates that state a property without "is".
+PREDICATES: Mapping[str, str] = {
+    "unit": r"ha(?:s|ve) (?:unit (?:length|norm|magnitude)|(?:length|norm|magnitude) (?:one|1))",
+    "constant": r"do(?:es)? not (?:depend on|vary (?:with|in)|change (?:with|in)) time",
+    "zero": r"vanish(?:es)?",
+    "parallel": r"ha(?:s|ve) the same direction",
 }
 
 #: For each kind, the nouns that stand for all symbols of it: "unit vectors", "small angles".
@@ -49,7 +59,9 @@ CASE = r"\b(?:if|when|case of|for)\b[^,]*$"
 #: Words that state something unformalized of a symbol.
 OPAQUE = (
     r"\b(?:approximat\w*|linear[iy]\w*|neglect\w*|ignor\w*|first[- ]order|compared (?:with|to)"
-    r"|limit|tends?|approach(?:es|ing)?|(?:close|near) to|planar|special case|coincid\w+)\b"
+    r"|limit|tends?|approach(?:es|ing)?|(?:close|near) to|planar|special case|coincid\w+"
+    r"|coplanar|linearly (?:in)?dependent|proportional|isotropic|spherical|diagonal|traceless"
+    r"|singular|invertible|nilpotent|idempotent|purely|principal ax[ei]s|eigen\w+)\b"
 )
 
 #: Verbs between a symbol and its property.

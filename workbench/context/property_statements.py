@@ -13,6 +13,12 @@ from workbench.core.properties import PROPERTIES, Property
 from workbench.core.terms import Relation, Symbol, Term
 
 
+def is_stated(row: Property, own: Symbol) -> bool:
+    """True if the symbol can have the property, and a fact can state it."""
+    has_flag = bool(row.flag) and own.type.kind != "matrix"
+    return row.fits(own) and (has_flag or bool(row.term or row.equations))
+
+
 def having(name: str, symbols: Iterable[Symbol]) -> Supposition:
     """Returns the meaning of a property of the symbols, of each or of all together.
 

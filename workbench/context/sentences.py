@@ -21,11 +21,12 @@ from workbench.context.lexicon import (
     KIND_NOUNS,
     NEGATION,
     OPAQUE,
+    PREDICATES,
     PROPERTY_WORDS,
     STOP,
 )
-from workbench.context.property_statements import having
-from workbench.core.properties import PROPERTIES
+from workbench.context.property_statements import having, is_stated
+from workbench.core.properties import PROPERTIES, Property
 from workbench.core.terms import Symbol
 from workbench.language.printing.printer import to_latex
 
@@ -38,7 +39,9 @@ _CLAUSES = re.compile(r"[,;:.]")
 _REACH = 40
 
 
-_ANY_PROPERTY = re.compile("|".join(rf"\b(?:{words})\b" for words in PROPERTY_WORDS.values()), re.I)
+_ANY_PROPERTY = re.compile(
+    "|".join(rf"\b(?:{words})\b" for table in (PROPERTY_WORDS, PREDICATES) for words in table.values()), re.I
+)
 
 
 def speaks_of(words: str) -> bool:
@@ -78,6 +81,7 @@ def told_by(sentence: Sentence, symbols: Sequence[Symbol]) -> Iterator[Fact]:
 class _Reader:
     def __init__(self, sentence: Sentence, symbols: Sequence[Symbol]) -> None:
         self._sentence, self._symbols = sentence, symbols
+        self._read: list[tuple[int, int]] = []
 
     @cached_property
     def _known(self) -> dict[str, Symbol]:
@@ -88,12 +92,13 @@ class _Reader:
         text = self._sentence.text
         for name, words in PROPERTY_WORDS.items():
             row = PROPERTIES[name]
-            for match in _matches(words, text):
+            for match in _matches(words, PREDICATES.get(name), text):
                 if _is_negated(text, match) or (not self._sentence.is_own and _is_case(text, match)):
                     continue
-                said = [each for each in self._named_in(match["symbols"]) if row.fits(each)]
-                if said and row.count in (1, len(said)):
-                    yield self._fact(name, said, match[0])
+                said = [each for each in self._named_in(match["symbols"]) if is_stated(row, each)]
+                for group in _related(said, self._named_in(match["others"] or ""), row):
+                    self._read.append(match.span())
+                    yield self._fact(name, group, match[0])
 
     def of_kinds(self) -> Iterator[Fact]:
         """Yields the properties of all symbols of a kind: "for unit vectors" in the claim's own sentence, or
@@ -108,18 +113,25 @@ class _Reader:
 
     def _of_kind(self, name: str, kind: str, pattern: str) -> Iterator[Fact]:
         row, text = PROPERTIES[name], self._sentence.text
-        said = [own for own in self._symbols if own.type.kind == kind and row.fits(own) and not own.index]
+        said = [
+            own for own in self._symbols if own.type.kind == kind and is_stated(row, own) and not own.index
+        ]
         if not said or row.count not in (1, len(said)):
             return
         for match in re.finditer(pattern, text, re.I):
             is_meant = (name, kind) in FOR_ALL or _IF.search(_CLAUSES.split(text[: match.start()])[-1])
             if is_meant and not _is_negated(text, match):
+                self._read.append(match.span())
                 yield self._fact(name, said, match[0])
 
     def opaque(self) -> Iterator[Fact]:
         """Yields opaque facts for unformalized words about a symbol: "r is approximately …"."""
+        start = 0
         for clause in _CLAUSES.split(self._sentence.text):
-            if _OPAQUE.search(clause) and not _NOT.search(clause) and (said := self._named_in(clause)):
+            words = (start + match.start() for match in _OPAQUE.finditer(clause))
+            is_unread = any(not any(a <= at < b for a, b in self._read) for at in words)
+            start += len(clause) + 1
+            if is_unread and not _NOT.search(clause) and (said := self._named_in(clause)):
                 about = names_of([each.declaration for each in said])
                 yield Fact(None, about, self._origin(clause.strip()), Strength.HINTED)
 
@@ -136,16 +148,29 @@ class _Reader:
         return Origin(Provider.SENTENCE, f"“{quoted}”", self._sentence.place)
 
 
-def _matches(words: str, text: str) -> Iterator[re.Match[str]]:
-    before = rf"\b(?:{words})\b\s+{_FILL}(?P<symbols>{_SYMBOLS})"
-    after = rf"(?P<symbols>{_SYMBOLS})\s*(?:,\s*)?{BE}\s+{_FILL}\b(?:{words})\b"
-    for pattern in (before, after):
-        yield from re.finditer(pattern, text, re.I)
+def _matches(words: str, predicate: str | None, text: str) -> Iterator[re.Match[str]]:
+    """Yields "unit vector u", "u is a unit vector", "u has unit length" and "a is perpendicular to b"."""
+    symbols, none = rf"(?P<symbols>{_SYMBOLS})", r"(?P<others>(?!))?"
+    to = rf"\s+(?:to|with)\s+{_FILL}(?P<others>{_SYMBOLS})"
+    yield from re.finditer(rf"\b(?:{words})\b\s+{_FILL}{symbols}{none}", text, re.I)
+    yield from re.finditer(rf"{symbols}\s*(?:,\s*)?{BE}\s+{_FILL}\b(?:{words})\b(?:{to})?", text, re.I)
+    yield from re.finditer(rf"{symbols}\s+(?:{words}){to}", text, re.I)
+    if predicate:
+        yield from re.finditer(rf"{symbols}\s+(?P<predicate>{predicate})\b{none}", text, re.I)
+
+
+def _related(said: Sequence[Symbol], others: Sequence[Symbol], row: Property) -> Iterator[Sequence[Symbol]]:
+    """Yields the groups of symbols that have the property: each pair where it relates two of them."""
+    if others and row.count == 2:
+        yield from ((one, other) for one in said for other in others if row.fits(other))
+    elif said and row.count in (1, len(said)):
+        yield said
 
 
 def _is_negated(text: str, match: re.Match[str]) -> bool:
     clause = _CLAUSES.split(text[: match.start()])[-1]
-    return bool(_NOT.search(clause[-_REACH:]) or _NOT.search(match[0]))
+    is_predicate = match.groupdict().get("predicate") is not None
+    return bool(_NOT.search(clause[-_REACH:]) or (not is_predicate and _NOT.search(match[0])))
 
 
 def _is_case(text: str, match: re.Match[str]) -> bool:

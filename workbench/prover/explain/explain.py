@@ -113,14 +113,20 @@ class _Explanation:
             is_claim = self.act is Act.ASSERT and (was is Act.POSTULATE or bool(self._definitions()))
             if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
                 is_given = was in _GIVES
-                return _only_said(self.base, was if is_given else Act.POSTULATE, own if is_given else None)
+                return self._said_or_held(was if is_given else Act.POSTULATE, own if is_given else None)
             self.base = self.against
         if self.act in _GIVES:
-            return _only_said(self.base, self.act, self.own)
+            return self._said_or_held(self.act, self.own)
         context = self._context()
         if (held := self._by_hints(context)) is not None:
             return held
         return self._refuted(context) if self._is_claim() else self._only_constrained()
+
+    def _said_or_held(self, act: Act, own: Symbol | None) -> Verdict:
+        """Returns what the formula says of a symbol, unless its sentence states a property that proves it."""
+        facts = self._context().facts
+        said = Context(tuple(each for each in facts if each.origin.provider is Provider.SENTENCE))
+        return self._by_hints(said) or _only_said(self.base, act, own)
 
     def unfinished(self) -> Verdict:
         """Returns the verdict if the limit on decisions is reached; a refuted claim stays refuted."""

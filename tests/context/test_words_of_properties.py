@@ -93,3 +93,14 @@ def test_unformalized_property_lowers_an_error(tmp_path: Path, words: str, displ
     assert str(verdict_on(tmp_path, "We have", display).grade) == "error"
     lowered = verdict_on(tmp_path, words, display)
     assert str(lowered.grade) == "warning" and any("the text says more" in each for each in lowered.unless)
+
+
+@pytest.mark.parametrize("words", ["Let $f = g^2$. Then", "With $f = g^2$,", "We put $f = g^2$ and find"])
+def test_definition_in_a_sentence_holds_for_all_times(tmp_path: Path, words: str) -> None:
+    kinds = {"f": "scalar", "g": "scalar"}
+
+    def verdict(display: str):
+        return judged(tmp_path, f"{words}\n\n$$\n{display}\n$$\n", model(kinds))[0]
+
+    assert verdict(r"\dot{f} = 2 g \dot{g}").outcome is Outcome.CONDITIONAL
+    assert str(verdict(r"\dot{f} = 3 g \dot{g}").grade) == "error"

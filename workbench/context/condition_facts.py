@@ -6,12 +6,13 @@ import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
 
 from workbench.context.claims import Notation
-from workbench.context.facts import Bound, Duration, Fact, Origin, Provider
+from workbench.context.facts import Act, Bound, Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.formula_subject import names_of
 from workbench.context.free_symbols import names_in, terms_of
@@ -58,6 +59,12 @@ _RELATIONS = {
     "equal": "{0} = {1}",
     "commute": "{0} {1} = {1} {0}",
 }
+#: The last of these words before a formula tells a definition from a condition.
+_SAYS = re.compile(
+    r"\b(?:(?P<defines>let|define|put|set|denote|introduce|write|writing|where|with)"
+    r"|if|when|for|at|since|because|as|suppose|assum\w+|provided|given|whenever|while)\b",
+    re.IGNORECASE,
+)
 #: Marks of conditions that stay in force after their sentence.
 _FAR_REACHING = _UNEQUAL | _RATES | _ORDERS.keys()
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
@@ -108,8 +115,28 @@ class InlineFormulas:
         if key not in self._read:  # keeps the notation alive, so that its id stays unique
             line = formula.source.place(formula.start)[0]
             made = list(_condition(step.tokens, line, notation, with_equations))
+            if with_equations and _is_let(formula):
+                made = list(map(_as_definition, made))
             self._read[key] = (notation, made)
         return self._read[key][1]
+
+
+def _is_let(formula: Display) -> bool:
+    """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
+    text = formula.source.prose
+    first, _ = sentence_around(text, formula.start, formula.end)
+    words = list(_SAYS.finditer(text[first : formula.start]))
+    return bool(words) and words[-1]["defines"] is not None
+
+
+def _as_definition(fact: Fact) -> Fact:
+    """Returns the fact as one for all times, if it gives a symbol by others."""
+    said = fact.content
+    if isinstance(said, Relation) and isinstance(said.left, Symbol) and said.operator == "=":
+        given = _symbols(said.right.walk())
+        if given and said.left.declaration not in given:
+            return replace(fact, duration=Duration.ALWAYS, act=Act.DEFINE)
+    return fact
 
 
 def conditions_of(

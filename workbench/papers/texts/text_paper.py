@@ -11,7 +11,7 @@ from pathlib import Path
 from workbench.context.claim_parts import ClaimSource
 from workbench.context.claims import Ambiguity, Claim, ClaimContext, Correction, Formula, Notation, Paper
 from workbench.context.condition_facts import InlineFormulas, conditions_of, opaque, range_facts
-from workbench.context.facts import Act, Fact, Origin, Provider
+from workbench.context.facts import Act, Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import act_of, declared_anew
 from workbench.context.formula_facts import with_acts, with_formula_facts, with_laws
 from workbench.context.free_symbols import names_in, terms_of
@@ -166,12 +166,18 @@ def _own_facts(
         yield opaque(words, claim.line, names)
     if placed.step.ranges and claim.printed.latex != placed.step.spelled()[0]:
         yield from range_facts(placed.step, placed.notation, names)
-    yield from conditions_of(placed.display, statement, placed.notation, spoken)
+    conditions = list(conditions_of(placed.display, statement, placed.notation, spoken))
+    yield from conditions
     yield from sentences.facts(placed.display, statement, placed.notation)
-    yield from unread_facts(claim, unread)
+    read = {_words(fact) for fact in conditions if fact.content and fact.duration is Duration.ALWAYS}
+    yield from (fact for fact in unread_facts(claim, unread) if _words(fact) not in read)
     has_adjugate = any(isinstance(term, Apply) and term.head == "adjugate" for term in terms_of(statement))
     if has_adjugate and not any(_ADJUGATE.search(source.text) for source in text.sources):
         yield Fact(None, names, Origin(Provider.CONVENTION, _STAR), Strength.HINTED)
+
+
+def _words(fact: Fact) -> tuple[str, str]:
+    return "".join(fact.origin.text.split()), fact.origin.place
 
 
 def _properties(claim: Claim, placed: Placed) -> tuple[tuple[str, str], ...]:

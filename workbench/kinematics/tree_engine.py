@@ -44,10 +44,10 @@ class TreeEngine:
             self._plans[key] = self._new_plan(names, Wanted(order, jacobians, turning))
         return self._plans[key]
 
-    def of_one_state(self, q: np.ndarray, name: str, order: int) -> np.ndarray:
-        """Returns the pose's 16 numbers and the twists (16 + 6 order,) of a frame at one state q (order + 1,
-        channels)."""
-        plan = self._plans.get((name, order, 0, 0)) or self.plan(name, order)
+    def of_one_state(self, q: np.ndarray, name: str, order: int, jacobians: int = 0) -> np.ndarray:
+        """Returns the pose's 16 numbers, the twists (6 order) and so many orders of Jacobians of a frame at
+        one state q (order + 1, channels), in one row."""
+        plan = self._plans.get((name, order, jacobians, 0)) or self.plan(name, order, jacobians)
         record = empty(plan.rows)
         out = record[None, None, None]
         if not plan.kernel(q[:, None], plan.address, out, False):

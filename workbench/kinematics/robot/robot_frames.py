@@ -161,6 +161,8 @@ class FrameMotion:
         return FrameMotion(f"{self.name} relative to {other.name}", order, pose, twist)
 
     def _require(self, order: int, highest: int, lowest: int = 0) -> None:
+        if type(order) is int and lowest <= order <= highest:
+            return
         if not is_whole(order) or not lowest <= order <= highest:
             raise ValueError(
                 f"order: expected one from {lowest} to {highest} of a motion of order {self.order}, "

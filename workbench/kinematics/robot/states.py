@@ -61,6 +61,7 @@ class States:
         else:
             self._q, self._rates, self.order = q, rates, len(rates)
         self._records: dict[str, np.ndarray] = {}  # no frames: these would keep the motion alive, and it them
+        self._jacobians: dict[str, np.ndarray] = {}
 
     @property
     def q(self) -> np.ndarray:
@@ -145,17 +146,8 @@ class States:
         """Returns (..., 16 + 6 N): the pose and the twists of a body."""
         record = self._records.get(name)
         if record is None:
-            robot, q = self.robot, self._q_derivatives
-            if q is not None and q.ndim == 2 and robot._plain:
-                record = robot.engine.of_one_state(q, name, self.order)
-            else:
-                record = self._new_record(name, 0)
-            self._records[name] = record
+            record = self._records[name] = self._new_record(name)
         return record
-
-    @cached_property
-    def _jacobians(self) -> dict[str, np.ndarray]:
-        return {}
 
     def _jacobian_record(self, name: str, orders: int) -> np.ndarray:
         """Returns (..., orders or more, 6, velocities)"""
@@ -163,7 +155,7 @@ class States:
         if J is None or J.shape[-3] < orders:
             record = self._new_record(name, orders)
             J = record[..., 16 + 6 * self.order :]
-            J = J.reshape(*self.shape, orders, 6, len(self.robot.velocities))
+            J = J.reshape(*record.shape[:-1], orders, 6, len(self.robot.velocities))
             self._jacobians[name] = J
         return J
 
@@ -182,7 +174,10 @@ class States:
             self._turning[name] = np.moveaxis(D.reshape(*self.shape, N, 3, count), -3, 0)
         return self._turning[name]
 
-    def _new_record(self, name: str, jacobians: int, turning: int = 0) -> np.ndarray:
+    def _new_record(self, name: str, jacobians: int = 0, turning: int = 0) -> np.ndarray:
+        one = self._q_derivatives
+        if one is not None and one.ndim == 2 and turning == 0 and self.robot._plain:
+            return self.robot.engine.of_one_state(one, name, self.order, jacobians)
         plan, q = self.robot.engine.plan(name, self.order, jacobians, turning), self._input()
         if jacobians == 0 and q.shape[1] * plan.rows >= LARGE:
             (record,) = states_side_by_side(1, q.shape[1], plan.rows)
@@ -262,6 +257,9 @@ class RobotFrame(FrameMotion):
         components, so that V⁽ᵏ⁾ = Σ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ with `velocity(k)` of the same two arguments.
         Raises ValueError for an order beyond the motion's.
         """
+        if expressed == "mixed" and point is ORIGIN:
+            self._require(order, self.order)
+            return self.motion._jacobian_record(self.name, order + 1)[..., order, :, :]
         return self.jacobian_derivatives(order, point=point, expressed=expressed)[order]
 
     def jacobian_derivatives(

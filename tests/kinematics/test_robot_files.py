@@ -1,9 +1,12 @@
 """Robots from SDF, MJCF and model directives, by Drake's parser."""
 
+import logging
+
 import numpy as np
 import pytest
 from random_robots import NEAR
 
+from workbench.drake.plants import load_urdf
 from workbench.kinematics.robot import Robot
 
 SDF = """<sdf version="1.9"><model name="arm">
@@ -90,3 +93,41 @@ def test_files_that_cannot_be_read_are_named_in_one_line(files, tmp_path):
         assert "\n" not in str(error.value)
     with pytest.raises(ValueError, match="base: expected fixed or floating, got 'free'"):
         Robot.from_file(files["sdf"], base="free")
+
+
+@pytest.mark.parametrize("reader", [Robot.from_file, load_urdf])
+@pytest.mark.parametrize("limit", ['lower="1" upper="-1"', 'lower="-1" upper="1" velocity="-1"'])
+def test_a_condition_that_drake_demands_ends_no_program(tmp_path, reader, limit):
+    path = tmp_path / "reversed.urdf"
+    path.write_text(URDF.replace('lower="-1" upper="1" effort="1" velocity="1"', limit))
+    with pytest.raises(ValueError, match=r"Drake cannot read .*reversed.urdf: .*condition") as caught:
+        reader(path)
+    assert "\n" not in str(caught.value)
+
+
+IMPOSSIBLE = {
+    "sdf": "<inertia><ixx>5</ixx><iyy>15</iyy><izz>25</izz></inertia>",
+    "urdf": '<inertia ixx="5" iyy="15" izz="25" ixy="0" ixz="0" iyz="0"/>',
+}
+
+
+@pytest.mark.parametrize("silent", [False, True])
+@pytest.mark.parametrize("kind", IMPOSSIBLE)
+def test_no_torques_of_inertias_that_drake_replaces(files, kind, silent):
+    mass = "<mass>2</mass>" if kind == "sdf" else '<mass value="2"/>'
+    inertial = f'<link name="lower"><inertial>{mass}{IMPOSSIBLE[kind]}</inertial>'
+    old, new = (
+        ('<link name="lower">', inertial) if kind == "sdf" else ('<link name="lower"/>', inertial + "</link>")
+    )
+    files[kind].write_text(files[kind].read_text().replace(old, new))
+    logger = logging.getLogger("drake")
+    logger.disabled = silent
+    try:
+        robot = Robot.from_file(files[kind])
+        assert logger.disabled is silent
+    finally:
+        logger.disabled = False
+    with pytest.raises(ValueError, match=rf"arm.{kind}:\d+: an inertia that no body can have, which Drake"):
+        robot.motion(np.zeros((3, 2))).torques()
+    with pytest.raises(ValueError, match="which Drake replaces"):
+        robot.with_frame("tool", "lower", np.eye(4)).motion(np.zeros((3, 2))).torques()

@@ -108,7 +108,7 @@ def test_the_power_of_all_forces_is_the_rate_of_the_energy():
 
 def test_torques_need_inertias_and_accelerations():
     found = motion(tree(0, ["revolute"]), 3)
-    with pytest.raises(ValueError, match=r"expected a robot with inertias \(`from_plant`, `from_file`\)"):
+    with pytest.raises(ValueError, match=r"expected a robot with inertias \(`from_urdf`, "):
         found.torques()
     robot = Robot.from_plant(arm_plant(1))
     with pytest.raises(ValueError, match="expected a motion of order 2"):
@@ -132,3 +132,71 @@ def test_torques_and_their_rates_are_those_of_mass_points():
     np.testing.assert_allclose(
         right[0], drakes_torques(plant, *q[:3]), rtol=0, atol=1e-13 * np.abs(right[0]).max()
     )
+
+
+INERTIAL = """<inertial><origin xyz="0.1 -0.2 0.3" rpy="0.4 0.5 0.6"/><mass value="2"/>
+  <inertia ixx="0.03" ixy="0.001" ixz="0.002" iyy="0.04" iyz="0.003" izz="0.05"/></inertial>"""
+HAND = f"""<robot name="hand"><link name="palm">{INERTIAL}</link><link name="upper">{INERTIAL}</link>
+<link name="lower">{INERTIAL}</link><link name="tip"><inertial><mass value="0.5"/><inertia ixx="0.01" iyy="0.01" izz="0.01"/>
+</inertial></link><joint name="j" type="continuous"><parent link="palm"/><child link="upper"/><origin xyz="0.3 0.1 0" rpy="0.1 0.2 0.3"/>
+<axis xyz="1 2 -3"/></joint><joint name="k" type="prismatic"><parent link="upper"/><child link="lower"/><origin xyz="0 0.2 0"/>
+<axis xyz="0 -1 0"/>MIMIC</joint><joint name="w" type="fixed"><parent link="lower"/><child link="tip"/><origin rpy="1 0 0"/></joint></robot>"""
+
+
+def hand(tmp_path, mimic):
+    path = tmp_path / "hand.urdf"
+    path.write_text(HAND.replace("MIMIC", mimic))
+    return path
+
+
+@pytest.mark.parametrize("base", ["fixed", "floating"])
+def test_inertias_of_a_urdf_are_those_of_drake_s_parser(tmp_path, base):
+    path = hand(tmp_path, "")
+    ours, drakes = Robot.from_urdf(path, base), Robot.from_file(path, base)
+    assert ours.inertias.keys() == drakes.inertias.keys()
+    for name, body in ours.inertias.items():
+        for mine, right in zip(body, drakes.inertias[name], strict=True):
+            np.testing.assert_allclose(mine, right, rtol=0, atol=1e-14)
+    q, v = np.zeros(len(ours.positions)), np.random.default_rng(0).normal(size=(3, len(ours.velocities)))
+    q[:] = np.random.default_rng(1).normal(size=len(q))
+    found, right = (robot.motion(q, v).torques(1) for robot in (ours, drakes))
+    np.testing.assert_allclose(found, right, rtol=0, atol=1e-12 * np.abs(right).max())
+
+
+def test_torques_of_mimic_joints_act_on_what_they_follow(tmp_path):
+    """Virtual work: τ · δq is that of the same motion with all joints free."""
+    free = Robot.from_urdf(hand(tmp_path, ""))
+    robot = Robot.from_urdf(hand(tmp_path, '<mimic joint="j" multiplier="-0.7" offset="0.2"/>'))
+    q = np.random.default_rng(0).normal(size=(4, 1))
+    M, c = robot.follow(free.positions)
+    followed = q @ M.T
+    followed[0] += c
+    right = free.motion(followed).torques(1) @ M
+    np.testing.assert_allclose(robot.motion(q).torques(1), right, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "message"),
+    [
+        ('<mass value="2"/>', "", "link 'palm': inertial: expected a <mass>, got none"),
+        ('<mass value="2"/>', "<mass/>", "link 'palm': inertial: mass: expected an attribute 'value'"),
+        (
+            '<mass value="2"/>',
+            '<mass value="-2"/>',
+            "link 'palm': inertial: expected a mass >= 0 in kg, got -2.0",
+        ),
+        ('ixx="0.03"', 'ixx="a"', "link 'palm': inertial: expected a finite number for ixx, got 'a'"),
+        (
+            'rpy="0.4 0.5 0.6"',
+            'rpy="0.4"',
+            "link 'palm': inertial: origin: expected 3 finite numbers for rpy",
+        ),
+    ],
+)
+def test_a_wrong_inertia_is_said_where_torques_are_asked_for(tmp_path, right, wrong, message):
+    path = hand(tmp_path, "")
+    path.write_text(path.read_text().replace(right, wrong, 1))
+    motion = Robot.from_urdf(path).motion(np.zeros((3, 2)))
+    assert motion.frame("tip").pose.shape == (4, 4)
+    with pytest.raises(ValueError, match=message):
+        motion.torques()

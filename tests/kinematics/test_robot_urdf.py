@@ -249,6 +249,7 @@ PLAIN = '<robot name="r"><link name="base"/><link name="arm"/><joint name="j" ty
             '<robot xmlns="http://drake.mit.edu" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"',
         ),
         PLAIN.replace("</robot>", '<gazebo><sensor:camera name="rgb"/></gazebo></robot>'),
+        PLAIN.replace("</robot>", "<!-- forked --\n<!-- - -- ------ --></robot>"),
         PLAIN.replace("</robot>", "<xacro:left_over/></robot>"),
         PLAIN.replace("</robot>", '<xacro:property name="x" value="${1}"/></robot>'),
         PLAIN.replace("</robot>", '<xacro:include filename="$(find x)/y.xacro"/></robot>'),

@@ -7,7 +7,9 @@ acceleration above the (classical) acceleration of Bo. Everything is expressed i
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import logging
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
@@ -31,6 +33,9 @@ from workbench.drake.gate import (
 from workbench.drake.urdf import kinematic_urdf
 
 ROBOT_DATA = "example-robot-data"
+
+DRAKE_ERRORS = (RuntimeError, ValueError, SystemExit)  # SystemExit: a condition that Drake demands fails
+REPLACING = ("While parsing inertia matrix", "While re-expressing as central inertia")
 
 #: Coordinates, velocities or components: floats, or a plant's own scalars.
 Numbers = Sequence[Any] | np.ndarray
@@ -116,7 +121,7 @@ def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
         Parser(plant).AddModelsFromString(kinematic_urdf(path, base), "urdf")
         _weld_bases(plant)
         plant.Finalize()
-    except (RuntimeError, ValueError) as error:
+    except DRAKE_ERRORS as error:
         raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
     if plant.num_bodies() == 1:
         raise PlantError(f"{path} holds no body")
@@ -125,8 +130,9 @@ def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
 
 def load_models(
     path: str | Path, base: str = "fixed", packages: Mapping[str, str | Path] | None = None
-) -> MultibodyPlant:
-    """Returns the plant of all models of an SDF, MJCF, URDF or model-directives file, by Drake's parser.
+) -> tuple[MultibodyPlant, list[str]]:
+    """Returns the plant of all models of an SDF, MJCF, URDF or model-directives file, by Drake's parser, and
+    where in its files inertias are that no body can have: Drake replaces them by others.
 
     base: "fixed" welds the root of each model that has no parent to the world; "floating" lets it move.
     packages: folders of the packages that the file names in package:// paths.
@@ -141,18 +147,43 @@ def load_models(
     try:
         for name, folder in (packages or {}).items():
             parser.package_map().Add(name, str(folder))
-        parser.AddModels(str(path))
+        with _warnings() as said:
+            parser.AddModels(str(path))
         if base == "fixed":
             _weld_bases(plant)
         plant.Finalize()
-    except (RuntimeError, ValueError) as error:
+    except DRAKE_ERRORS as error:
         raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
     if plant.num_bodies() == 1:
         raise PlantError(f"{path} holds no body")
-    return plant
+    return plant, [place for place, text in said if text.startswith(REPLACING)]
 
 
-def _first_line(error: Exception) -> str:
+@contextmanager
+def _warnings() -> Iterator[list[tuple[str, str]]]:
+    """Collects the places and texts of what Drake's parser warns of, also where its logger is silenced."""
+    said: list[tuple[str, str]] = []
+
+    class Handler(logging.Handler):
+        def emit(self, record: logging.LogRecord) -> None:
+            place, _, text = record.getMessage().partition(": warning: ")
+            said.append((place, text))
+
+    handler, logger = Handler(), logging.getLogger("drake")
+    level, propagate, disabled = logger.level, logger.propagate, logger.disabled
+    if disabled or not logger.isEnabledFor(logging.WARNING):
+        logger.propagate = logger.disabled = False
+        logger.setLevel(logging.WARNING)
+    logger.addHandler(handler)
+    try:
+        yield said
+    finally:
+        logger.removeHandler(handler)
+        logger.propagate, logger.disabled = propagate, disabled
+        logger.setLevel(level)
+
+
+def _first_line(error: BaseException) -> str:
     return (str(error).strip().splitlines() or [type(error).__name__])[0]
 
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from workbench.kinematics.robot.states import States
 
 GRAVITY = (0.0, 0.0, -9.81)
+NO_INERTIAS = "expected a robot with inertias (`from_urdf`, `from_file`, `from_plant`)"
 
 
 class Inertia(NamedTuple):
@@ -37,15 +38,15 @@ class Inertia(NamedTuple):
 
 
 def torques(
-    motion: States, inertias: Mapping[str, Inertia], order: int, gravity: ArrayLike = GRAVITY
+    motion: States, inertias: Mapping[str, Inertia], why: str, order: int, gravity: ArrayLike = GRAVITY
 ) -> np.ndarray:
-    """See `Motion.torques`: (order + 1, ..., velocities)."""
+    """See `Motion.torques`: (order + 1, ..., velocities); why: what to say where there are no inertias."""
     order = whole(order, "order", 0, motion.order - 2) if motion.order >= 2 else _too_low(motion)
     g = reals(gravity, "gravity")
     if g.shape != (3,):
         raise ValueError(f"gravity: expected three numbers in m/s², got shape {g.shape}")
     if not inertias:
-        raise ValueError(f"{motion.robot.name}: expected a robot with inertias (`from_plant`, `from_file`)")
+        raise ValueError(f"{motion.robot.name}: {why}")
     found = np.zeros((order + 1, *motion.shape, len(motion.robot.velocities)))
     for name, body in inertias.items():
         if body.mass == 0 and not body.inertia.any():

@@ -35,7 +35,7 @@ class Motion(States):
         W's axes. Friction and rotors are left out. Needs a motion of order + 2. Raises ValueError for a robot
         without inertias, or an order beyond the motion's.
         """
-        return torques(self, self.robot.inertias, order, gravity)
+        return torques(self, self.robot.inertias, self.robot.no_inertias, order, gravity)
 
     def peaks(
         self,

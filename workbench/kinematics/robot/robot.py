@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.drake.urdf import base_joint_name
-from workbench.kinematics.robot.dynamics import Inertia
+from workbench.kinematics.robot.dynamics import NO_INERTIAS, Inertia
 from workbench.kinematics.robot.evaluator import Evaluator, evaluator_of
 from workbench.kinematics.robot.inverse import DampedInverse, Task, damped_inverse, inverse_kinematics
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
@@ -39,10 +39,12 @@ class Robot(Structure):
     """A robot with named joints and bodies; make it by `from_urdf`, `from_plant`, or of `TreeJoint` objects.
 
     name; bodies, positions, velocities: names, in the order of every array; limits: by joint. The world is
-    the body "world". inertias: of the bodies, for `Motion.torques`; a URDF read by `from_urdf` gives none.
+    the body "world". inertias: of the bodies, for `Motion.torques`; where there are none `no_inertias` says
+    why.
     """
 
     inertias: Mapping[str, Inertia] = MappingProxyType({})
+    no_inertias: str = NO_INERTIAS
 
     @classmethod
     def from_urdf(cls, path: str | Path, base: str = "fixed", rotations: str = "quaternion") -> Robot:
@@ -66,9 +68,11 @@ class Robot(Structure):
             root = []
         try:
             joints = [replace(j, kind=floating.get(j.kind, j.kind)) for j in urdf.joints]
-            return cls(urdf.name, [*root, *joints])
+            robot = cls(urdf.name, [*root, *joints])
         except ValueError as error:
             raise UrdfError(f"{path}: {error}") from None
+        robot.inertias, robot.no_inertias = urdf.inertias, f"{path}: {urdf.no_inertias}"
+        return robot
 
     @classmethod
     def from_plant(cls, plant: MultibodyPlant, mimics: Mapping[str, Mimic] | None = None) -> Robot:
@@ -96,19 +100,24 @@ class Robot(Structure):
 
         base: "fixed" welds the root of each model that nothing holds to the world, "floating" lets it move.
         packages: folders by the names that package:// paths start with. mimics: see `from_plant`. A body that
-        several models have is model::body. Raises ValueError in one line.
+        several models have is model::body. A file with an inertia that no body can have, which Drake would
+        replace, gives a robot without inertias. Raises ValueError in one line.
         """
         if base not in ("fixed", "floating"):
             raise ValueError(f"base: expected fixed or floating, got {base!r}")
         from workbench.drake.plants import PlantError, load_models
 
         try:
-            robot = cls.from_plant(load_models(path, base, packages), mimics)
+            plant, replaced = load_models(path, base, packages)
+            robot = cls.from_plant(plant, mimics)
         except PlantError as error:
             raise ValueError(str(error)) from None
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from None
         robot.name = Path(path).stem
+        if replaced:
+            robot.inertias = MappingProxyType({})
+            robot.no_inertias = f"{replaced[0]}: an inertia that no body can have, which Drake replaces"
         return robot
 
     def motion(self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None) -> Motion:
@@ -188,7 +197,7 @@ class Robot(Structure):
             raise ValueError(f"frame {name!r}: the robot has a body of that name, expected a new name")
         joint = TreeJoint(f"{name}_weld", "fixed", self.body(body).name, name, np.asarray(X_BF, dtype=float))
         robot = Robot(self.name, [*self.joints, joint], self.world)
-        robot.inertias = self.inertias
+        robot.inertias, robot.no_inertias = self.inertias, self.no_inertias
         return robot
 
     def along(

@@ -1,4 +1,4 @@
-"""Reader of a robot's joints from a URDF file: links, joints and mimic; other elements are ignored.
+"""Reader of a robot's joints and inertias from a URDF file; other elements are ignored.
 
 Besides URDF's own joint types it supports Drake's (`<drake:joint>`): ball, screw, universal, planar. It
 shares no code with Drake's parser, so that both can be compared.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
@@ -16,6 +17,7 @@ import numpy as np
 
 from workbench.drake.plain_xml import parse_plain
 from workbench.kinematics.robot.balls import rotation_of_rpy
+from workbench.kinematics.robot.dynamics import NO_INERTIAS, Inertia
 from workbench.kinematics.robot.joints import Limits, Mimic, TreeJoint
 
 KINDS = {
@@ -40,12 +42,14 @@ class UrdfError(ValueError):
 
 @dataclass(frozen=True)
 class Urdf:
-    """What a URDF says of a robot's kinematics: its name, its links and the joints between them, as in the
-    file."""
+    """What a URDF says of a robot: its name, its links and the joints between them, as in the file, and the
+    inertias of the links that have one; if one of these is wrong none, and `no_inertias` says why."""
 
     name: str
     links: tuple[str, ...]
     joints: tuple[TreeJoint, ...]
+    inertias: Mapping[str, Inertia]
+    no_inertias: str
 
     @property
     def root(self) -> str:
@@ -97,7 +101,11 @@ def parse_urdf(text: bytes | str) -> Urdf:
     if WORLD not in links and any(joint.parent == WORLD for joint in joints):
         links = (WORLD, *links)
     _require_tree(links, joints)
-    return Urdf(robot.get("name") or "robot", links, joints)
+    try:
+        inertias, why = _inertias(robot), NO_INERTIAS
+    except UrdfError as error:  # kinematics needs none
+        inertias, why = {}, str(error)
+    return Urdf(robot.get("name") or "robot", links, joints, inertias, why)
 
 
 def needs_xacro(robot: ET.Element) -> bool:
@@ -178,6 +186,29 @@ def _mimic(element: ET.Element | None, kind: str, what: str) -> Mimic | None:
         _numbers(element, "multiplier", (1.0,), f"{what}: mimic")[0],
         _numbers(element, "offset", (0.0,), f"{what}: mimic")[0],
     )
+
+
+def _inertias(robot: ET.Element) -> dict[str, Inertia]:
+    """Returns the inertias as the file has them, whether a body can have them or not."""
+    found = {}
+    for link in robot.findall("link"):
+        element, name = link.find("inertial"), link.get("name", "")
+        if element is None or name == WORLD:
+            continue
+        what = f"link {name!r}: inertial"
+        mass, matrix = _child(element, "mass", what), _child(element, "inertia", what)
+        _attribute(mass, "value", f"{what}: mass")
+        kilograms = _numbers(mass, "value", (0.0,), what)[0]
+        if kilograms < 0:
+            raise UrdfError(f"{what}: expected a mass >= 0 in kg, got {kilograms}")
+        xx, xy, xz, yy, yz, zz = (
+            _numbers(matrix, f"i{axes}", (0.0,), what)[0] for axes in ("xx", "xy", "xz", "yy", "yz", "zz")
+        )
+        X = _origin(element.find("origin"), what)
+        R = X[:3, :3]
+        about_com = R @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ R.T
+        found[name] = Inertia(kilograms, X[:3, 3], about_com)
+    return found
 
 
 def _origin(element: ET.Element | None, what: str) -> np.ndarray:

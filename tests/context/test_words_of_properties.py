@@ -104,3 +104,15 @@ def test_definition_in_a_sentence_holds_for_all_times(tmp_path: Path, words: str
 
     assert verdict(r"\dot{f} = 2 g \dot{g}").outcome is Outcome.CONDITIONAL
     assert str(verdict(r"\dot{f} = 3 g \dot{g}").grade) == "error"
+
+
+def test_plain_letter_may_be_the_bold_one(tmp_path: Path) -> None:
+    kinds = {r"\mathbf{w}": "vector", "a": "vector", "w": "vector", "f": "scalar"}
+
+    def verdict(right: str):
+        display = rf"a \times (\mathbf{{w}} \times a) = (a \cdot a) {right} - (\mathbf{{w}} \cdot a) a"
+        return judged(tmp_path, f"We have\n\n$$\n{display}\n$$\n", model(kinds))[0]
+
+    assert verdict(r"\mathbf{w}").outcome is Outcome.PROVED
+    assert "another typeface" in verdict("w").reason
+    assert verdict(r"2 \mathbf{w}").outcome is Outcome.REFUTED

@@ -38,7 +38,7 @@ def test_a_relation_in_words_is_a_premise(tmp_path: Path, sentence: str, words: 
     said = sentence.replace("W", words).replace("F", formula).format("$a$", r"\(b\)")
     found = verdict(tmp_path, said)
     assert found.outcome is Outcome.CONDITIONAL
-    assert found.reason.startswith("holds by a ")
+    assert found.reason.startswith("holds by $a ")
 
 
 def test_matrices_that_commute_are_a_premise(tmp_path: Path) -> None:

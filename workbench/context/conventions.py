@@ -7,14 +7,14 @@ alone. The strengths are calibrated on texts: a hint makes hardly any false form
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from workbench.context import vector_figures
 from workbench.context.facts import Context, Duration, Fact, Origin, Provider, Strength
 from workbench.context.formula_subject import Subject, names_of
 from workbench.context.free_symbols import free_in, terms_of
 from workbench.context.property_statements import having, joined, meaning, of_length_one
-from workbench.context.vector_figures import Made
+from workbench.context.vector_figures import Made, named
 from workbench.core.construct import apply, block, number, symbol
 from workbench.core.operations import CIRCULAR
 from workbench.core.properties import PROPERTIES
@@ -60,15 +60,11 @@ def conventional(subject: Subject) -> Context:
     return Context(tuple(hints), tuple(guesses))
 
 
-def _named(symbols: list[Symbol]) -> str:
-    return ", ".join(map(to_latex, symbols))
-
-
 def _hats(subject: Subject) -> Iterator[Made]:
     vectors = [each for each in subject.free if each.type.kind == "vector" and vector_figures.has_hat(each)]
     own = [each for each in vectors if not (each.declaration.unit or each.index)]
     if own:
-        yield f"{_named(own)}: a unit vector, as its hat says", own, having("unit", own)
+        yield f"{named(own)}: a unit vector, as its hat says", own, having("unit", own)
 
 
 def _identities(subject: Subject) -> Iterator[Made]:
@@ -79,7 +75,7 @@ def _identities(subject: Subject) -> Iterator[Made]:
     for own in dict.fromkeys([*written, *subject.free]):
         is_meant = own.declaration.name.letter in UNIT_LETTERS and not (own.index or own.declaration.free)
         if is_meant and PROPERTIES["identity"].fits(own):
-            yield f"{to_latex(own)}: the identity, as its letter says", [own], having("identity", [own])
+            yield f"${to_latex(own)}$: the identity, as its letter says", [own], having("identity", [own])
 
 
 def _lengths(subject: Subject) -> Iterator[Made]:
@@ -90,8 +86,25 @@ def _lengths(subject: Subject) -> Iterator[Made]:
     }
     for own in _numbers(subject):
         if whole := vectors.get(vector_figures.unstyled(own)):
-            words = f"{to_latex(own)}: the length of {to_latex(whole)}"
+            words = f"${to_latex(own)}$: the length of ${to_latex(whole)}$"
             yield words, [own, whole], meaning(own, apply("norm", whole))
+
+
+_BOLD = frozenset({"\\mathbf", "\\boldsymbol", "\\bm", "\\vec"})
+
+
+def _typefaces(subject: Subject) -> Iterator[Made]:
+    """Yields a vector or matrix in a plain typeface as the one that the text writes in bold."""
+    bold = {}
+    for declared in subject.symbols.symbols.values():
+        plain = tuple(style for style in declared.name.styles if style not in _BOLD)
+        if plain != declared.name.styles and not declared.indices:
+            bold[replace(declared.name, styles=plain), declared.type] = declared
+    for own in subject.free:
+        meant = bold.get((own.declaration.name, own.type))
+        if meant is not None and own.type != SCALAR and not own.index:
+            whole = symbol(meant)
+            yield f"${to_latex(own)}$: ${to_latex(whole)}$ in another typeface", [own], meaning(own, whole)
 
 
 _PLACES = {"x": 0, "1": 0, "i": 0, "y": 1, "2": 1, "j": 1, "z": 2, "3": 2, "k": 2}
@@ -109,7 +122,7 @@ def _components(subject: Subject) -> Iterator[Made]:
         for whole in declared:
             if whole.name.letter != name.letter or whole.name.sub or whole not in subject.declarations:
                 continue
-            words = f"{to_latex(own)}: a component of {whole.name}"
+            words = f"${to_latex(own)}$: a component of ${whole.name}$"
             if whole.type.kind == "vector" and len(at) == 1:
                 yield words, [own], meaning(own, apply("dot", axes[0], symbol(whole)))
             elif whole.type.kind == "tensor" and len(at) == 2:
@@ -125,7 +138,7 @@ def _circles(subject: Subject) -> Iterator[Made]:
             groups.setdefault((name.letter.isupper(), name.sub, name.sup), []).append(own)
     for pair in groups.values():
         if len(pair) == 2:
-            yield f"{_named(pair)}: the cosine and sine of an angle", pair, of_length_one(pair)
+            yield f"{named(pair)}: the cosine and sine of an angle", pair, of_length_one(pair)
 
 
 def _under_roots(subject: Subject) -> Iterator[Made]:
@@ -136,7 +149,11 @@ def _under_roots(subject: Subject) -> Iterator[Made]:
         if each.declaration not in subject.moved and not each.declaration.positive
     ]
     if parts and own:
-        yield f"{_named(own)}: positive, beside a root or a length", own, having("positive", own)
+        yield (
+            f"{named(own)}: positive, beside a root or a length",
+            own,
+            having("positive", own),
+        )
 
 
 def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
@@ -149,7 +166,7 @@ def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
         if name == "skew":  # a symmetric skew matrix is zero
             may = [s for s in may if not (s.declaration.symmetric or s.declaration.diagonal)]
         for own in [may] * (len(may) > 1) + [[each] for each in may]:
-            yield f"{_named(own)}: {name}", own, having(name, own)
+            yield f"{named(own)}: {name}", own, having(name, own)
 
     return make
 
@@ -173,7 +190,11 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
         still = {s.declaration for s in own}
         is_void = any(free_in([rate], subject.definitions) <= still for rate in subject.rates)
         if own and not is_void:
-            yield f"{_named(own)}: constant, as the text takes no rate", own, having("constant", own)
+            yield (
+                f"{named(own)}: constant, as the text takes no rate",
+                own,
+                having("constant", own),
+            )
         here = [s for s in may if s.declaration in subject.written]
         if (
             under_rates
@@ -184,12 +205,12 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
             )
         ):
             constant = having("constant", here)
-            words = f"{_named(here)}: constant, as no rate is taken here"
+            words = f"{named(here)}: constant, as no rate is taken here"
             yield words, here, constant
             squares = [s for s in here if PROPERTIES["symmetric"].fits(s) and not s.declaration.symmetric]
             if squares:
                 symmetric = joined([constant, having("symmetric", squares)])
-                yield f"{words}, and {_named(squares)} symmetric", here, symmetric
+                yield f"{words}, and {named(squares)} symmetric", here, symmetric
 
     return make
 
@@ -205,7 +226,7 @@ def _spins(subject: Subject) -> Iterator[Made]:
         )
         for own in subject.free:
             if own.type == spin.type and not isinstance(spin, Zero) and not is_named:
-                yield f"{to_latex(own)}: the angular velocity of {frame}", [own], meaning(own, spin)
+                yield f"${to_latex(own)}$: the angular velocity of {frame}", [own], meaning(own, spin)
 
 
 #: The letters of components of a quaternion or a vector without scripts.
@@ -224,7 +245,7 @@ def _of_length_one(subject: Subject) -> Iterator[Made]:
     groups["of both"] = [*numbers, *vectors] if len(numbers) == len(vectors) == 1 else []
     for group in groups.values():
         if 1 < len(group) < 5:
-            yield f"{_named(group)}: of length 1 together", group, of_length_one(group)
+            yield f"{named(group)}: of length 1 together", group, of_length_one(group)
 
 
 def _small(subject: Subject) -> Iterator[Made]:
@@ -237,7 +258,7 @@ def _small(subject: Subject) -> Iterator[Made]:
     }
     own = [s for s in subject.free if s in inside and PROPERTIES["small"].fits(s) and not s.declaration.unit]
     if own:
-        yield f"{_named(own)}: small", own, having("small", own)
+        yield f"{named(own)}: small", own, having("small", own)
 
 
 def _numbers(subject: Subject) -> list[Symbol]:
@@ -249,6 +270,7 @@ CONVENTIONS = (
     Convention("identity", Strength.HINTED, True, _identities),
     Convention("length", Strength.HINTED, True, _lengths),
     Convention("component", Strength.HINTED, True, _components),
+    Convention("typeface", Strength.HINTED, True, _typefaces),
     Convention("circle", Strength.HINTED, True, _circles),
     Convention("positive", Strength.HINTED, False, _under_roots),
     Convention("never moved", Strength.HINTED, False, _rests(under_rates=False)),

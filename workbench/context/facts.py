@@ -44,14 +44,24 @@ class Provider(StrEnum):
 
 @dataclass(frozen=True)
 class Origin:
-    """The provider, the author's words or the name of the convention, and the position in the text."""
+    """The provider, the text, and the position in the text.
+
+    text: LaTeX, or the words of a sentence or convention, with formulas between dollar signs."""
 
     provider: Provider
     text: str
     place: str = ""
 
+    @property
+    def is_words(self) -> bool:
+        return self.provider in (Provider.SENTENCE, Provider.CONVENTION)
+
+    @property
+    def prose(self) -> str:
+        return self.text if self.is_words else f"${self.text}$"
+
     def __str__(self) -> str:
-        return f"{self.text} ({self.place})" if self.place else self.text
+        return f"{self.prose} ({self.place})" if self.place else self.prose
 
 
 @dataclass(frozen=True)

@@ -144,7 +144,7 @@ class _Reader:
         return Fact(having(name, said), about, self._origin(words), Strength.HINTED)
 
     def _origin(self, words: str) -> Origin:
-        quoted = re.sub(r"⟦(\d+)⟧", lambda match: self._sentence.named[int(match[1])], words)
+        quoted = re.sub(r"⟦(\d+)⟧", lambda match: f"${self._sentence.named[int(match[1])]}$", words)
         return Origin(Provider.SENTENCE, f"“{quoted}”", self._sentence.place)
 
 

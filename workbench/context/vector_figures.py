@@ -29,6 +29,10 @@ _MOST_ANGLES = 3
 _MOST_SPINS = 4
 
 
+def named(symbols: Sequence[Symbol]) -> str:
+    return ", ".join(f"${to_latex(each)}$" for each in symbols)
+
+
 def has_hat(own: Symbol) -> bool:
     return "\\hat" in own.declaration.name.styles
 
@@ -48,7 +52,7 @@ def axes(subject: Subject) -> Iterator[Made]:
     angles = [each for each in subject.free if each.type == SCALAR and not each.index]
     for group in _groups(vectors):
         own = sorted(group, key=lambda each: _position(each.declaration.name))
-        words = f"{', '.join(map(to_latex, own))}: axes of a frame"
+        words = f"{named(own)}: axes of a frame"
         rests = all(each.declaration.constant for each in own)
         orders = [(0, 1, 2), (1, 0, 2)]
         if all(_position(each.declaration.name) for each in own):
@@ -57,7 +61,7 @@ def axes(subject: Subject) -> Iterator[Made]:
             yield words, own, _along(own, _units(constant=rests), order)
             for angle in angles if len(angles) <= _MOST_ANGLES else []:
                 turned = _turned(_units(constant=True), angle)
-                yield f"{words} that turns by {to_latex(angle)}", own, _along(own, turned, order)
+                yield f"{words} that turns by ${to_latex(angle)}$", own, _along(own, turned, order)
 
 
 def _families(subject: Subject) -> Iterator[Made]:
@@ -66,7 +70,7 @@ def _families(subject: Subject) -> Iterator[Made]:
     for own in dict.fromkeys(each.declaration for each in vectors):
         members = [symbol(own, (Linear(place),)) for place in (1, 2, 3)]
         terms = tuple(zip(members, _units(constant=False), strict=True))
-        yield f"{', '.join(map(to_latex, members))}: axes of a frame", members, Supposition(terms)
+        yield f"{named(members)}: axes of a frame", members, Supposition(terms)
 
 
 def _groups(vectors: Sequence[Symbol]) -> Iterator[list[Symbol]]:
@@ -114,7 +118,7 @@ def right_angles(subject: Subject) -> Iterator[Made]:
     vectors = [each for each in subject.free if each.type.kind == "vector"]
     for axis, arm in permutations(vectors, 2):
         if _turns_across(subject.statement, axis, arm):
-            words = f"{to_latex(axis)}: at right angles to {to_latex(arm)}"
+            words = f"${to_latex(axis)}$: at right angles to ${to_latex(arm)}$"
             across = Supposition((), (relation("=", apply("dot", axis, arm), zero()),))
             yield words, [axis, arm], across
             yield f"{words}, and unit", [axis, arm], joined([having("unit", [axis]), across])
@@ -172,13 +176,13 @@ def _turning(rests: Sequence[Symbol], spin: Symbol) -> Iterator[Made]:
     still = having("constant", [s for s in rests if s.type.kind not in ("vector", "tensor")])
     if own:
         rates = Supposition((), tuple(said for each in own for said in _turns(each, spin)))
-        words = f"{', '.join(map(to_latex, own))}: turning with {to_latex(spin)}"
+        words = f"{named(own)}: turning with ${to_latex(spin)}$"
         yield words, [*own, spin], joined([still, rates])
     for turn in (each for each in rests if each.declaration.rotation):
         rate, back = derivative(turn, 1), apply("transpose", turn)
         for factors in ((rate, back), (back, rate)):
             velocity = Supposition(((spin.declaration.name, apply("vect", apply("mul", *factors))),))
-            words = f"{to_latex(turn)}: turning with {to_latex(spin)}"
+            words = f"${to_latex(turn)}$: turning with ${to_latex(spin)}$"
             yield words, [turn, spin], joined([still, velocity])
 
 

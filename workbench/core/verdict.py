@@ -130,7 +130,7 @@ class Verdict:
     scope: the n for which it is proved ("all n", "all n ≥ 1", "n = 1..8"); None if there is no n.
     read_back: canonical LaTeX of the judged term.
     reason: why, for ill-formed (with line and column), unchecked and conditional.
-    hypothesis: canonical LaTeX of the condition that the text does not state, for conditional.
+    hypothesis: the condition, for conditional: LaTeX, or words of the text with formulas in dollar signs.
     no_motion: why the evidence contains no motion; None if it contains one.
     basis: the strength of the weakest fact that the verdict depends on.
     unless: the unconfirmed facts under which the verdict would be different.

@@ -14,7 +14,7 @@ from workbench.prover.results.motion_summary import percent
 from workbench.report.anchors import Heirs, Place, joined, with_headings
 from workbench.report.claim_states import fault_of
 from workbench.report.counterexamples import Against, against
-from workbench.report.mixed_prose import Run, formula, power_of_ten, runs_of, text
+from workbench.report.mixed_prose import Run, condition_as_prose, formula, power_of_ten, runs_of, text
 from workbench.source.typeset.differences import difference
 
 _OTHERS = "Others."
@@ -37,8 +37,7 @@ class Correction:
     """One claim with a fault.
 
     Attributes:
-        condition: A missing hypothesis.
-        add: The hypothesis in the author's words.
+        add: The missing hypothesis, in the author's words if the text has them.
         example: A counterexample in words.
     """
 
@@ -50,7 +49,6 @@ class Correction:
     cause: str | None
     changes: tuple[Change, ...]
     said: tuple[Run, ...]
-    condition: str | None
     add: tuple[Run, ...]
     why: tuple[Run, ...]
     example: tuple[Run, ...]
@@ -170,8 +168,7 @@ def _correction(result: ClaimResult, fault: str, places: Mapping[str, Place]) ->
         cause=mend.cause,
         changes=tuple(_changes(result)),
         said=tuple(_said(result)),
-        condition=result.hypothesis,
-        add=tuple(runs_of(mend.add or "")),
+        add=tuple(runs_of(mend.add or (condition_as_prose(result.hypothesis) if result.hypothesis else ""))),
         why=tuple(runs_of(with_headings(claim.source.note or reason_for_readers(result), places))),
         example=tuple(runs_of(mend.example or "")),
         counterexample=against(result),

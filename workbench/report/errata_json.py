@@ -48,7 +48,7 @@ def _correction(each: Correction, entry: Entry) -> dict[str, Any]:
             for change in each.changes
         ],
         **({"source_edits": [e.to_dict() for e in entry.result.edits]} if entry.result.edits else {}),
-        **({"add": plain(each.add) or each.condition} if each.add or each.condition else {}),
+        **({"add": plain(each.add)} if each.add else {}),
         **({"cause": each.cause} if each.cause else {}),
         "why": plain(each.why),
         "counterexample": plain(each.example) or (str(each.counterexample) if each.counterexample else None),

@@ -15,9 +15,10 @@ from workbench.papers.texts.text_paper import TextPaper
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.report.counterexamples import Against, told
 from workbench.report.findings import place_of
+from workbench.report.mixed_prose import condition_as_prose
 from workbench.source.documents import Display
 from workbench.source.documents.source_edits import SourceEdit
-from workbench.source.typeset.plain_text import in_plain_text, plain_text
+from workbench.source.typeset.plain_text import in_plain_text
 
 #: The grades from the most serious on, and the names under which displays are counted.
 _RANKS = (Grade.ERROR, Grade.WARNING, Grade.NOT_JUDGED, Grade.OK, Grade.NOTE)
@@ -186,7 +187,9 @@ def _row(name: str, results: Sequence[ClaimResult]) -> Row:
     if outcomes & {Outcome.PROVED, Outcome.CONDITIONAL, Outcome.ARGUED, Outcome.PROBABLE}:
         needs = [r.verdict.hypothesis for r in results if r.verdict.outcome is Outcome.CONDITIONAL]
         scopes = [r.verdict.scope for r in results if r.verdict.scope]
-        remark = f"if {plain_text(needs[0])}" if needs and needs[0] else f"for {scopes[0]}" if scopes else ""
+        remark = f"for {scopes[0]}" if scopes else ""
+        if needs and needs[0]:
+            remark = f"if {in_plain_text(condition_as_prose(needs[0]))}"
         return Row(name, Grade.OK, "holds", remark)
     return Row(name, Grade.NOTE, "definition", "")
 
@@ -224,7 +227,7 @@ def _what(result: ClaimResult) -> str:
     """Returns what is wrong, if no correction is known."""
     verdict = result.verdict
     if verdict.outcome is Outcome.CONDITIONAL and verdict.hypothesis:
-        return f"holds only where ${verdict.hypothesis}$; the text does not say so"
+        return f"holds only where {condition_as_prose(verdict.hypothesis)}; the text does not say so"
     if verdict.outcome is Outcome.ILL_FORMED:
         return f"the parts do not fit: {verdict.reason}"
     if verdict.outcome is Outcome.REFUTED:

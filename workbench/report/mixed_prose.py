@@ -38,6 +38,11 @@ def runs_of(prose: str) -> list[Run]:
     return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
 
 
+def condition_as_prose(hypothesis: str) -> str:
+    """Returns the hypothesis of a verdict, LaTeX or words of the text, as prose with dollar signs."""
+    return hypothesis if "$" in hypothesis or "“" in hypothesis else f"${hypothesis}$"
+
+
 _GROUP = r"\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}"
 _SYMBOL = re.compile(
     rf"(?:\\[A-Za-z]+(?:{_GROUP})*|(?<![A-Za-z\\])[A-Za-z](?=[_^]))(?:[_^](?:{_GROUP}|[A-Za-z0-9]))*"

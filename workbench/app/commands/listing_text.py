@@ -55,7 +55,7 @@ def item_lines(item: Item, lines_in: Callable[[Path], Sequence[str]]) -> Iterato
     else:
         yield from marked_lines(item.span, lines_in(item.span.file), STYLES[item.grade])
     if item.unless:
-        yield _indented(f"unless {'; '.join(item.unless)}")
+        yield _indented(in_plain_text(f"unless {'; '.join(item.unless)}"))
     if item.example is not None:
         yield from example_lines(item.example)
     if item.proposal:

@@ -17,6 +17,7 @@ from workbench.core.code_labels import coded
 from workbench.report.counterexamples import told
 from workbench.report.counts import summary, witness_counts
 from workbench.report.shown_kinds import STATES, VERDICTS
+from workbench.source.typeset.plain_text import in_plain_text
 
 if TYPE_CHECKING:
     from workbench.context.claims import Claim
@@ -114,7 +115,7 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
     yield from _field("scope", verdict.scope)
     if claim.reading is None or not claim.source.note:  # else the note explains the reading
         yield from _field("because", coded(verdict.reason))
-    yield from _field("unless", "; ".join(verdict.unless))
+    yield from _field("unless", in_plain_text("; ".join(verdict.unless)))
     yield from _field("hypothesis", result.hypothesis)
     for form in (ClaimForm.READING, ClaimForm.CORRECTED):
         if own := result.verdicts.get(form):

@@ -191,7 +191,7 @@ class _Explanation:
         conditions speak of every symbol of which it may say something."""
         if self.act is not Act.CONSTRAIN or self.own is None:
             return True
-        says_what_it_is = f"it says what {to_latex(self.own)} is"
+        says_what_it_is = f"it says what ${to_latex(self.own)}$ is"
         for facts in filter(None, (self.known, self.hints and [*self.known, *self.hints])):
             if self.decider.is_impossible(facts):
                 if facts is not self.known:
@@ -332,10 +332,12 @@ def _is_small(facts: Sequence[Fact]) -> bool:
 def _under(found: Verdict, core: Sequence[Fact], base: Verdict) -> Verdict:
     """Returns the verdict on a claim that is proved under facts and refuted without them."""
     said = "; ".join(dict.fromkeys(map(str, core)))
+    has_words = any(fact.origin.is_words for fact in core)
+    words = (fact.origin.prose if has_words else fact.origin.text for fact in core)
     return replace(
         found,
         outcome=Outcome.CONDITIONAL,
-        hypothesis=", ".join(dict.fromkeys(fact.origin.text for fact in core)),
+        hypothesis=", ".join(dict.fromkeys(words)),
         reason=ContextCode.HOLDS_BY(facts=said),
         counterexample=base.counterexample,
         basis=min(fact.strength for fact in core),

@@ -217,11 +217,6 @@ def test_a_reason_belongs_to_the_steps_of_its_row(tmp_path: Path) -> None:
     assert [len(step.reasons) for step in steps] == [0, 1, 1]
 
 
-def test_a_reason_that_repeats_its_step_is_none(tmp_path: Path) -> None:
-    ((step,),) = steps_of(displays_of(tmp_path, r"\[ A = B \quad \text{since } A = B \]")[0])
-    assert not step.reasons and not step.assumed
-
-
 QUESTIONS = {
     r"\begin{align} & A = B \\ & \quad - C = D \end{align}": [("A=B-C", "A=B"), ("B-C=D", "-C=D")],
     r"\begin{equation}\begin{split} & A = B \\ & C \end{split}\end{equation}": [("A=BC", "A=B")],

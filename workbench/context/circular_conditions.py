@@ -2,12 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
+from itertools import chain
 from random import Random
 
-from workbench.core.terms import Conjunction, IllFormed, Implication, Relation, Statement
+from workbench.context.claims import Claim, Formula
+from workbench.core.terms import (
+    Apply,
+    Conjunction,
+    IllFormed,
+    Implication,
+    Relation,
+    Statement,
+    Term,
+    Zero,
+)
 from workbench.language.definitions import Definitions, expand
+from workbench.language.printing.printer import to_latex
 
 IS_THE_CONCLUSION = (
     "expected a condition under which the formula holds, got the formula itself (up to definitions, a factor "
@@ -15,6 +30,8 @@ IS_THE_CONCLUSION = (
 )
 _SYMMETRIC = frozenset({"=", "≠"})
 _ENTRIES = (-5, -3, -2, -1, 1, 2, 3, 7)
+#: Signs of an implication that is itself the claim: f = g ⇒ g = f.
+_IMPLIES = re.compile(r"\\(?:Rightarrow|Longrightarrow|implies)(?![A-Za-z])|[⇒⟹]")
 _POINTS, _TRIES, _SEED = 4, 20, 0
 _TOLERANCE = 1e-9
 
@@ -23,6 +40,82 @@ def is_conclusion(condition: Statement, claim: Statement, definitions: Definitio
     """True if the condition, or a part of it, is equivalent to the claim's conclusion or a part of that."""
     concluded = list(_relations(claim))
     return any(_are_same(one, other, definitions) for one in _relations(condition) for other in concluded)
+
+
+def without_circular(claim: Claim) -> tuple[Claim, tuple[Formula, ...]]:
+    """Returns the claim without the conditions beside it that state it anew, and these conditions."""
+    said = claim.printed.statement
+    if said is None:
+        return claim, ()
+    circular = tuple(each for each in claim.assume if _restates(each.statement, said))
+    if circular:
+        claim = replace(claim, assume=tuple(each for each in claim.assume if each not in circular))
+    if not _IMPLIES.search(claim.printed.latex):
+        stated, premises = _apart_from_premises(said)
+        circular += tuple(Formula(to_latex(each), each) for each in premises)
+        claim = replace(claim, printed=replace(claim.printed, statement=stated)) if premises else claim
+    return claim, circular
+
+
+def _apart_from_premises(said: Statement) -> tuple[Statement, tuple[Statement, ...]]:
+    """Returns the statement without the premises that state their conclusion anew, and these premises."""
+    match said:
+        case Implication(left=left, right=right) if _restates(left, right):
+            return right, (left,)
+        case Conjunction(parts=parts):
+            pairs = [_apart_from_premises(part) for part in parts]
+            return Conjunction(tuple(part for part, _ in pairs)), tuple(p for _, own in pairs for p in own)
+    return said, ()
+
+
+def _restates(condition: Statement | None, claim: Statement) -> bool:
+    """True if a part of the condition is a part of the claim with its sides swapped or terms moved."""
+    if condition is None:
+        return False
+    concluded = [_difference(each) for each in _relations(claim)]
+    return any(_difference(each) in concluded for each in _relations(condition))
+
+
+def _difference(relation: Relation) -> tuple[str, frozenset[object]]:
+    """Returns the sign, and the terms of the difference of the sides, up to order and a common sign.
+
+    Terms that cancel are kept: f = 0 is another condition than g + f = g.
+    """
+    left, right = relation.left, relation.right
+    signs = ((1, -1), (-1, 1))
+    sums = (_counted(chain(_summands(left, one), _summands(right, other))) for one, other in signs)
+    return relation.operator, frozenset(sums)
+
+
+def _counted(parts: Iterable[object]) -> frozenset[tuple[object, int]]:
+    return frozenset(Counter(parts).items())
+
+
+def _summands(term: Term, sign: int) -> Iterator[tuple[object, int]]:
+    """Yields the terms of a sum, each with its sign."""
+    match term:
+        case Zero():
+            return
+        case Apply(head="neg", arguments=(inner,)):
+            yield from _summands(inner, -sign)
+        case Apply(head="add", arguments=parts):
+            for part in parts:
+                yield from _summands(part, sign)
+        case _:
+            yield _unordered(term), sign
+
+
+def _unordered(term: Term) -> object:
+    """Returns a key of the term in which the order of sums and of commutative products does not count."""
+    if not isinstance(term, Apply):
+        return term
+    if term.head in ("add", "neg"):
+        return _counted(_summands(term, 1))
+    parts = [_unordered(part) for part in term.arguments]
+    is_commutative = term.head == "dot" or all(part.type.kind == "scalar" for part in term.arguments)
+    if term.head in ("dot", "mul") and is_commutative:
+        return term.head, _counted(parts)
+    return term.head, tuple(parts)
 
 
 def _relations(statement: Statement) -> Iterator[Relation]:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Protocol, TypedDict, Unpack
 
 from workbench.app.pipeline.motion_witnesses import Witnesses
 from workbench.app.pipeline.verdict_keys import Keys, Memory
+from workbench.context.circular_conditions import without_circular
 from workbench.context.claim_parts import ClaimForm
 from workbench.context.claims import Claim, Formula, Notation, Paper
 from workbench.core.codes.verdict_codes import VerdictCode
@@ -207,6 +208,14 @@ class ClaimJudge:
         return in_both_readings(claim, self._in_one_reading(claim), self._in_one_reading)
 
     def _in_one_reading(self, claim: Claim) -> Verdict:
+        free, circular = without_circular(claim)
+        verdict = self._under_conditions(free)
+        if circular and verdict.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
+            reason = VerdictCode.CONDITION_IS_THE_CLAIM(formula=", ".join(map(str, circular)))
+            return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
+        return verdict
+
+    def _under_conditions(self, claim: Claim) -> Verdict:
         if claim.context.given:  # the given formulas may be hard to assume, and not needed
             free = claim.with_context(given=())
             alone = self._verdict(free, claim.printed, claim.correction.hypothesis)

@@ -18,6 +18,10 @@ class VerdictCode(Code):
     )
     AT_ONE_PLACE = "false if the condition holds at one place only; if everywhere, state its derivatives too"
     BEYOND_THE_VALUE = "there it is {what} than what is said to be the {word} value"
+    CONDITION_IS_THE_CLAIM = (
+        "{formula} is the condition beside it and states the formula itself, which proves nothing; "
+        "without it the formula is not shown"
+    )
     CONTRADICTORY_PREMISES = "its premises contradict each other, or no example of them was found"
     CONTRADICTS_DEFINITIONS = "the condition contradicts what defines its symbols"
     DEFECT = "a defect of the workbench: {error}"

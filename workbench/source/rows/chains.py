@@ -90,9 +90,9 @@ class _Chain:
                 number,
                 labels,
                 ranges=tuple(map(tuple, ranges)),
-                assumed=self._sides(Role.CONDITION, at, tokens),
-                reasons=self._sides(Role.REASON, at, tokens),
-                perhaps=self._sides(Role.PERHAPS, at, tokens),
+                assumed=self._sides(Role.CONDITION, at),
+                reasons=self._sides(Role.REASON, at),
+                perhaps=self._sides(Role.PERHAPS, at),
                 otherwise=otherwise,
                 question=question,
                 serves=self._served(),
@@ -133,11 +133,9 @@ class _Chain:
     def _beside(self, role: Role, at: int) -> list[Beside]:
         return [each for each in self._statement.beside if each.role is role and each.first <= at]
 
-    def _sides(self, role: Role, at: int, tokens: list[Token]) -> tuple[tuple[Token, ...], ...]:
-        """Returns the formulas of a role beside a step, such as its conditions, without those that
-        repeat it."""
-        sides = (tuple(self._respelled(bare(each.nodes))) for each in self._beside(role, at))
-        return tuple(side for side in sides if _flat(side) != _flat(tokens))
+    def _sides(self, role: Role, at: int) -> tuple[tuple[Token, ...], ...]:
+        """Returns the formulas of a role beside a step, such as its conditions."""
+        return tuple(tuple(self._respelled(bare(each.nodes))) for each in self._beside(role, at))
 
     def _doubts(self, span: _Span) -> tuple[tuple[tuple[Token, ...], ...], str | None]:
         """Returns the formula of the step in the other reading, which splits the statement at its doubts, and
@@ -210,10 +208,6 @@ def tokens_of(nodes: Sequence[Node]) -> list[Token]:
 def _is_empty_group(node: Node) -> bool:
     """True if the node is {}, which prints nothing."""
     return "".join(token.text for token in node.tokens).replace(" ", "") == "{}"
-
-
-def _flat(tokens: Sequence[Token]) -> str:
-    return "".join(joined(tokens).split())
 
 
 def _with_implications(tokens: list[Token]) -> list[Token]:

@@ -112,8 +112,7 @@ def _lines_with_premises(latex: str, cut: Cut) -> Iterator[Line]:
         ends = [*places[1:], len(statement.nodes)]
         for at, (start, end) in enumerate(zip(starts, ends, strict=True)):
             line = _line_of(latex, statement.nodes[start:end])
-            own = tuple(premise for first, premise in premises if first <= at)
-            yield replace(line, premises=tuple(each for each in own if each.latex != line.latex))
+            yield replace(line, premises=tuple(premise for first, premise in premises if first <= at))
 
 
 def _line_of(latex: str, nodes: Sequence[Node]) -> Line:

@@ -215,6 +215,8 @@ def names_what(kept: Sequence[Node]) -> bool:
     is_value = value.isdecimal() or value in ("\\mathbf{0}", "\\pi")
     if not is_symbol(left) or left[0].kind not in (Kind.PLAIN, Kind.GROUP) or is_value:
         return False
+    if left[0].text.strip().isdecimal():
+        return False
     return left[0].text.strip() not in {node.text.strip() for node, _ in with_depth(right)}
 
 

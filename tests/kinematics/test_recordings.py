@@ -165,6 +165,39 @@ def test_the_greatest_and_the_least_coordinate_are_covered(sign):
     assert abs(found.value - 1) <= found.error + 1e-4 and found.error < 1e-3
 
 
+def extremes(motion, sign, a, b):
+    """The largest sign · q on a … b."""
+    t = np.linspace(a, b, 400_001)
+    return float((sign * motion.at(t, 0)).max())
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.sampled_from([1, -1]), st.integers(8, 60))
+def test_limits_of_a_coordinate_count_between_samples(seed, sign, a_period):
+    """Of sines, of moves and of kinks, the samples of which miss the extremes."""
+    rng = np.random.default_rng(seed)
+    motion = [
+        lambda: sines(rng, 1 + seed % 3, 0.5, 1),
+        lambda: moves(rng, 3, 5, 0.3),
+        lambda: random_pieces(rng, 5, 1, 2),
+    ][seed % 5 % 3]()
+    end = motion.breaks[-1] if hasattr(motion, "breaks") else 5.0
+    t = np.linspace(0, end, int(5 * a_period) + 1)
+    true, found = extremes(motion, sign, 0, end), recorded_bound(record(t, motion.at(t, 0)), sign)
+    assert not np.isfinite(found.error) or abs(found.value - true) <= found.error + 1e-8
+    assert found.at_least <= true + 1e-8
+    assert found.at_most >= true - 1e-8
+
+
+def test_a_limit_that_only_a_time_between_samples_exceeds_is_not_kept():
+    t = np.arange(101) / 25
+    robot = Robot("r", [TreeJoint("j", "revolute", "world", "a")])
+    q = np.sin(3 * t)[:, None]
+    limit = float((q.max() + 1) / 2)
+    (found,) = (p for p in robot.along((t, q), order=1).peaks(limits={"j": {"upper": limit}}) if p.order == 0)
+    assert found.verdict == "BEYOND" and abs(found.value - 1) < 1e-6
+
+
 def test_a_joint_at_rest_is_within_its_limits():
     t = np.arange(1000) / 100
     q = 0.3 + 1e-6 * np.random.default_rng(0).normal(size=(1000, 2)) + np.outer(np.sin(t), [0, 1])

@@ -141,8 +141,9 @@ def _unwrap(t: np.ndarray, q: np.ndarray, column: int, name: str) -> str | None:
     if not turns.any():
         return None
     q[1:, column] -= 2 * np.pi * np.cumsum(turns)
-    at = np.flatnonzero(turns) + 1
-    return f"joint {name!r}: unwrapped, it jumps by 2 pi at {_counted(t[at])}"
+    at, most = np.flatnonzero(turns) + 1, int(np.abs(turns).max())
+    size = "2 pi" if most == 1 else f"up to {most} times 2 pi"
+    return f"joint {name!r}: unwrapped, it jumps by {size} at {_counted(t[at])}"
 
 
 def _align_signs(t: np.ndarray, q: np.ndarray, column: int, name: str) -> str | None:

@@ -61,18 +61,56 @@ def below_noise(found: RecordedPeak, lower: Callable[[], RecordedPeak]) -> Recor
 
 
 def recorded_bound(recording: Recording, sign: int) -> RecordedPeak:
-    """Returns the largest sign · q, sign = 1 or −1; the coordinate there is sign · value."""
-    value, error = sign * recording.estimates[0], recording.errors[0]
+    """Returns the largest sign · q, sign = 1 or −1, also between the samples; the coordinate there is sign ·
+    value."""
+    whole = float(recording.times[0]), float(recording.times[-1])
+    parts = [_at_samples(recording, sign), _tops(recording, sign), _kinks(recording, sign)]
+    times, value, error = map(np.concatenate, zip(*parts, strict=True))
     at = int(np.argmax(value))
-    best, time = float(value[at]), float(recording.times[at])
+    best, time = float(value[at]), float(times[at])
     low, high = float((value - error).max()), float((value + error).max())
     jumps = [one for one in recording.breaks if one.order == 0]
-    span = float(recording.times[0]), float(recording.times[-1])
     if jumps or not np.isfinite(high):
         reason = jump_reason(jumps) if jumps else UNKNOWN
-        return RecordedPeak(best, np.inf, time, span, low, reason=reason)
+        return RecordedPeak(best, np.inf, time, whole, low, reason=reason)
     stated = max(high - best, best - low, 1e-12 * float(np.abs(value).max()))
-    return RecordedPeak(best, stated, time, span, low, best + stated)
+    return RecordedPeak(best, stated, time, whole, low, best + stated)
+
+
+def _at_samples(recording: Recording, sign: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Returns (times, sign · q, errors) of the samples; where the slope is not known the error covers the
+    neighbours."""
+    value, error = sign * recording.estimates[0], recording.errors[0]
+    steps = np.abs(np.diff(value))
+    apart = np.maximum(np.append(steps, 0.0), np.append(0.0, steps))
+    is_known = np.isfinite(recording.errors[1])
+    return recording.times, value, np.where(is_known, error, error + apart)
+
+
+def _tops(recording: Recording, sign: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Returns (times, sign · q, errors) where it is largest between two samples, by the Taylor polynomial of
+    the nearest one."""
+    slope, bend, jerk = sign * recording.estimates[1:4]
+    steps = np.diff(recording.times)
+    before, after = np.append(steps[0], steps), np.append(steps, steps[-1])
+    with np.errstate(all="ignore"):
+        move = -slope / bend
+        move = move - (slope + bend * move + jerk * move**2 / 2) / (bend + jerk * move)
+    known = np.isfinite(recording.errors[1:3]).all(axis=0)
+    at = np.flatnonzero(known & (bend < 0) & (move > -0.6 * before) & (move < 0.6 * after))
+    times = recording.times[at] + move[at]
+    inside = (times > recording.times[0]) & (times < recording.times[-1])
+    at, times = at[inside], times[inside]
+    values, errors = recording.taylor(at, times, 0, len(recording.estimates))
+    return times, sign * values[0], errors[0]
+
+
+def _kinks(recording: Recording, sign: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Returns (times, sign · q, errors) at the breaks."""
+    breaks = [one for one in recording.breaks if one.order > 0]
+    found = [_corner(recording, 0, one, lambda q: sign * q)[1:] for one in breaks]
+    rows = np.array([(one.time, *row) for one, row in zip(breaks, found, strict=True)]).reshape(-1, 3)
+    return rows[:, 0], rows[:, 1], rows[:, 2]
 
 
 def peak_of(
@@ -170,23 +208,25 @@ def _corners(recording: Recording, order: int) -> list[tuple[int, float, float]]
     return found
 
 
-def _corner(recording: Recording, order: int, one: Break) -> tuple[int, float, float]:
+def _corner(
+    recording: Recording, order: int, one: Break, size: Callable[[float], float] = abs
+) -> tuple[int, float, float]:
     """Returns the corner where the two sides' lines f + s x and g − r (step − x) meet, or the larger end of a
-    jump."""
+    jump; `size` is compared."""
     i, j = one.sample - 1, one.sample
     step = recording.times[j] - recording.times[i]
     (f, s), (g, r) = recording.estimates[order : order + 2, i], recording.estimates[order : order + 2, j]
     (ef, es), (eg, er) = recording.errors[order : order + 2, i], recording.errors[order : order + 2, j]
     wide = max(ef + step * es, eg + step * er)
     if one.order == order:
-        high = max(abs(f + s * step), abs(g - r * step)) + wide
-        value = max(abs(f), abs(g))
+        high = max(size(f + s * step), size(g - r * step)) + wide
+        value = max(size(f), size(g))
         return j, value, max(high - value, wide)
     if s == r:
-        return j, max(abs(f), abs(g)), wide
+        return j, max(size(f), size(g)), wide
     apart = abs(recording.estimates[one.order, i] - recording.estimates[one.order, j])
     hidden = (recording.noise * factorial(one.order) / apart) ** (1 / one.order) if apart > 0 else 0.0
     wide += abs(s - r) * (0.5 * step + hidden)  # the time of the break is not better known
     x = min(max((g - r * step - f) / (s - r), 0.0), step)
     left, right = f + s * x, g - r * (step - x)
-    return j, abs(0.5 * (left + right)), wide + abs(left - right)
+    return j, size(0.5 * (left + right)), wide + abs(left - right)

@@ -83,7 +83,7 @@ class Recording:
         for one in self.breaks:
             here = behind == one.sample
             share = np.where(here, np.where(times < one.time, 0.0, 1.0), share)
-        (left, left_error), (right, right_error) = (self._taylor(i, times, order) for i in (before, behind))
+        (left, left_error), (right, right_error) = (self.taylor(i, times, order) for i in (before, behind))
         values = np.where(share == 0, left, np.where(share == 1, right, left + share * (right - left)))
         errors = np.maximum(left_error, right_error) + np.abs(left - right)
         errors = np.where(share == 0, left_error, np.where(share == 1, right_error, errors))
@@ -94,11 +94,15 @@ class Recording:
                 errors[:, here] = np.inf
         return values, errors
 
-    def _taylor(self, at: np.ndarray, times: np.ndarray, order: int) -> tuple[np.ndarray, np.ndarray]:
+    def taylor(
+        self, at: np.ndarray, times: np.ndarray, order: int, terms: int = 3
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Returns the derivatives 0, …, order at the times (...) by Taylor polynomials of the samples `at`
+        (...), of `terms` terms, as far as known, and their errors, each (order + 1, ...)."""
         h = times - self.times[at]
         values, errors = np.zeros((order + 1, *h.shape)), np.zeros((order + 1, *h.shape))
         for k in range(order + 1):
-            for j in range(3):
+            for j in range(terms):
                 there = np.isfinite(self.errors[k + j, at])
                 values[k] += np.where(there | (j == 0), self.estimates[k + j, at] * h**j / factorial(j), 0.0)
                 known = np.where(there, self.errors[k + j, at], 0.0)

@@ -145,6 +145,25 @@ def test_expressions_of_drake_are_the_motion_in_symbols():
     close(Evaluate(pose[:3], env), frame.pose[:3], 13)
 
 
+def test_symbols_of_sympy_and_numbers_are_the_motion_too():
+    import sympy
+
+    robot = Robot("arm", tree(2, ["revolute", "helical"]).joints)
+    names = np.array(sympy.symbols("q:6")).reshape(3, 2)
+    q = np.random.default_rng(2).normal(size=(3, 2))
+    frame = robot.motion(q).frame("b1")
+    values = dict(zip(names.flat, q.flat, strict=True))
+    of_symbols = [
+        np.array([float(sympy.sympify(x).subs(values)) for x in part.flat]).reshape(part.shape)
+        for part in robot.on_objects("b1", names)
+    ]
+    mixed = names.copy()
+    mixed[0], mixed[1:] = q[0], q[1:]
+    for pose, twists in (of_symbols, robot.on_objects("b1", mixed)):
+        close(pose.astype(float), frame.pose, 13)
+        close(twists.astype(float), frame.twists, 13)
+
+
 def test_objects_of_another_shape_are_refused():
     robot = tree(2, ["revolute", "helical"])
     with pytest.raises(ValueError, match=r"expected shape \(N \+ 1, 2\) with N >= 1, got \(1, 2\)"):

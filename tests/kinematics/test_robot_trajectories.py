@@ -288,6 +288,23 @@ def test_a_limit_is_violated_where_its_peak_is_beyond(seed):
             assert max(v.value for v in own) == pytest.approx(peaks[of, 3].value, rel=1e-9)
 
 
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e5])
+def test_a_path_at_its_limits_is_within_them(scale):
+    """A quintic has the peaks 15/8, 10/√3 and 60; a size beyond a limit by its rounding is at the limit."""
+    robot = Robot("slide", [TreeJoint("j", "prismatic", "world", "a")])
+    motion = robot.along(JointPath(scale * QUINTIC[:, None]), np.linspace(0, 1, 33), order=3)
+    limits = {"velocity": 15 / 8, "acceleration": 10 / 3**0.5, "jerk": 60, "lower": 0, "upper": 1}
+    for part, within in ((1e-13, True), (1e-9, False)):
+        near = {
+            name: scale * (limit - part * max(limit, 1.0) * (-1) ** (name == "lower"))
+            for name, limit in limits.items()
+        }
+        found = [peak for peak in motion.peaks(limits={"j": near}) if peak.limit is not None]
+        assert [peak.within for peak in found] == [within] * 5, list(map(str, found))
+        violated = {(one.order, one.bound) for one in motion.violations(limits={"j": near})}
+        assert len(violated) == (0 if within else 5)
+
+
 def test_a_jump_violates_every_limit_of_the_next_derivative():
     path = waypoints([0.0, 0.5, 2.0], np.random.default_rng(0).normal(size=(3, 3)))
     motion = arm().along(path, np.linspace(0, 2, 5), 4)

@@ -50,7 +50,7 @@ def test_the_least_slowdown_of_a_quintic_is_known(limits, right):
 def test_a_slowed_path_just_keeps_its_limits(seed):
     motion = tour(seed)
     found = motion.slowdown(**ON_B, limits=LIMITS)
-    for factor, within in ((found.factor * (1 + 1e-8), True), (found.factor * (1 - 1e-6), False)):
+    for factor, within in ((found.factor, True), (found.factor * (1 - 1e-6), False)):
         path = slowed(motion.path, factor)
         peaks = ARM.along(path, order=4).peaks(**ON_B, limits=LIMITS)
         assert all(peak.within for peak in peaks if peak.limit is not None) is within

@@ -51,14 +51,14 @@ def exact_peaks(
     """Returns the peaks on the times from the motion's first to its last."""
     search = _search(motion, body, point, relative_to, asked)
     found = []
-    for one, value, time, at in zip(
-        asked, search.best.tolist(), search.best_time.tolist(), search.jumps, strict=True
+    for one, value, time, rounding, at in zip(
+        asked, search.best.tolist(), search.best_time.tolist(), search.rounding, search.jumps, strict=True
     ):
         if at:
             unbounded = peak_at(one, np.inf, at[0].time)
             found.append(replace(unbounded, at_least=np.inf, at_most=np.inf, reason=jump_reason(at)))
         else:
-            found.append(peak_at(one, value, time))
+            found.append(peak_at(one, value, time, rounding=rounding))
     return found
 
 
@@ -71,13 +71,13 @@ def exact_violations(
     times = np.unique(np.concatenate([search.times, search.best_time]))
     sizes = _sizes(search.curves_at(times), asked)
     found = []
-    for one, size, jumps in zip(asked, sizes, search.jumps, strict=True):
+    for one, size, rounding, jumps in zip(asked, sizes, search.rounding, search.jumps, strict=True):
         found += [violation(one, jump.time, jump.time, np.inf, jump.time) for jump in jumps]
 
         def size_at(inside: np.ndarray, one: Asked = one) -> np.ndarray:
             return _size(search.curves_at(inside), one)
 
-        for first, last in stretches(size > one.threshold):
+        for first, last in stretches(size > one.threshold + rounding):
             top = first + int(np.argmax(size[first : last + 1]))
             before, after = max(first - 1, 0), min(last + 1, len(times) - 1)
             start = _crossing(size_at, times[before], times[first], one.threshold)
@@ -112,13 +112,14 @@ def _top(size_at: Callable[[np.ndarray], np.ndarray], low: float, high: float) -
 
 
 class Search(NamedTuple):
-    """A search for peaks: the grid, the curves at any times, the peak of each quantity with its time, and the
-    breaks at which it has no bound."""
+    """A search for peaks: the grid, the curves at any times, the peak of each quantity with its time, its
+    rounding (see `Peak`), and the breaks at which it has no bound."""
 
     times: np.ndarray
     curves_at: Callable[[np.ndarray], Curves]
     best: np.ndarray
     best_time: np.ndarray
+    rounding: list[float]
     jumps: list[list[Break]]
 
 
@@ -135,9 +136,11 @@ def _search(
     near = 1e-9 * (end - start) + 4 * np.spacing(max(abs(start), abs(end)))
     times = _grid(start, end, breaks, near, motion.times.ravel())
     curves = curves_at(times)
-    best, best_time = _refined(_sizes(curves, asked), times, lambda inside: _sizes(curves_at(inside), asked))
+    sizes = _sizes(curves, asked)
+    rounding = [one.rounding(float(np.abs(size).max())) for one, size in zip(asked, sizes, strict=True)]
+    best, best_time = _refined(sizes, times, lambda inside: _sizes(curves_at(inside), asked))
     jumps = _jumps(curves, curves_at, breaks, near, asked) if len(breaks) else [[] for _ in asked]
-    return Search(times, curves_at, best, best_time, jumps)
+    return Search(times, curves_at, best, best_time, rounding, jumps)
 
 
 def _grid(start: float, end: float, breaks: np.ndarray, near: float, asked: np.ndarray) -> np.ndarray:

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from workbench.kinematics.robot.states import States
 
 WITHIN, BEYOND, NOT_DETERMINED = "within", "BEYOND", "not determined"
+ROUNDING = (
+    1e-10  # of a limit and of the largest size on the path: a size that exceeds a limit by less is at it
+)
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,8 @@ class Peak:
     None where there is none. bound: "upper"; of order 0 "lower" or "upper", value being the coordinate at
     its least or greatest; "deceleration": of |q̈| where q̈ and q̇ have opposite signs. reason: why there is
     no value. span: the times in s that the value is of, where ends of a recording that are known less well
-    are left out; at_least and at_most, and with them the verdict, are of all times.
+    are left out; at_least and at_most, and with them the verdict, are of all times. rounding: a size that
+    exceeds the limit by less is at the limit, and within it.
     """
 
     of: str
@@ -48,6 +52,7 @@ class Peak:
     at_most: float = np.nan
     reason: str = ""
     span: tuple[float, float] | None = None
+    rounding: float = 0.0
 
     @property
     def verdict(self) -> str | None:
@@ -56,7 +61,7 @@ class Peak:
         if self.limit is None:
             return None
         sign = -1 if self.bound == "lower" else 1
-        limit = sign * self.limit
+        limit = sign * self.limit + self.rounding
         if self.at_most <= limit:
             return WITHIN
         return BEYOND if self.at_least > limit else NOT_DETERMINED
@@ -126,6 +131,10 @@ class Asked:
         if self.limit is None:
             return np.inf
         return -self.limit if self.bound == "lower" else self.limit
+
+    def rounding(self, largest: float = 0.0) -> float:
+        """See `Peak`; largest: of the sizes on the path."""
+        return ROUNDING * max(abs(self.limit or 0.0), largest)
 
 
 @dataclass(frozen=True)

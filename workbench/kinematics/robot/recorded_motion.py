@@ -121,6 +121,7 @@ def _as_peak(one: Asked, whole: tuple[float, float], found: RecordedPeak) -> Pea
         **bounds,
         reason=found.reason,
         span=None if found.span == whole else found.span,
+        rounding=one.rounding(),
     )
 
 

@@ -6,6 +6,7 @@ sine.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from math import factorial
 from typing import Any, NamedTuple
@@ -124,7 +125,7 @@ def _rotated(c: Any, s: Any, axis: Any, v: Any, do: Arithmetic) -> Any:
 
 def object_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Returns the pose (4, 4) and the twists (N, 6) of a body, of objects q (N + 1, positions) that NumPy
-    can add and multiply and that have the methods sin and cos: Drake's Expression and AutoDiffXd."""
+    can add and multiply: Drake's Expression and AutoDiffXd, SymPy's, and numbers."""
     with np.errstate(invalid="ignore"):  # Expressions turn the processor's flags up
         found = frame_motion(robot, body, lambda k, i: q[k, i], len(q) - 1, _OBJECTS)
     pose = np.eye(4).astype(object)
@@ -169,7 +170,27 @@ def _object_cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
-_OBJECTS = Arithmetic(np.sin, np.cos, _object_cross, lambda v: np.array(v, dtype=object))
+def _object_function(name: str) -> Callable[[Any], Any]:
+    """Returns sin or cos of numbers, of objects that have this method, and of SymPy's."""
+
+    def function(x: Any) -> Any:
+        if isinstance(x, float | int):
+            return getattr(math, name)(x)
+        if hasattr(x, name):
+            return getattr(x, name)()
+        import sympy
+
+        return getattr(sympy, name)(x)
+
+    return function
+
+
+_OBJECTS = Arithmetic(
+    _object_function("sin"),
+    _object_function("cos"),
+    _object_cross,
+    lambda v: np.array(v, dtype=object),
+)
 
 
 def casadi_function(robot: Structure, body: str, order: int) -> Any:

@@ -1,6 +1,6 @@
 """Frames of a robot: the workbench beside Pinocchio and Drake, one thread, in one run.
 
-    OPENBLAS_NUM_THREADS=1 python tests/benchmarks/robot_frames.py [robot.urdf frame] [--rounds 200] [--plot FILE]
+    OPENBLAS_NUM_THREADS=1 python tests/benchmarks/robot_frames.py [robot.urdf frame] [--avx2] [--rounds 200] [--plot FILE]
 
 What each call yields: the pose of the frame, its twist and the twist's derivatives to the order of the highest
 derivative of the coordinates (order 2: velocity and acceleration, which is what the peers can). Times are the
@@ -11,6 +11,9 @@ from __future__ import annotations
 
 import argparse
 import os
+import subprocess
+import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -144,6 +147,24 @@ def peers(urdf: str, frame: str, q: np.ndarray) -> Iterator[tuple[str, Call, int
             )
 
 
+def run_for_avx2(arguments: list[str]) -> None:
+    """Runs this program with everything compiled for AVX2, whatever else the processor has."""
+    import llvmlite.binding as llvm
+
+    newer = ("avx512", "avx10", "amx")
+    features = ",".join(
+        ("+" if there and not name.startswith(newer) else "-") + name
+        for name, there in llvm.get_host_cpu_features().items()
+    )
+    with tempfile.TemporaryDirectory() as cache:
+        target = {
+            "NUMBA_CPU_NAME": "haswell",
+            "NUMBA_CPU_FEATURES": features,
+            "NUMBA_CACHE_DIR": cache,
+        }
+        subprocess.run([sys.executable, __file__, *arguments], check=True, env=os.environ | target)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("urdf", nargs="?", type=Path)
@@ -152,17 +173,22 @@ def main() -> None:
     parser.add_argument("--states", type=int, nargs="*", default=[1, 1000, 100_000])
     parser.add_argument("--orders", type=int, nargs="*", default=[2, 4])
     parser.add_argument("--plot", type=Path, help="write a figure of all times and ratios to this file")
+    parser.add_argument("--avx2", action="store_true", help="compile for AVX2, whatever else there is")
     options = parser.parse_args()
+    if options.avx2:
+        return run_for_avx2([given for given in sys.argv[1:] if given != "--avx2"])
     urdf = options.urdf
     if urdf is None:
         from workbench.drake.plants import robot_urdf
 
         urdf = robot_urdf("panda")
     from workbench.kinematics import Robot
-    from workbench.kinematics.simd_lanes import WIDTH
+
+    sys.path.insert(0, str(Path(__file__).parent))
+    from chain_peak import registers
 
     positions, rng = len(Robot.from_urdf(urdf).positions), np.random.default_rng(0)
-    print(f"{urdf.name}, {options.frame}; {WIDTH} lanes")
+    print(f"{urdf.name}, {options.frame}; {registers()}")
     tables: dict[str, dict[str, float]] = {}
     for order in options.orders:
         for states in options.states:

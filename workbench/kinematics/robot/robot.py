@@ -99,9 +99,10 @@ class Robot(Structure):
         parser.
 
         base: "fixed" welds the root of each model that nothing holds to the world, "floating" lets it move.
-        packages: folders by the names that package:// paths start with. mimics: see `from_plant`. A body that
-        several models have is model::body. A file with an inertia that no body can have, which Drake would
-        replace, gives a robot without inertias. Raises ValueError in one line.
+        packages: folders by the names that package:// paths start with. mimics: the joints that follow
+        others; else these move freely, as in Drake, also where the file says otherwise (`from_urdf` follows
+        the file). A body that several models have is model::body. A file with an inertia that no body can
+        have, which Drake would replace, gives a robot without inertias. Raises ValueError in one line.
         """
         if base not in ("fixed", "floating"):
             raise ValueError(f"base: expected fixed or floating, got {base!r}")

@@ -288,6 +288,29 @@ def test_a_limit_is_violated_where_its_peak_is_beyond(seed):
             assert max(v.value for v in own) == pytest.approx(peaks[of, 3].value, rel=1e-9)
 
 
+def test_peaks_of_random_splines_are_at_the_roots_of_their_derivatives():
+    """Of quintics through random points, by SciPy's roots; the times have neighbours that only rounding tells
+    apart."""
+    robot = Robot("r", [TreeJoint(n, "revolute", p, n) for n, p in (("j", "world"), ("k", "j"))])
+    limits = {"*": {"lower": -9, "upper": 9}}
+    for seed in range(30):
+        rng = np.random.default_rng(seed)
+        t = np.cumsum(rng.uniform(0.05, 1.5, rng.integers(6, 12)))
+        spline = interpolate.make_interp_spline(t, rng.uniform(-2, 2, (len(t), 2)), k=5)
+        times = np.linspace(t[0], t[-1], 401)
+        times = np.clip(
+            np.sort(np.concatenate([times, times * (1 + 1e-16), times * (1 - 2e-16)])), t[0], t[-1]
+        )
+        for peak in robot.along(spline, times, order=2).peaks(limits=limits):
+            curve = interpolate.PPoly.from_spline(
+                (spline.t, spline.c[:, robot.positions.index(peak.of)], 5)
+            ).derivative(peak.order)
+            values = curve(np.append(curve.derivative().roots(extrapolate=False), t[[0, -1]]))
+            true = {"lower": -values, "upper": values}[peak.bound] if peak.order == 0 else np.abs(values)
+            value = -peak.value if peak.order == 0 and peak.bound == "lower" else peak.value
+            assert abs(value - true.max()) < 1e-8 * max(1, np.abs(values).max()), (seed, str(peak))
+
+
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e5])
 def test_a_path_at_its_limits_is_within_them(scale):
     """A quintic has the peaks 15/8, 10/√3 and 60; a size beyond a limit by its rounding is at the limit."""

@@ -144,13 +144,15 @@ def _search(
 
 
 def _grid(start: float, end: float, breaks: np.ndarray, near: float, asked: np.ndarray) -> np.ndarray:
-    """Returns times that see every piece between two breaks, and both sides of each break."""
+    """Returns times that see every piece between two breaks, and both sides of each break; of times that only
+    rounding tells apart one, so that the neighbours of each bracket a maximum."""
     edges = np.concatenate([[start], breaks, [end]])
     share = np.linspace(0, 1, PER_PIECE if len(edges) < MOST_PIECES else 3)
     inside = (edges[:-1, None] + np.diff(edges)[:, None] * share).ravel()
     sides = np.concatenate([breaks - near, breaks, breaks + near])
     times = np.concatenate([np.linspace(start, end, SAMPLES), inside, sides, asked])
-    return np.unique(times[(times >= start) & (times <= end)])
+    times = np.unique(times[(times >= start) & (times <= end)])
+    return times[np.append(True, np.diff(times) > near / 2)]
 
 
 def sizes_on(

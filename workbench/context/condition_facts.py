@@ -25,7 +25,13 @@ from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display, Token, spelled
-from workbench.source.documents.surrounding_words import sections_of, sentence_around, supposed_before
+from workbench.source.documents.surrounding_words import (
+    holds_display,
+    paragraph_around,
+    sections_of,
+    sentence_around,
+    supposed_before,
+)
 from workbench.source.rows.chains import Step, steps_of
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
@@ -62,7 +68,8 @@ _RELATIONS = {
 #: The last of these words before a formula tells a definition from a condition.
 _SAYS = re.compile(
     r"\b(?:(?P<defines>let|define|put|set|denote|introduce|write|writing|where|with)"
-    r"|if|when|for|at|since|because|as|suppose|assum\w+|provided|given|whenever|while)\b",
+    r"|(?P<case>if|when|for|at|provided|given|whenever|while)"
+    r"|(?P<supposes>suppos\w+|assum\w+)|since|because|as)\b",
     re.IGNORECASE,
 )
 #: Marks of conditions that stay in force after their sentence.
@@ -121,12 +128,31 @@ class InlineFormulas:
         return self._read[key][1]
 
 
-def _is_let(formula: Display) -> bool:
-    """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
+def _words_before(formula: Display) -> re.Match[str] | None:
+    """Returns the word of the sentence that introduces the formula, as "let" or "if"."""
     text = formula.source.prose
     first, _ = sentence_around(text, formula.start, formula.end)
-    words = list(_SAYS.finditer(text[first : formula.start]))
-    return bool(words) and words[-1]["defines"] is not None
+    return next(reversed(list(_SAYS.finditer(text[first : formula.start]))), None)
+
+
+def _is_let(formula: Display) -> bool:
+    """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
+    words = _words_before(formula)
+    return words is not None and words["defines"] is not None
+
+
+def lines_of_case(formula: Display) -> range | None:
+    """Returns the lines of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
+
+    A supposition is a case if the display of its claim stands in its paragraph.
+    """
+    words, source = _words_before(formula), formula.source
+    start, end = paragraph_around(source.prose, formula.start)
+    is_supposed = words is not None and words["supposes"] is not None
+    is_case = words is not None and words["case"] is not None
+    if not (is_case or (is_supposed and holds_display(source.prose, formula.end, end))):
+        return None
+    return range(source.place(start)[0], source.place(max(start, end - 1))[0] + 1)
 
 
 def _as_definition(fact: Fact) -> Fact:

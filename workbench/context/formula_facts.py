@@ -89,8 +89,22 @@ def _is_local(claim: Claim, display: Display, first: Mapping[Declaration, Displa
     if any(isinstance(each, Relation) and each.operator == "=" for each in conditions):
         return True
     own = claim.context.act[1]
+    if own is not None and any(_is_case_of(own, fact) for fact in claim.context.facts):
+        return True
     is_earlier = own is not None and first.get(own.declaration, display) is not display
     return bool(claim.ambiguity.serves) and is_earlier
+
+
+def _is_case_of(own: Symbol, fact: Fact) -> bool:
+    """True if a sentence supposes an equation for the formula that says what the symbol is."""
+    said = fact.content
+    if (
+        fact.origin.provider is not Provider.CONDITION
+        or not isinstance(said, Relation)
+        or said.operator != "="
+    ):
+        return False
+    return fact.act is not Act.DEFINE or (isinstance(said.left, Symbol) and said.left == own)
 
 
 class _Saying:

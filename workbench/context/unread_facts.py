@@ -10,6 +10,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 
 from workbench.context.claims import Claim, Notation
+from workbench.context.condition_facts import lines_of_case
 from workbench.context.facts import Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.free_symbols import terms_of
@@ -36,13 +37,16 @@ _COSINES = (1, 0, -1, 0)
 
 @dataclass(frozen=True)
 class Unread:
-    """An unparsed equation left = right on a line of the text."""
+    """An unparsed equation left = right on a line of the text.
+
+    sentence: the source, if it stands in a sentence.   case: the lines of its paragraph, if it is a case."""
 
     left: str
     right: str
     line: int
     file: Path | None = None
-    sentence: Source | None = None  # the source, if it stands in a sentence
+    sentence: Source | None = None
+    case: range | None = None
 
     @cached_property
     def latex(self) -> str:
@@ -82,15 +86,16 @@ class Unread:
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
     """Returns the unparsed equations and those in sentences, by their left side."""
     unread = [each for each in claims if each.printed.statement is None and not each.chain]
-    said: list[tuple[str, int, Path | None, Source | None]]
+    said: list[tuple[str, int, Path | None, Display | None]]
     said = [(each.printed.latex, each.line, each.source.file, None) for each in unread]
-    said += [(each.latex, each.line, each.source.path, each.source) for each in inline]
+    said += [(each.latex, each.line, each.source.path, each) for each in inline]
     found: dict[str, list[Unread]] = {}
-    for latex, line, file, source in said:
+    for latex, line, file, formula in said:
         left, equals, right = latex.partition("=")
         if equals:
             name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
-            found.setdefault(name, []).append(Unread(left, right, line, file, source))
+            source, case = (None, None) if formula is None else (formula.source, lines_of_case(formula))
+            found.setdefault(name, []).append(Unread(left, right, line, file, source, case))
     return found
 
 
@@ -117,10 +122,17 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
         terms = _expanded(claim)
         own = _own(declaration, terms)
         values = unread.values(own, terms) if own else []
-        if not values:
+        if not values or _is_another_case(unread, claim):
             yield Fact(None, frozenset({declaration.name}), unread.origin, Strength.STATED)
         elif not _is_elsewhere(unread, claim):
             yield from values
+
+
+def _is_another_case(value: Unread, claim: Claim) -> bool:
+    """True if a sentence of another paragraph of the section supposes the value for its own claim."""
+    if value.case is None or value.file != claim.source.file or claim.line in value.case:
+        return False
+    return not _is_elsewhere(value, claim)
 
 
 def _is_elsewhere(value: Unread, claim: Claim) -> bool:

@@ -129,6 +129,29 @@ def supposed_before(text: str, first: int) -> str:
     return text[begins:first] if supposes or _THEN.match(text, first) else ""
 
 
+#: The break before another paragraph of words; displays and words in lower case go on with the one before.
+_BREAK = re.compile(r"(?<!math::)\n[ \t]*\n\s*(?!\s|\$\$|\\\[|\\begin\b|```|\.\. |[a-z])")
+_DISPLAY = re.compile(r"\$\$|\\\[|\\begin\b|```|\.\. math::")
+
+
+@lru_cache(maxsize=8)
+def _breaks(text: str) -> list[int]:
+    ends = [match.end() for match in _BREAK.finditer(text)]
+    return sorted({*ends, *(start for start, _ in headings(text))})
+
+
+def paragraph_around(text: str, start: int) -> tuple[int, int]:
+    """Returns the start and end of the paragraph at `start`, with the displays in it and behind it."""
+    breaks = _breaks(text)
+    at = bisect_right(breaks, start)
+    return breaks[at - 1] if at else 0, breaks[at] if at < len(breaks) else len(text)
+
+
+def holds_display(text: str, start: int, end: int) -> bool:
+    """True if a display begins between the offsets."""
+    return _DISPLAY.search(text, start, end) is not None
+
+
 def plain(latex: str) -> str:
     """Returns a heading without its markup."""
     return " ".join(_COMMAND.sub("", latex).split())

@@ -1,0 +1,102 @@
+"""A condition of one claim reaches no claim of another paragraph; what a sentence declares reaches its section."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.texts.written import (
+    ALPHABETS,
+    FORMATS,
+    display,
+    heading,
+    inline,
+    model_of,
+    renamed,
+    text_of,
+    verdicts,
+)
+from workbench.core.verdict import Grade, Outcome
+
+#: A value of a symbol, and a formula that is true with it and false without it.
+VALUES = [
+    ("<f> = 0", "<f> <g> <h> + <f>^2 <h> = <f> (<g> + <h>)"),
+    ("<f> = 1", "<f> <g> <h> + <f>^2 <h> = <g> <h> + <f>^3 <h>"),
+    (r"<x> = \pi/2", r"\sin <x> + <g> <h> = 1 + <g> <h> + \cos <x>"),
+]
+#: Sentences that end where the display of their claim begins; {} is the value.
+CASES = [
+    *(f"{words} {{}}, we have" for words in ("If", "When", "For", "At", "Provided that", "While", "Given")),
+    *(f"{words} {{}}. Then" for words in ("Suppose that", "We assume that", "Assume")),
+]
+#: Sentences that stand in a paragraph of their own, or define.
+DECLARED = [
+    "Assume {}.\n\nThen",
+    "Suppose that {}.\n\nSo we have",
+    "Let {}. Then",
+    "We set {}. Then",
+    "Put {}, which gives",
+    "In this section {}.\n\nWe have",
+]
+
+
+def _section(said: str, claim: str, form: str, again: str) -> list[str]:
+    """Returns a section with the claim in the sentence, and in another paragraph."""
+    shown = display(claim, form)
+    first = f"{said}\n\n{shown}" if form == "rst" else f"{said}\n{shown}"
+    return [heading("One", form), first, again, shown]
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("sentence", CASES)
+def test_case_reaches_no_other_paragraph(tmp_path: Path, form: str, sentence: str) -> None:
+    letters = ALPHABETS[len(sentence) % 3]
+    for value, formula in VALUES:
+        value, formula = renamed(value, letters), renamed(formula, letters)
+        said = sentence.format(inline(value, form))
+        text = text_of(_section(said, formula, form, "In general, this is different:"), form)
+        first, again = verdicts(tmp_path, text, model_of(letters, form), form)
+        assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED), text
+        assert again.grade is Grade.WARNING
+        assert value.replace(" ", "") in " ".join(again.unless).replace(" ", "")
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("sentence", DECLARED)
+def test_declaration_reaches_the_paragraphs_of_its_section(tmp_path: Path, form: str, sentence: str) -> None:
+    letters = ALPHABETS[len(sentence) % 3]
+    for value, formula in VALUES:
+        said = sentence.format(inline(renamed(value, letters), form))
+        formula = renamed(formula, letters)
+        section = _section(said, formula, form, "The same once more:")
+        other = [heading("Two", form), "So", display(formula, form)]
+        text = text_of([*section, *other], form)
+        found = verdicts(tmp_path, text, model_of(letters, form), form)
+        assert [each.outcome for each in found] == [Outcome.CONDITIONAL] * 2 + [Outcome.REFUTED], text
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_case_reaches_the_displays_of_its_sentence(tmp_path: Path, form: str) -> None:
+    letters = ALPHABETS[0]
+    value, formula = (renamed(each, letters) for each in VALUES[0])
+    shown = display(formula, form)
+    text = text_of([f"If {inline(value, form)}, we have", shown, "and also", shown], form)
+    found = verdicts(tmp_path, text, model_of(letters, form), form)
+    assert [each.outcome for each in found] == [Outcome.CONDITIONAL] * 2
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("sentence", ["Let {}. Then", "If {}, we have", "Suppose {}. Then"])
+def test_what_holds_in_a_case_excuses_no_formula_of_the_next_section(
+    tmp_path: Path, form: str, sentence: str
+) -> None:
+    letters = ALPHABETS[1]
+    said = sentence.format(inline(renamed("<f> = 2 <g>", letters), form))
+    shown = display(renamed("<f>^2 = 4 <g>^2", letters), form)
+    text = text_of(
+        [heading("One", form), said, shown, heading("Two", form), "Now both are arbitrary:", shown], form
+    )
+    first, again = verdicts(tmp_path, text, model_of(letters, form), form)
+    assert first.outcome is Outcome.CONDITIONAL
+    assert again.outcome in (Outcome.REFUTED, Outcome.DEFINITION)  # it says what a symbol is

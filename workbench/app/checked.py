@@ -12,7 +12,7 @@ from workbench import papers
 from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.app.pipeline.verdict_keys import Memory
 from workbench.context.circular_conditions import IS_THE_CONCLUSION, is_conclusion
-from workbench.context.claims import ClaimContext
+from workbench.context.claims import Ambiguity, ClaimContext
 from workbench.context.facts import Act, Fact, Origin, Provider
 from workbench.context.formula_acts import introduced, introduces
 from workbench.context.free_symbols import free_in, terms_of
@@ -21,7 +21,7 @@ from workbench.context.read_formulas import read_statement, why_ill_formed
 from workbench.core.code_labels import suffix
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
-from workbench.core.terms import Statement
+from workbench.core.terms import Conjunction, Statement
 from workbench.core.verdict import Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
@@ -38,7 +38,7 @@ from workbench.report.shown_kinds import VERDICTS
 from workbench.runtime import Budget
 from workbench.runtime.store import Store, standard
 from workbench.source.rewriting.formulas_in_models import with_rows
-from workbench.source.rows.formula_lines import Line, split_lines, whole_line
+from workbench.source.rows.formula_lines import Line, conditions_without_words, split_lines, whole_line
 
 if TYPE_CHECKING:
     from workbench.repair.propose.proposal import Repair
@@ -138,7 +138,10 @@ def check(
     with standard(Memory) as memory:
         known = _defined(_notation(symbols, paper, notation, at, memory), definitions)
         claims = _claims(_texts("latex", latex), known, _texts("assume", assume), orders)
-        results = judge_claims(claims, budget=budget, memory=memory)
+        results = [
+            _with_what_stands_beside(result, budget, memory)
+            for result in judge_claims(claims, budget=budget, memory=memory)
+        ]
     checked = [Checked(result) for result in results]
     return checked[0] if len(checked) == 1 else CheckedLines(checked)
 
@@ -181,6 +184,20 @@ def _claims(
         context = ClaimContext(facts=before)
         claims.append(Claim(name, formula, known, (*supposed, *beside), values, context=context))
     return claims
+
+
+def _with_what_stands_beside(result: ClaimResult, budget: Budget | None, memory: Memory) -> ClaimResult:
+    """Returns the result; of A, \\quad C the one on A if C may be its condition, as in a text."""
+    claim = result.claim
+    if result.verdict.outcome is not Outcome.REFUTED or not isinstance(claim.printed.statement, Conjunction):
+        return result
+    if (parts := conditions_without_words(claim.printed.latex)) is None:
+        return result
+    formula, *beside = (_formula(part, claim.notation, claim.orders)[0] for part in (parts[0], *parts[1]))
+    apart = replace(claim, printed=formula, ambiguity=Ambiguity(perhaps=tuple(beside)))
+    (found,) = judge_claims([apart], budget=budget, memory=memory)
+    is_beside = found.verdict.outcome in (Outcome.CONDITIONAL, Outcome.UNCHECKED)
+    return replace(result, verdict=found.verdict) if is_beside else result
 
 
 def _texts(name: str, given: str | Sequence[str]) -> tuple[str, ...]:

@@ -43,10 +43,18 @@ def is_conclusion(condition: Statement, claim: Statement, definitions: Definitio
 
 
 def without_circular(claim: Claim) -> tuple[Claim, tuple[Formula, ...]]:
-    """Returns the claim without the conditions beside it that state it anew, and these conditions."""
+    """Returns the claim without the conditions beside it that state it anew, and those of them that words
+    introduce."""
     said = claim.printed.statement
     if said is None:
         return claim, ()
+    beside = claim.ambiguity
+    if beside.perhaps or beside.serves:
+        perhaps, serves = (
+            tuple(each for each in formulas if not _restates(each.statement, said))
+            for formulas in (beside.perhaps, beside.serves)
+        )
+        claim = replace(claim, ambiguity=replace(beside, perhaps=perhaps, serves=serves))
     circular = tuple(each for each in claim.assume if _restates(each.statement, said))
     if circular:
         claim = replace(claim, assume=tuple(each for each in claim.assume if each not in circular))

@@ -52,6 +52,9 @@ class VerdictCode(Code):
     GOAL_NOT_SHOWN = "the goal is not shown: {why}"
     HOLDS_FOR = "holds for {orders}"
     HOLDS_WITH_NEIGHBOUR = "holds if {formulas}, which stands beside it"
+    LAW_NOT_COMPARED = (
+        "states a law for {name}; it took too long to decide whether the law follows from what is known of it"
+    )
     LEFT_OUT = "left out: {why}"
     LIMITS = "under the equations something may be 0 at which a sine or an exponential is a limit here"
     MAY_BE_CONDITION = "may be the condition of {formula}, which stands before it and is false without it"

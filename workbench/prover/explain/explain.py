@@ -18,6 +18,7 @@ from workbench.context.formula_acts import act_of, assigns, introduces, subject_
 from workbench.context.formula_subject import Subject, derived
 from workbench.context.free_symbols import names_in, terms_of
 from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -130,6 +131,9 @@ class _Explanation:
 
     def unfinished(self) -> Verdict:
         """Returns the verdict if the limit on decisions is reached; a refuted claim stays refuted."""
+        reason = self.base.reason
+        if reason is not None and self.base.code is VerdictCode.STATES_A_LAW:
+            return replace(self.base, reason=VerdictCode.LAW_NOT_COMPARED(name=reason.arguments["name"]))
         if self.base.outcome is not Outcome.REFUTED:
             return self.base
         if self.act is not Act.ASSERT:

@@ -82,6 +82,26 @@ def split_lines(latex: str, with_premises: bool = False) -> list[Line]:
     return _Lines(latex, cut, rows, behind).lines() if rows else [whole_line(latex)]
 
 
+def conditions_without_words(latex: str) -> tuple[Line, tuple[Line, ...]] | None:
+    """Returns the formula of A, \\quad C and the equations beside it, which may be its conditions.
+
+    Returns None for a formula of another layout."""
+    if len(latex) > MOST_CHARACTERS:
+        return None
+    source = Source(Path(), latex)
+    tokens = tuple(with_environments(lex(source.view())))
+    cut = cut_display(Display(source, 0, len(latex), "", "", "", (Row(None, (), tokens),)))
+    if not cut.statements or any(each.doubts or each.whole or each.denied for each in cut.statements):
+        return None
+    first, *others = cut.statements
+    sides = [side for each in cut.statements for side in each.beside]
+    is_plain = all(side.role is Role.PERHAPS for side in sides) and not cut.remarks
+    if not others or not is_plain or not all(first in each.serves for each in others):
+        return None
+    formula, *conditions = (_line_of(latex, bare(each.nodes)) for each in cut.statements)
+    return formula, tuple(conditions)
+
+
 def _has_premises_in_words(cut: Cut) -> bool:
     """True if words of the cut introduce premises that the grammar of formulas cannot read in their place."""
     sides = [side for each in cut.statements for side in each.beside]

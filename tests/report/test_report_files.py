@@ -70,7 +70,7 @@ def test_json_is_what_the_results_say(texts):
     report = json.loads(texts["report.json"])
     assert report == report_json(*sample())
     assert texts["report.json"].endswith("}\n")
-    assert list(report) == ["paper", "versions", "claims", "summary", "witnesses"]
+    assert list(report) == ["paper", "versions", "claims", "summary", "equations", "witnesses"]
     assert [claim["id"] for claim in report["claims"]] == [result.claim.id for result in CLAIMS]
     assert sum(report["summary"].values()) == len(CLAIMS)
 

@@ -30,16 +30,6 @@ def label(claim: Claim) -> str:
     return heading(claim).removeprefix("Eq. ")
 
 
-def equation_key(claim: Claim) -> str:
-    """Returns the key that the claims of one equation share.
-
-    It is the number or name, or in a text the first step of the chain.
-    """
-    if claim.equation:
-        return claim.equation
-    return f"id {claim.chain[0] if claim.chain else claim.id}"
-
-
 def is_counted(claim: Claim) -> bool:
     """True if the claim is of a numbered equation or a text, not of a named theorem or remark."""
     return not claim.equation or claim.context.span is not None or is_number(claim.equation)
@@ -57,27 +47,24 @@ class Places:
 
     Attributes:
         claims: Claim id → (heading, anchor).
+        equations: Claim id → anchor of its equation.
         anywhere: Claim id or equation → (heading, anchor).
     """
 
-    def __init__(self, claims: Sequence[Claim]) -> None:
+    def __init__(self, equations: Sequence[Sequence[Claim]]) -> None:
         self._taken: set[str] = set()
-        self._equations: dict[str, str] = {}
+        self.equations: dict[str, str] = {}
         # Numbers first: #eq-61 must be equation (61), whatever else is called "eq 61".
-        for claim in sorted(claims, key=lambda claim: not is_number(claim.equation)):
-            key = equation_key(claim)
-            if key not in self._equations:
-                prefix = "eq-" if is_number(claim.equation) else "at-"
-                self._equations[key] = self._fresh(prefix + _slug(claim.equation or claim.id))
+        for own in sorted(equations, key=lambda own: not is_number(own[0].equation)):
+            prefix = "eq-" if is_number(own[0].equation) else "at-"
+            anchor = self._fresh(prefix + _slug(own[0].equation or own[0].id))
+            self.equations.update(dict.fromkeys((claim.id for claim in own), anchor))
+        claims = [claim for own in equations for claim in own]
         self.claims = {
             claim.id: (heading(claim), self._fresh("claim-" + _slug(claim.id))) for claim in claims
         }
-        by_equation = {c.equation: (heading(c), self.of_equation(c)) for c in claims if c.equation}
+        by_equation = {c.equation: (heading(c), self.equations[c.id]) for c in claims if c.equation}
         self.anywhere = by_equation | self.claims
-
-    def of_equation(self, claim: Claim) -> str:
-        """Returns the anchor of the claim's equation."""
-        return self._equations[equation_key(claim)]
 
     def _fresh(self, wanted: str) -> str:
         anchor, copy = wanted, 2

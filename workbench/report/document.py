@@ -8,9 +8,10 @@ from functools import partial
 
 from workbench.context.claims import Paper
 from workbench.prover.results.claim_results import ClaimResult
-from workbench.report.anchors import Heirs, Place, Places, equation_key
+from workbench.report.anchors import Heirs, Place, Places
 from workbench.report.counts import summary, versions
 from workbench.report.equation_entries import Entry, Equation, entry_of, equation_of
+from workbench.report.equation_groups import groups_of
 from workbench.report.errata import Errata, errata_of
 from workbench.report.error_rows import ErrorRow, error_rows
 from workbench.report.mixed_prose import Run, runs_of
@@ -98,10 +99,10 @@ class Document:
 
     @property
     def unjudged(self) -> tuple[tuple[tuple[Run, ...], tuple[Place, ...]], ...]:
-        """The reasons why formulas were not judged, each with its equations, the most frequent one first."""
+        """The reasons why equations were not judged, each with its equations, the most frequent one first."""
         groups: dict[tuple[Run, ...], dict[Place, None]] = {}
         for equation in self.equations:
-            for entry in equation.entries:
+            for entry in equation.entries if equation.state.name == "unjudged" else ():
                 if entry.state.name == "unjudged":
                     place = (equation.label, equation.anchor)
                     groups.setdefault(entry.reason, {})[place] = None
@@ -114,14 +115,12 @@ class Document:
 
 
 def document_of(paper: Paper, results: Sequence[ClaimResult]) -> Document:
-    places = Places([result.claim for result in results])
+    groups = [group.results for group in groups_of(paper, results)]
+    places = Places([[result.claim for result in group] for group in groups])
     heirs = Heirs(results, places.claims)
     errata = errata_of(results, places.claims, heirs)
     entry = partial(entry_of, places, heirs, {each.id: each for each in errata.corrections})
-    groups: dict[str, list[ClaimResult]] = {}
-    for result in results:
-        groups.setdefault(equation_key(result.claim), []).append(result)
-    equations = [equation_of(places, list(map(entry, group))) for group in groups.values()]
+    equations = [equation_of(places, list(map(entry, group))) for group in groups]
     return Document(
         title=paper.title,
         citation={**paper.citation, **({"doi": paper.doi} if paper.doi else {})},

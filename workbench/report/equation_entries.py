@@ -9,10 +9,10 @@ from workbench.core.verdict import Evidence
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.prover.results.proposed_form import Proposed
 from workbench.report.anchors import Heirs, Place, Places, is_counted, label, with_headings
-from workbench.report.claim_states import fault_of, state_of
+from workbench.report.claim_states import fault_of, state_of, state_of_equation
 from workbench.report.errata import Correction, cost_in_words, reason_for_readers, without_place
 from workbench.report.mixed_prose import Run, plain_value, runs_of, runs_with_symbols
-from workbench.report.shown_kinds import STATES, VERDICTS, Kind
+from workbench.report.shown_kinds import VERDICTS, Kind
 from workbench.source.typeset.differences import difference
 
 
@@ -127,9 +127,9 @@ def equation_of(places: Places, entries: Sequence[Entry]) -> Equation:
     first = entries[0].result.claim
     return Equation(
         label=label(first),
-        anchor=places.of_equation(first),
+        anchor=places.equations[first.id],
         counted=is_counted(first),
-        state=min((entry.state for entry in entries), key=list(STATES.values()).index),
+        state=state_of_equation([each.result for each in entries], [each.state for each in entries]),
         entries=tuple(entries),
     )
 

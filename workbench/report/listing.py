@@ -14,14 +14,19 @@ from workbench.core.verdict import Grade, Outcome
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.report.counterexamples import Against, told
+from workbench.report.equation_groups import Group, states_of
 from workbench.report.findings import place_of
 from workbench.report.mixed_prose import condition_as_prose
+from workbench.report.shown_kinds import Kind
 from workbench.source.documents import Display
 from workbench.source.documents.source_edits import SourceEdit
 from workbench.source.typeset.plain_text import in_plain_text
 
-#: The grades from the most serious on, and the names under which displays are counted.
+#: The grades from the most serious on.
 _RANKS = (Grade.ERROR, Grade.WARNING, Grade.NOT_JUDGED, Grade.OK, Grade.NOTE)
+
+#: Outcomes that leave nothing open.
+_DECIDED = HOLDS | {Outcome.CONDITIONAL}
 
 
 @dataclass(frozen=True)
@@ -82,7 +87,7 @@ class Listing:
 
     Attributes:
         file: As named by the user.
-        notes: On displays whose model no longer needs `unread`.
+        notes: On unjudged formulas of a wrong display, and on `unread` that a model can do without.
     """
 
     file: Path
@@ -108,30 +113,54 @@ class Listing:
         return f"{found}; {told}" if told else "no display"
 
 
-_WORDS = ("error", "warning", "known", "not judged", "holds", "definition", "left out")
-_PLURALS = {"error": "errors", "warning": "warnings", "holds": "hold", "definition": "definitions"}
+#: The word of each class and its plural, in the order of a summary. All but two are states of an equation.
+_WORDS = {
+    "error": "errors",
+    "warning": "warnings",
+    "misprint": "misprints",
+    "wording": "wording",
+    "condition missing": "conditions missing",
+    "known": "known",
+    "not judged": "not judged",
+    "not settled": "not settled",
+    "holds after a correction": "hold after a correction",
+    "holds": "hold",
+    "definition": "definitions",
+    "lost in our copy": "lost in our copy",
+    "left out": "left out",
+}
 
 
 def _counted(word: str, count: int) -> str:
-    return f"{count} {_PLURALS.get(word, word) if count != 1 else word}"
+    return f"{count} {word if count == 1 else _WORDS[word]}"
 
 
 def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
     """Returns the results on a text by display."""
-    groups = _by_display(paper, results)
     rows: list[Row] = []
     items: list[Item] = []
-    for display, own in groups:
-        rows.append(replace(_row(display_name(display, own[0]), own), results=tuple(own)))
+    open_parts: list[tuple[Group, list[ClaimResult]]] = []
+    notes: list[str] = []
+    for group, states, state in states_of(paper, results):
+        own = group.results
+        name = display_name(group.display, own[0])
+        rows.append(replace(_row(name, own, state), results=tuple(own)))
         items += rows[-1].items
+        left = [r for r, each in zip(own, states, strict=True) if each.name in ("unjudged", "open")]
+        if rows[-1].grade is Grade.NOT_JUDGED:
+            open_parts.append((group, left))
+        elif rows[-1].grade in (Grade.ERROR, Grade.WARNING):
+            notes += [
+                f"{name}: another formula is not judged: {in_plain_text(str(r.verdict.reason))}" for r in left
+            ]
     items.sort(key=lambda item: _RANKS.index(item.grade))
     file = paper.text.path if paper.text else paper.paths[0]
-    notes = tuple(
+    notes += (
         f"{result.claim.id}: is judged now ({result.verdict.outcome}); its model can do without `unread`"
         for result in results
         if result.passed and result.claim.unread is not None and result.verdict.outcome in HOLDS
     )
-    return Listing(file, tuple(rows), tuple(items), tuple(_open(groups)), notes)
+    return Listing(file, tuple(rows), tuple(items), tuple(_open(open_parts)), tuple(notes))
 
 
 def display_name(display: Display | None, result: ClaimResult) -> str:
@@ -146,52 +175,34 @@ def display_name(display: Display | None, result: ClaimResult) -> str:
     return name or f"line {place_of(result).line}"
 
 
-def _by_display(
-    paper: TextPaper, results: Sequence[ClaimResult]
-) -> list[tuple[Display | None, list[ClaimResult]]]:
-    """Returns the results on each numbered row, or display without numbers, in the order of the text."""
-    displays = paper.text.displays if paper.text else ()
-    found: dict[tuple[str, str], tuple[Display | None, list[ClaimResult]]] = {}
-    for result in results:
-        span = place_of(result) if result.claim.context.span is None else result.claim.context.span
-        display = next((each for each in displays if _holds(each, span)), None)
-        base = result.claim.equation or ""
-        where = f"{display.source.path}:{display.start}" if display else result.claim.id
-        found.setdefault((where, base), (display, []))[1].append(result)
-    return list(found.values())
-
-
-def _holds(display: Display, span: Span) -> bool:
-    source = display.source
-    if source.path != span.file:
-        return False
-    start, end = source.place(display.start), source.place(display.end)
-    return start <= (span.line, span.column) and (span.end_line, span.end_column) <= end
-
-
-def _row(name: str, results: Sequence[ClaimResult]) -> Row:
+def _row(name: str, results: Sequence[ClaimResult], state: Kind) -> Row:
+    """Returns the row of a display. A verdict that its model does not expect is an error of the model."""
     shown = [result.shown for result in results]
-    grade = next(grade for grade in _RANKS if grade in shown)
-    outcomes = {result.verdict.outcome for result in results}
+    wrong = next((grade for grade in (Grade.ERROR, Grade.WARNING) if grade in shown), None)
     if all(result.claim.skip is not None for result in results):
         return Row(name, Grade.NOTE, "left out", results[0].claim.skip or "")
-    if grade in (Grade.ERROR, Grade.WARNING):
-        return Row(
-            name, grade, str(grade), in_plain_text(next(_what(r) for r in results if r.shown is grade))
-        )
-    if grade is Grade.NOT_JUDGED:
-        reason = next(str(r.verdict.reason or "") for r in results if r.shown is grade)
-        return Row(name, grade, "not judged", reason)
-    if any(result.known for result in results):
+    if wrong is not None:
+        what = next(_what(result) for result in results if result.shown is wrong)
+        return Row(name, wrong, str(wrong), in_plain_text(what))
+    if state.name in ("error", "warning") or any(result.known for result in results):
         return Row(name, Grade.NOTE, "known", "")
-    if outcomes & {Outcome.PROVED, Outcome.CONDITIONAL, Outcome.ARGUED, Outcome.PROBABLE}:
-        needs = [r.verdict.hypothesis for r in results if r.verdict.outcome is Outcome.CONDITIONAL]
-        scopes = [r.verdict.scope for r in results if r.verdict.scope]
-        remark = f"for {scopes[0]}" if scopes else ""
-        if needs and needs[0]:
-            remark = f"if {in_plain_text(condition_as_prose(needs[0]))}"
-        return Row(name, Grade.OK, "holds", remark)
-    return Row(name, Grade.NOTE, "definition", "")
+    if state.name in ("unjudged", "open"):
+        reason = next(str(r.verdict.reason or "") for r in results if r.verdict.outcome not in _DECIDED)
+        return Row(name, Grade.NOT_JUDGED, state.label, reason)
+    if state.name == "holds":
+        return Row(name, Grade.OK, "holds", _condition(results))
+    grade = Grade.OK if state.name == "inherits" else Grade.NOTE
+    return Row(name, grade, state.label, _condition(results))
+
+
+def _condition(results: Sequence[ClaimResult]) -> str:
+    """Returns the first condition under which a formula holds, or else the first range; else ""."""
+    for result in results:
+        if result.verdict.outcome is Outcome.CONDITIONAL:
+            needed = result.verdict.hypothesis
+            told = f"if {condition_as_prose(needed)}" if needed else str(result.verdict.reason or "")
+            return in_plain_text(told)
+    return next((f"for {result.verdict.scope}" for result in results if result.verdict.scope), "")
 
 
 def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
@@ -236,14 +247,13 @@ def _what(result: ClaimResult) -> str:
     return result.why_not or str(verdict.reason or verdict.outcome)
 
 
-def _open(groups: Sequence[tuple[Display | None, list[ClaimResult]]]) -> Iterator[Open]:
+def _open(groups: Sequence[tuple[Group, list[ClaimResult]]]) -> Iterator[Open]:
     """Yields the unjudged displays by reason, the most frequent reason first."""
     found: dict[str, dict[str, Span | None]] = {}
-    for display, own in groups:
+    for group, own in groups:
         for result in own:
-            if result.shown is Grade.NOT_JUDGED:
-                why = result.verdict.reason
-                reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
-                found.setdefault(reason, {})[display_name(display, result)] = result.claim.printed.at
+            why = result.verdict.reason
+            reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
+            found.setdefault(reason, {})[display_name(group.display, result)] = result.claim.printed.at
     for reason, names in sorted(found.items(), key=lambda each: -len(each[1])):
         yield Open(tuple(names), reason, tuple(place for place in names.values() if place is not None))

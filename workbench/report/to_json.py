@@ -12,10 +12,14 @@ from workbench.papers.corrections import mended, same_formula
 from workbench.prover.results.claim_results import Certification, ClaimResult
 from workbench.prover.results.proposed_form import Proposed
 from workbench.report.counts import summary, versions, witness_counts
+from workbench.report.equation_groups import equation_counts
 
 
 def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:
-    """Returns the paper, the versions, the claims in reading order, and the count of each verdict."""
+    """Returns the paper, the versions, the claims in reading order, and the counts.
+
+    `summary` counts claims by verdict; `equations` counts equations by state.
+    """
     return {
         "paper": {
             "title": paper.title,
@@ -25,6 +29,7 @@ def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:
         "versions": versions(),
         "claims": [claim_json(result) for result in results],
         "summary": summary(results),
+        "equations": equation_counts(paper, results),
         "witnesses": witness_counts(results),
     }
 

@@ -33,6 +33,7 @@ def lead(document: Document) -> tuple[str, str]:
     """Returns the headline in two parts: what is wrong, in bold type, and the rest."""
     total, wrong = document.counted, document.in_state("error")
     misprinted, hold = document.in_state("misprint"), document.in_state("holds")
+    missing = document.in_state("hypothesis")
     unjudged, doubtful = document.in_state("unjudged"), document.in_state("warning")
     if wrong:
         strong = f"{wrong} of {equations(total)} {'is' if wrong == 1 else 'are'} wrong"
@@ -44,6 +45,7 @@ def lead(document: Document) -> tuple[str, str]:
         strong = f"No error found in {equations(total)}"
     rest = [f"{misprinted} {'is' if misprinted == 1 else 'are'} misprinted"] if misprinted else []
     rest += [f"{doubtful} {'is' if doubtful == 1 else 'are'} doubtful"] if doubtful else []
+    rest += [f"{missing} {'needs' if missing == 1 else 'need'} a condition"] if missing else []
     rest += [f"{unjudged} {'is' if unjudged == 1 else 'are'} not judged"] if unjudged else []
     rest += [f"{hold} {'holds' if hold == 1 else 'hold'} as printed"] if hold else []
     return strong, "".join(f", {part}" for part in rest) + "."

@@ -130,15 +130,17 @@ class ClaimResult:
     def fault(self) -> str | None:
         """The claim's `fault`, or the derived one; None if it is right as printed or nothing is known.
 
-        Derived: a claim that needs a condition lacks a hypothesis; one that is false as meant is an error;
-        one that is right as meant is a loss of the transcription if only marks differ, else a misprint.
+        Derived: a claim that needs a condition lacks a hypothesis, unless its text states the condition
+        elsewhere; one that is false as meant is an error; one that is right as meant is a loss of the
+        transcription if only marks differ, else a misprint.
         """
         claim, outcome = self.claim, self.verdict.outcome
         if claim.mend.fault is not None or outcome in HOLDS | {Outcome.UNCHECKED, Outcome.PROBABLE}:
             return claim.mend.fault
-        if outcome is Outcome.CONDITIONAL or (
-            outcome is Outcome.ARGUED and claim.correction.hypothesis is not None
-        ):
+        if outcome is Outcome.CONDITIONAL and claim.correction.hypothesis is None:
+            is_stated = claim.context.span is not None and self.verdict.grade is Grade.OK
+            return None if is_stated else "hypothesis"
+        if outcome in (Outcome.CONDITIONAL, Outcome.ARGUED) and claim.correction.hypothesis is not None:
             return "hypothesis"
         if outcome is Outcome.ARGUED:
             return "error" if claim.corrected is not None else None

@@ -1,0 +1,89 @@
+"""The counts of a paper's equations are the same on the terminal, in report.json, errata.json and report.html."""
+
+from __future__ import annotations
+
+import json
+import re
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+from sample_report import claim
+
+from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.papers import load_paper
+from workbench.papers.texts.text_paper import TextPaper
+from workbench.report import render
+from workbench.report.claim_states import state_of_equation
+from workbench.report.document import document_of
+from workbench.report.listing import listing
+from workbench.report.shown_kinds import STATES
+
+FOLDERS = Path(__file__).parents[1]
+PAPERS = [FOLDERS / "papers" / "vector_identities.toml", FOLDERS / "papers" / "every_verdict.toml"]
+TEXT = r"""
+Let $a$, $b$, $c$ be vectors, and $s$, $p$ scalars.
+\begin{equation} a \times b = -b \times a \end{equation}
+\begin{equation} a \times b = b \times a = -a \times b \end{equation}
+\begin{gather} s + p = p + s \\ \frac{s p}{p} = s \\ s + a = p \end{gather}
+\[ a \cdot b = b \cdot a, \qquad a \cdot a = -a \cdot a \]
+\begin{align*} s + s &= s + s \\ &= 2 s \end{align*}
+"""
+MODEL = "source = 'x.tex'\n[symbols]\na = 'vector'\nb = 'vector'\nc = 'vector'\ns = 'scalar'\np = 'scalar'\n"
+#: The first sentence of a report: what it says of a number of equations, and the state.
+SAID = {
+    "error": r"(\d+) of \d+ equations? (?:is|are) wrong",
+    "misprint": r"(\d+) (?:is|are) misprinted",
+    "warning": r"(\d+) (?:is|are) doubtful",
+    "unjudged": r"(\d+) (?:is|are) not judged",
+    "hypothesis": r"(\d+) (?:needs|need) a condition",
+    "holds": r"(\d+) (?:holds|hold) as printed",
+}
+_FIRST = re.compile(r'role="status">(.*?)</p>')
+WORDS = {"condition missing": "hypothesis", "not judged": "unjudged", "definition": "defines"}
+
+
+@pytest.fixture(params=["platform", "text", *(path.stem for path in PAPERS)])
+def judged(request, tmp_path):
+    if request.param == "platform":
+        path = Path(str(files("workbench.guide").joinpath("examples/platform.toml")))
+    elif request.param == "text":
+        (tmp_path / "x.tex").write_text(TEXT, encoding="utf-8")
+        path = tmp_path / "x.toml"
+        path.write_text(MODEL, encoding="utf-8")
+    else:
+        path = next(path for path in PAPERS if path.stem == request.param)
+    paper = load_paper(path)
+    return paper, judge_paper(paper, motions=False, jobs=1)
+
+
+def test_counts_of_terminal_json_and_page_are_equal(judged):
+    paper, results = judged
+    texts = render.render(paper, results)
+    counts = json.loads(texts["report.json"])["equations"]
+    assert counts and json.loads(texts["errata.json"])["counts"] == counts
+    first = re.sub("<[^>]*>", "", _FIRST.search(texts["report.html"])[1])
+    said = {state: int(found[1]) for state, words in SAID.items() if (found := re.search(words, first))}
+    assert said == {state: counts[state] for state in SAID if state in counts}
+    if isinstance(paper, TextPaper):
+        told = listing(paper, results).counts
+        assert {WORDS.get(word, word): count for word, count in told.items()} == counts
+
+
+def test_each_equation_is_in_one_class(judged):
+    paper, results = judged
+    document = document_of(paper, results)
+    named = [each.anchor for kind in document.classes for each in (*kind.equations, *kind.statements)]
+    assert sorted(named) == sorted({each.anchor for each in document.equations})
+    unjudged = {anchor for _, places in document.unjudged for _, anchor in places}
+    states = {each.anchor: each.state.name for each in document.equations}
+    assert {states[anchor] for anchor in unjudged} <= {"unjudged"}
+    if isinstance(paper, TextPaper):
+        found = listing(paper, results)
+        rows = {row.name: row.word for row in found.rows}
+        assert {rows[name] for group in found.open for name in group.names} <= {"not judged", "not settled"}
+
+
+def test_a_step_that_says_nothing_decides_no_state():
+    proved = claim("1", "1", "1", "proved", printed="a = b")
+    assert state_of_equation([proved, proved], [STATES["holds"], STATES["unjudged"]]) is STATES["unjudged"]

@@ -11,7 +11,7 @@ from recorded_motions import Exponentials, decays, moves, random_pieces, recordi
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.joints import Limits
 from workbench.kinematics.robot.paths import JointPath, RecordedPath
-from workbench.kinematics.robot.recorded_peaks import recorded_bound, recorded_peak
+from workbench.kinematics.robot.recorded_peaks import recorded_bound, recorded_deceleration, recorded_peak
 from workbench.kinematics.robot.recordings import record
 
 COVERED, TOLD = 0.97, 0.85
@@ -187,6 +187,23 @@ def test_limits_of_a_coordinate_count_between_samples(seed, sign, a_period):
     assert not np.isfinite(found.error) or abs(found.value - true) <= found.error + 1e-8
     assert found.at_least <= true + 1e-8
     assert found.at_most >= true - 1e-8
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.integers(20, 120))
+def test_decelerations_count_between_samples(seed, a_period):
+    """They end where the velocity is 0, which is between two samples."""
+    rng = np.random.default_rng(seed)
+    motion = sines(rng, 1 + seed % 2, 0.5, 1) if seed % 3 else moves(rng, 3, 7, 0.3)
+    end = motion.breaks[-1] if hasattr(motion, "breaks") else 5.0
+    t, near = np.linspace(0, end, int(5 * a_period) + 1), np.linspace(0, end, 400_001)
+    found = recorded_deceleration(record(t, motion.at(t, 0)))
+    inside = (near >= found.span[0]) & (near <= found.span[1])
+    v, a = motion.at(near, 1), motion.at(near, 2)
+    sizes = np.where(v * a < 0, np.abs(a), 0.0)
+    true, slack = float(sizes[inside].max()), 1e-4 * np.abs(a).max()
+    assert not np.isfinite(found.error) or abs(found.value - true) <= found.error + slack
+    assert found.at_most >= sizes.max() - slack and found.at_least <= sizes.max() + slack
 
 
 def test_a_limit_that_only_a_time_between_samples_exceeds_is_not_kept():

@@ -311,6 +311,24 @@ def test_peaks_of_random_splines_are_at_the_roots_of_their_derivatives():
             assert abs(value - true.max()) < 1e-8 * max(1, np.abs(values).max()), (seed, str(peak))
 
 
+def test_a_deceleration_is_largest_up_to_the_stop():
+    """Of random quintics, by SciPy's roots of q̇ and q⃛; at a stop it drops to 0."""
+    robot = Robot("r", [TreeJoint("j", "revolute", "world", "j")])
+    for seed in range(20):
+        rng = np.random.default_rng(seed)
+        t = np.cumsum(rng.uniform(0.05, 1.5, rng.integers(6, 12)))
+        spline = interpolate.make_interp_spline(t, rng.uniform(-2, 2, (len(t), 1)), k=5)
+        limits = {"j": {"deceleration": 5}}
+        (found,) = (p for p in robot.along(spline, order=2).peaks(limits=limits) if p.name == "deceleration")
+        v, a, jerk = (
+            interpolate.PPoly.from_spline((spline.t, spline.c[:, 0], 5)).derivative(k) for k in (1, 2, 3)
+        )
+        at = np.concatenate([v.roots(extrapolate=False), jerk.roots(extrapolate=False), t])
+        at = np.clip(np.concatenate([at - 1e-10, at, at + 1e-10]), t[0], t[-1])
+        true = np.abs(a(at))[v(at) * a(at) < 0].max()
+        assert found.value == pytest.approx(true, rel=1e-7), seed
+
+
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e5])
 def test_a_path_at_its_limits_is_within_them(scale):
     """A quintic has the peaks 15/8, 10/√3 and 60; a size beyond a limit by its rounding is at the limit."""

@@ -34,6 +34,7 @@ MOST_PIECES = 4000  # that are looked at so closely
 REFINED = 33  # points in a bracket
 CANDIDATES = 4  # brackets a quantity
 CLOSING_DEGREE = 6
+STOPS = 16  # starts and ends of decelerations that are looked at
 JUMP = 1e-8  # of a derivative's largest size: a change at a break that counts
 
 
@@ -139,8 +140,31 @@ def _search(
     sizes = _sizes(curves, asked)
     rounding = [one.rounding(float(np.abs(size).max())) for one, size in zip(asked, sizes, strict=True)]
     best, best_time = _refined(sizes, times, lambda inside: _sizes(curves_at(inside), asked))
+    for i, one in enumerate(asked):
+        if one.bound == "deceleration":
+
+            def size_at(inside: np.ndarray, one: Asked = one) -> np.ndarray:
+                return _size(curves_at(inside), one)
+
+            found = _at_stops(sizes[i], times, size_at)
+            best[i], best_time[i] = max((best[i], best_time[i]), *found)
     jumps = _jumps(curves, curves_at, breaks, near, asked) if len(breaks) else [[] for _ in asked]
     return Search(times, curves_at, best, best_time, rounding, jumps)
+
+
+def _at_stops(
+    sizes: np.ndarray, times: np.ndarray, size_at: Callable[[np.ndarray], np.ndarray]
+) -> list[tuple[float, float]]:
+    """Returns (size, time) of a deceleration where it starts or ends, of the largest ones: it drops to 0
+    where the velocity is 0."""
+    edges = np.flatnonzero((sizes[:-1] > 0) != (sizes[1:] > 0))
+    inside = edges + (sizes[edges] == 0)
+    outside = 2 * edges + 1 - inside
+    found = []
+    for k in np.argsort(sizes[inside])[::-1][:STOPS]:
+        time = _crossing(size_at, times[outside[k]], times[inside[k]], 0.0)
+        found.append((float(size_at(np.array([time]))[0]), time))
+    return found
 
 
 def _grid(start: float, end: float, breaks: np.ndarray, near: float, asked: np.ndarray) -> np.ndarray:

@@ -29,8 +29,10 @@ from workbench.kinematics.robot.peaks import (
 from workbench.kinematics.robot.recorded_peaks import (
     RecordedPeak,
     below_noise,
+    decelerations,
     peak_of,
     recorded_bound,
+    recorded_deceleration,
     recorded_peak,
 )
 from workbench.kinematics.robot.recordings import Break, Recording
@@ -102,7 +104,7 @@ def _own_sizes(recording: Recording, one: Asked) -> tuple[np.ndarray, np.ndarray
         q = one.factor * values + one.offset
         return (-q if one.bound == "lower" else q), abs(one.factor) * errors
     if one.bound == "deceleration":
-        sizes, errors = _decelerations(recording)
+        sizes, errors = decelerations(recording)
         return abs(one.factor) * sizes, abs(one.factor) * errors
     return np.abs(one.factor * values), abs(one.factor) * errors
 
@@ -132,25 +134,8 @@ def _direct(recording: Recording, one: Asked) -> RecordedPeak:
         sign = -1 if (one.bound == "lower") != (one.factor < 0) else 1
         return recorded_bound(recording, sign)
     if one.bound == "deceleration":
-        return _deceleration(recording)
+        return recorded_deceleration(recording)
     return recorded_peak(recording, one.order)
-
-
-def _deceleration(recording: Recording) -> RecordedPeak:
-    sizes, errors = _decelerations(recording)
-    return peak_of(recording.times, sizes, errors, [one for one in recording.breaks if one.order < 2])
-
-
-def _decelerations(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
-    """Returns |q̈| where q̈ and q̇ have opposite signs, else 0, and its errors, each (samples,); where the
-    signs are not known it may count or not."""
-    (v, ev), (a, ea) = recording.estimate(1), recording.estimate(2)
-    size = np.abs(a)
-    is_sure = (np.abs(v) > ev) & (size > ea)
-    slows = v * a < 0
-    half = (size + ea) / 2
-    sizes = np.where(is_sure, np.where(slows, size, 0.0), half)
-    return sizes, np.where(is_sure, np.where(slows, ea, 0.0), half)
 
 
 def _carried(

@@ -50,6 +50,56 @@ def recorded_peak(recording: Recording, order: int) -> RecordedPeak:
     return found if order == 1 else below_noise(found, lambda: recorded_peak(recording, order - 1))
 
 
+def recorded_deceleration(recording: Recording) -> RecordedPeak:
+    """Returns the largest |q̈| while q̈ and q̇ have opposite signs, also between the samples: where q̇ = 0 it
+    ends."""
+    size, error = decelerations(recording)
+    v, a, jerk = recording.estimates[1:4]
+    more, moves = _between_samples(recording, 2)
+    v_there = v + a * moves + jerk * moves**2 / 2
+    slows = (moves != 0) & (v_there * a < 0) & (np.abs(v_there) > recording.errors[1])
+    widened = recording.errors[2] + more * np.minimum(
+        0.2, 0.5 * _steepness(recording, 2, np.abs(a)) * np.abs(moves)
+    )
+    size, error = np.where(slows, np.abs(a) + more, size), np.where(slows, widened, error)
+    jumps = [one for one in recording.breaks if one.order < 2]
+    corners = [one for one in _corners(recording, 2) if size[one[0] - 1 : one[0] + 1].any()]
+    moves = np.where(slows, moves, 0.0)
+    return peak_of(recording.times, size, error, jumps, [*corners, *_stops(recording)], moves)
+
+
+def decelerations(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
+    """Returns |q̈| where q̈ and q̇ have opposite signs, else 0, and its errors, each (samples,); where the
+    signs are not known it may count or not."""
+    (v, ev), (a, ea) = recording.estimate(1), recording.estimate(2)
+    size = np.abs(a)
+    is_sure = (np.abs(v) > ev) & (size > ea)
+    slows = v * a < 0
+    half = (size + ea) / 2
+    sizes = np.where(is_sure, np.where(slows, size, 0.0), half)
+    return sizes, np.where(is_sure, np.where(slows, ea, 0.0), half)
+
+
+def _stops(recording: Recording) -> list[tuple[int, float, float]]:
+    """Returns (first sample after it, |q̈|, error) of each time between two samples at which q̇ = 0."""
+    v, a, jerk = recording.estimates[1:4]
+    before = np.flatnonzero(v[:-1] * v[1:] < 0)
+    before = before[~np.isin(before + 1, recording.gaps)]
+    near = np.where(np.abs(v[before]) <= np.abs(v[before + 1]), before, before + 1)
+    with np.errstate(all="ignore"):
+        move = -v[near] / a[near]
+        move -= (v[near] + a[near] * move + jerk[near] * move**2 / 2) / (a[near] + jerk[near] * move)
+    ends = recording.times[before], recording.times[before + 1]
+    times = np.clip(recording.times[near] + np.nan_to_num(move), *ends)
+    values, errors = recording.taylor(near, times, 2, 5)
+    with np.errstate(all="ignore"):
+        late = np.minimum(recording.errors[1, near] / np.abs(values[2]), ends[1] - ends[0])
+    wide = errors[2] + np.abs(jerk[near]) * np.nan_to_num(late, nan=np.inf)
+    breaks = [one.sample for one in recording.breaks]
+    wide += np.where(np.isin(before + 1, breaks), np.abs(a[before + 1] - a[before]), 0.0)
+    return list(zip((before + 1).tolist(), np.abs(values[2]).tolist(), wide.tolist(), strict=True))
+
+
 def below_noise(found: RecordedPeak, lower: Callable[[], RecordedPeak]) -> RecordedPeak:
     """Returns the peak; of one below its noise at_most is known only if the derivative before it is known
     well, or is below its noise with a bound of its own: else it may jump."""

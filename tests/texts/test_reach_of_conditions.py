@@ -100,3 +100,24 @@ def test_what_holds_in_a_case_excuses_no_formula_of_the_next_section(
     first, again = verdicts(tmp_path, text, model_of(letters, form), form)
     assert first.outcome is Outcome.CONDITIONAL
     assert again.outcome in (Outcome.REFUTED, Outcome.DEFINITION)  # it says what a symbol is
+
+
+def test_case_of_one_item_reaches_no_other(tmp_path: Path) -> None:
+    letters = ALPHABETS[0]
+    value, formula = (renamed(each, letters) for each in VALUES[0])
+    items = [
+        rf"\item for ${value}$: {display(formula, 'tex')}",
+        rf"\item in general: {display(formula, 'tex')}",
+    ]
+    text = text_of([r"\begin{itemize}" + " ".join(items) + r"\end{itemize}"], "tex")
+    first, again = verdicts(tmp_path, text, model_of(letters, "tex"), "tex")
+    assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED)
+
+
+def test_value_of_a_section_does_not_count_in_the_next_one_on_the_same_line(tmp_path: Path) -> None:
+    letters = ALPHABETS[0]
+    value, formula = (renamed(each, letters) for each in VALUES[0])
+    parts = [heading("One", "tex"), f"Here ${value}$.", display(formula, "tex")]
+    line = " ".join([*parts, heading("Two", "tex"), display(formula, "tex")]).replace("\n", " ")
+    first, again = verdicts(tmp_path, text_of([line], "tex"), model_of(letters, "tex"), "tex")
+    assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED)

@@ -141,18 +141,18 @@ def _is_let(formula: Display) -> bool:
     return words is not None and words["defines"] is not None
 
 
-def lines_of_case(formula: Display) -> range | None:
-    """Returns the lines of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
+def place_of_case(formula: Display) -> range | None:
+    """Returns the offsets of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
 
     A supposition is a case if the display of its claim stands in its paragraph.
     """
-    words, source = _words_before(formula), formula.source
-    start, end = paragraph_around(source.prose, formula.start)
+    words, text = _words_before(formula), formula.source.prose
+    start, end = paragraph_around(text, formula.start)
     is_supposed = words is not None and words["supposes"] is not None
     is_case = words is not None and words["case"] is not None
-    if not (is_case or (is_supposed and holds_display(source.prose, formula.end, end))):
+    if not (is_case or (is_supposed and holds_display(text, formula.end, end))):
         return None
-    return range(source.place(start)[0], source.place(max(start, end - 1))[0] + 1)
+    return range(start, end)
 
 
 def _as_definition(fact: Fact) -> Fact:

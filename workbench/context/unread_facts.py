@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 
 from workbench.context.claims import Claim, Notation
-from workbench.context.condition_facts import lines_of_case
+from workbench.context.condition_facts import place_of_case
 from workbench.context.facts import Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.free_symbols import terms_of
@@ -23,8 +23,7 @@ from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.definitions import expand
 from workbench.source.documents import Display
-from workbench.source.documents.source_view import Source
-from workbench.source.documents.surrounding_words import Sections, headings
+from workbench.source.documents.surrounding_words import sections_of
 
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
@@ -39,14 +38,13 @@ _COSINES = (1, 0, -1, 0)
 class Unread:
     """An unparsed equation left = right on a line of the text.
 
-    sentence: the source, if it stands in a sentence.   case: the lines of its paragraph, if it is a case."""
+    inline: the formula, if it stands in a sentence."""
 
     left: str
     right: str
     line: int
     file: Path | None = None
-    sentence: Source | None = None
-    case: range | None = None
+    inline: Display | None = None
 
     @cached_property
     def latex(self) -> str:
@@ -94,8 +92,7 @@ def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[s
         left, equals, right = latex.partition("=")
         if equals:
             name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
-            source, case = (None, None) if formula is None else (formula.source, lines_of_case(formula))
-            found.setdefault(name, []).append(Unread(left, right, line, file, source, case))
+            found.setdefault(name, []).append(Unread(left, right, line, file, formula))
     return found
 
 
@@ -130,21 +127,27 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
 
 def _is_another_case(value: Unread, claim: Claim) -> bool:
     """True if a sentence of another paragraph of the section supposes the value for its own claim."""
-    if value.case is None or value.file != claim.source.file or claim.line in value.case:
+    place = _place_beside(value, claim)
+    if place is None or value.inline is None or _is_elsewhere(value, claim):
         return False
-    return not _is_elsewhere(value, claim)
+    case = place_of_case(value.inline)
+    return case is not None and place not in case
 
 
 def _is_elsewhere(value: Unread, claim: Claim) -> bool:
     """True if a sentence of another section gives the symbol its value."""
-    if value.sentence is None or value.file != claim.source.file:
+    place = _place_beside(value, claim)
+    if place is None or value.inline is None:
         return False
-    return not _sections_by_line(value.sentence).holds(value.line, claim.line)
+    return not sections_of(value.inline.source.prose).holds(value.inline.start, place)
 
 
-@lru_cache(maxsize=8)
-def _sections_by_line(source: Source) -> Sections:
-    return Sections.of([(source.place(start)[0], level) for start, level in headings(source.prose)])
+def _place_beside(value: Unread, claim: Claim) -> int | None:
+    """Returns the offset of the claim in the file of a value that a sentence gives; None if there is none."""
+    span = claim.context.span
+    if value.inline is None or span is None or value.file != claim.source.file:
+        return None
+    return value.inline.source.offset(span.line, span.column)
 
 
 def _said_of(

@@ -23,6 +23,7 @@ _HEADING = re.compile(
     re.MULTILINE | re.DOTALL | re.IGNORECASE,
 )
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$\\*`(])")
+_ITEM = re.compile(r"\\item\b")
 _STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$)?$")
 _THEN = re.compile(r"\s*(?:then|hence|thus|therefore|so|consequently|it follows)\b", re.IGNORECASE)
 _SUPPOSES = re.compile(
@@ -58,6 +59,10 @@ def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
     after = text[end : end + _FAR]
     closed = _STOP.search(text[start:end].rstrip()[-40:]) or _NEW_SENTENCE.match(after)
     stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) if (m := sign.search(after))]
+    items = [m.end() for m in _ITEM.finditer(before) if m.end() > max(ends, default=0)]
+    if items:  # the next item is another sentence
+        ends.append(items[-1])
+        stops += [m.start() for m in _ITEM.finditer(after)][:1]
     return first + max(ends, default=0), end if closed else end + min(stops, default=len(after))
 
 
@@ -129,8 +134,8 @@ def supposed_before(text: str, first: int) -> str:
     return text[begins:first] if supposes or _THEN.match(text, first) else ""
 
 
-#: The break before another paragraph of words; displays and words in lower case go on with the one before.
-_BREAK = re.compile(r"(?<!math::)\n[ \t]*\n\s*(?!\s|\$\$|\\\[|\\begin\b|```|\.\. |[a-z])")
+#: The break before another paragraph of words, or an item; displays and words in lower case begin none.
+_BREAK = re.compile(r"(?<!math::)\n[ \t]*\n\s*(?!\s|\$\$|\\\[|\\begin\b|```|\.\. |[a-z])|(?=\\item\b)")
 _DISPLAY = re.compile(r"\$\$|\\\[|\\begin\b|```|\.\. math::")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
 from click.testing import CliRunner
 
 from workbench.app.commands.commands import main
@@ -72,3 +73,53 @@ def test_a_guess_that_no_model_can_hold_is_left_out(tmp_path: Path) -> None:
         replace(drafted, guesses=drafted.guesses | members), path.with_suffix(".toml"), False
     )
     assert not model.faults and text.count("refused: ") == 1 and text.count("\n'm' = ") == 1
+
+
+def test_a_size_below_a_unit_tensor_is_at_least_2(tmp_path: Path) -> None:
+    path = tmp_path / "energy.md"
+    path.write_text("$$ \\frac{1}{2} m v^2 + m g z = E_0 $$\n\n$$ v_1 = \\sqrt{2 E_1 / m} $$\n")
+    assert all(result.verdict.outcome is not Outcome.ILL_FORMED for result in judged(path))
+
+
+OTHER_KINDS = {
+    "another size": r"""$$ \mathbf{R} \mathbf{a} = \mathbf{b} \times \mathbf{c} $$
+
+$$ \mathbf{b} = \mathbf{R} \mathbf{c} + \mathbf{a} $$
+
+$$ \mathbf{R} = \begin{bmatrix} \cos s & -\sin s \\ \sin s & \cos s \end{bmatrix} $$
+""",
+    "two misfits of one symbol": r"""$$ \mathbf{c} = s \mathbf{a} + \mathbf{b} $$
+
+$$ s = \mathbf{a} \cdot \mathbf{b} $$
+
+$$ \mathbf{c} = s + \mathbf{b} $$
+
+$$ \mathbf{a} \times \mathbf{b} = \mathbf{c} + s^2 $$
+""",
+    "a law": r"""$$ E = v^2 + v $$
+
+$$ \frac{d E}{d t} = 0 $$
+""",
+}
+
+
+@pytest.mark.parametrize("text", OTHER_KINDS.values(), ids=OTHER_KINDS)
+def test_what_may_be_meant_with_other_kinds_is_no_warning(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(text)
+    assert {result.shown for result in judged(path)}.isdisjoint({Grade.WARNING, Grade.ERROR})
+
+
+FALSE_OF_ALL_KINDS = {
+    "a kind that another formula supports": "$$ s = \\mathbf{a} \\cdot \\mathbf{b} $$\n\n"
+    "$$ \\mathbf{c} = s \\mathbf{a} + \\mathbf{b} $$\n\n$$ \\mathbf{c} = s + \\mathbf{b} $$\n",
+    "an impossible condition": "$$ \\mathbf{c} = \\mathbf{a} \\times \\mathbf{b} $$\n\n"
+    "$$ \\mathbf{a} \\cdot (\\mathbf{a} \\times \\mathbf{b}) = 1 $$\n",
+}
+
+
+@pytest.mark.parametrize("text", FALSE_OF_ALL_KINDS.values(), ids=FALSE_OF_ALL_KINDS)
+def test_what_no_likely_kinds_make_true_is_a_warning(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(text)
+    assert [result.shown for result in judged(path)].count(Grade.WARNING) == 1

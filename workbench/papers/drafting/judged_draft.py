@@ -16,6 +16,7 @@ from workbench.core.verdict import Outcome, Strength, Verdict
 from workbench.papers.drafting.draft_model import Ingested, ingest
 from workbench.papers.drafting.inference.infer import Thin, kind_name
 from workbench.papers.drafting.model_file import loaded_model
+from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
 from workbench.papers.drafting.typefaces import flat
 from workbench.papers.texts.load_texts import model_beside
 from workbench.papers.texts.text_paper import TextPaper, text_paper
@@ -99,7 +100,9 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     doubts = [name for name in names or unsure if name in unsure and name not in known]
     if (own := _defined_elsewhere(draft, claim)) is not None:
         doubts.append(own)
-    unless = ("the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3]))
+    unless = ["the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3])]
+    if not doubts and verdict.counterexample is not None and may_say_what_symbols_are(claim):
+        unless.append("it says what its symbols are")
     said = [doubt for doubt in map(_of_the_text, verdict.unless) if doubt]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
 

@@ -12,7 +12,7 @@ from workbench.papers.drafting.model_proposal import Proposal
 from workbench.papers.drafting.words_on_symbols import speaks_of_quaternions
 from workbench.papers.notation_tables import FUNCTIONS, HAMILTON
 
-_BELOW = r"\s*_\s*(?:\d|\{\s*\d\s*(?:\\times\s*\d\s*)?\})"
+_BELOW = r"\s*_\s*(?:[2-9]|\{\s*[2-9]\s*(?:\\times\s*\d\s*)?\})"
 #: Unit tensors by their letters: a blackboard 1 or I, a bold 1, and I with its size.
 _UNITS = re.compile(
     rf"\\(?:mathbb|mathds)\s*\{{?\s*[1I]\s*\}}?(?:{_BELOW})?|\\(?:mathbf|boldsymbol|mathrm)\s*\{{?\s*1\s*\}}?(?:{_BELOW})?"

@@ -72,7 +72,7 @@ class TypeMismatch:
 
     Attributes:
         names: The symbols of the operation.
-        cured_by: The symbols with another kind that suits the formula, and nearly as well the other formulas.
+        cured_by: The symbols with other kinds that suit the formula and that no other evidence contradicts.
     """
 
     latex: str

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from workbench.papers.drafting.inference.beams import Beams
 from workbench.papers.drafting.inference.kind_operations import Operation
-from workbench.papers.drafting.inference.kind_signatures import MISFIT, Kind
+from workbench.papers.drafting.inference.kind_signatures import MISFIT, SCALAR, Kind
 from workbench.papers.drafting.inference.priors import Priors, face, likeness
 from workbench.papers.drafting.inference.tables import Costs
 
@@ -18,8 +18,6 @@ _UNLIKE, _INLINE = 12, 4
 #: A symbol with a kind that costs at least this much more than its cheapest one makes its formulas suspect.
 _STRANGE = 12
 _ROUNDS, _MOST_OPTIONS, _MOST_MENDED, _MOST_OTHERS = 12, 10, 3, 3
-#: A formula that does not fit may be meant with another kind that costs at most this much more elsewhere.
-_CURE = 20
 #: The limit of the number of readings of operations; the search stops there with the kinds found so far.
 _MOST_READINGS = 400_000
 
@@ -57,6 +55,7 @@ class Search:
             for name in names:
                 self.users[name].append(index)
         self.prior = {name: priors.of(name) for name in self.users}
+        self.said = frozenset(filter(priors.is_said, self.users))
         self.kinds: dict[str, Kind] = {name: next(iter(own)) for name, own in self.prior.items()}
         self.kinds |= {name: kind for name, kind in (start or {}).items() if name in self.kinds}
         self.alike: dict[str, list[str]] = defaultdict(list)
@@ -242,23 +241,59 @@ class Search:
             found.append((self._dearer(name, kind), text, kind))
         return [(kind, more) for more, _, kind in sorted(found)[:_MOST_OTHERS]]
 
-    def _dearer(self, name: str, kind: Kind, without: int | None = None) -> int:
-        """Returns the increase of the cost with another kind; without: a formula that does not count."""
+    def _dearer(self, name: str, kind: Kind) -> int:
+        """Returns the increase of the cost with another kind."""
         change = {name: kind}
-        places = (place for place in self.users[name] if place != without)
-        more = sum(self._cost(place, change) - self._now[place] for place in places)
+        more = sum(self._cost(place, change) - self._now[place] for place in self.users[name])
         return more + self.own(change, change) - self.own(change, {})
 
     def cured_by(self, place: int) -> list[str]:
-        """Returns the symbols of a misfit formula that another kind, hardly dearer elsewhere, suits."""
-        return [
-            name
-            for name in self.names[place]
-            if any(
-                self._cost(place, {name: kind}) < MISFIT // 2 and self._dearer(name, kind, place) <= _CURE
-                for kind in self.prior[name]
-            )
-        ]
+        """Returns the symbols of a misfit formula that are likely meant with other kinds.
+
+        These are symbols of misfit formulas on other lines, or those of a cure: other kinds that suit the
+        formula, where no other evidence supports the present kind of one of the symbols.
+        """
+        if spoilt := self._spoilt(place):
+            return sorted(spoilt)
+        for change in self._cures(place):
+            if not any(self._is_supported(name, place, change) for name in change):
+                return sorted(change)
+        return []
+
+    def _cures(self, place: int) -> Iterator[Change]:
+        """Yields other kinds of one symbol of a formula, or of several, that suit the formula."""
+        names = self.names[place]
+        singles = ({name: kind} for name in names for kind in self.prior[name])
+        several = self._beams.joint(self.formulas[place].trees, {name: self._own_of(name) for name in names})
+        for kinds in (*singles, *several):
+            change = {name: kind for name, kind in kinds.items() if self.kinds[name] != kind}
+            if self._cost(place, change) < MISFIT // 2:
+                yield change
+
+    def _spoilt(self, place: int) -> set[str]:
+        """Returns the symbols in misfit formulas on other lines, and those that are written like them.
+
+        One wrong kind explains several misfits better than several errors do."""
+        line = self.formulas[place].line
+        misfit = (
+            names
+            for formula, names, cost in zip(self.formulas, self.names, self._now, strict=True)
+            if cost >= MISFIT // 2 and not formula.inline and formula.line != line
+        )
+        alike = {likeness(name) for names in misfit for name in names}
+        return {name for name in self.names[place] if likeness(name) in alike}
+
+    def _is_supported(self, name: str, place: int, change: Change) -> bool:
+        """True if another formula or a word supports the present kind of a symbol, and its letter does not
+        suggest another one.
+
+        A change of size only is supported by nothing, as a text uses a letter at several sizes."""
+        now, prior = self.kinds[name], self.prior[name]
+        if prior[now] > min(prior.values()) or _is_resized(now, change[name]):
+            return False
+        others = (other for other in self.users[name] if other != place)
+        breaks = any(self._cost(other, change) - self._now[other] >= MISFIT // 2 for other in others)
+        return breaks or name in self.said
 
     def needed_once(self) -> Iterator[tuple[str, int, Kind]]:
         """Yields symbols whose kind rests on one display only, its index, and the kind without it."""
@@ -275,3 +310,10 @@ class Search:
     def operations(self) -> Iterator[Operation]:
         """Yields all operations of the formulas."""
         return (each for formula in self.formulas for tree in formula.trees for each in tree.walk())
+
+
+def _is_resized(kind: Kind, other: Kind) -> bool:
+    """True if both are columns, rows or matrices, of different sizes."""
+    if isinstance(kind, str) or isinstance(other, str):
+        return False
+    return SCALAR not in (kind, other) and [n == 1 for n in kind] == [n == 1 for n in other]

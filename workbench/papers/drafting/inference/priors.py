@@ -136,6 +136,11 @@ class Priors:
         self.prose, self.kinds, self.functions = prose, kinds, functions
         self.units, self.parted = units, parted
 
+    def is_said(self, name: str) -> bool:
+        """True if words next to a symbol, or a set that it is in, state its kind."""
+        said = self.prose.guess(name)
+        return said is not None and said.is_said
+
     def of(self, name: str) -> dict[Kind, int]:
         """Returns the cost of each kind, the cheapest kind first."""
         has_quaternions = self.prose.has_quaternions or name in (*self.units, *self.parted)

@@ -35,7 +35,7 @@ from workbench.papers.drafting.inference.rows import RowWalker
 from workbench.papers.drafting.typefaces import flat
 
 _FACE = r"(?:\\(?:math(?:bf|bb|ds|rm|cal|sf)|boldsymbol))"
-IDENTITY = re.compile(rf"{_FACE}(?:I|1|Id)_?(?:(\d)(?:\\times\d)?)?|[IE]_(\d)(?:\\times\d)?|I")
+IDENTITY = re.compile(rf"{_FACE}(?:I|1|Id)_?(?:([2-9])(?:\\times\d)?)?|[IE]_([2-9])(?:\\times\d)?|I")
 ZERO = re.compile(rf"{_FACE}?[0O]_?(?:(\d)(?:\\times(\d))?)?")
 _TRANSPOSES = frozenset(("T", "\\mathrmT", "\\mathsfT", "\\mathttT", "-T", "t"))
 #: Superscripts that are labels, not powers.

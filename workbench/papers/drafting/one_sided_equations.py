@@ -1,0 +1,29 @@
+"""Refuted equations that may say what their symbols are, in a text without a model."""
+
+from __future__ import annotations
+
+from workbench.context.claims import Claim, Notation
+from workbench.context.free_symbols import free_in
+from workbench.core.terms import Definition, Relation
+from workbench.language.definitions import Definitions
+from workbench.prover.decide.decide import Judge
+from workbench.prover.explain.decide_under_facts import Decider
+
+
+def may_say_what_symbols_are(claim: Claim) -> bool:
+    """True if an equation has no free symbol on both sides, and some values of its symbols make it true.
+
+    An identity relates what stands on both sides; F + G = 0 and AᵀP + PA = -1 rather state a law or a
+    condition of the text.
+    """
+    statement = claim.printed.statement
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return False
+    said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
+    definitions = Definitions([*claim.notation.definitions, *said]) if said else claim.notation.definitions
+    left, right = (free_in([side], definitions) for side in (statement.left, statement.right))
+    return left.isdisjoint(right) and not Decider(claim, _judge, True).is_impossible(())
+
+
+def _judge(notation: Notation) -> Judge:
+    return Judge(notation.definitions, bound=frozenset(each.declaration.name for each in notation.motion))

@@ -111,7 +111,7 @@ def test_what_may_be_meant_with_other_kinds_is_no_warning(tmp_path: Path, text: 
 
 
 FALSE_OF_ALL_KINDS = {
-    "a kind that another formula supports": "$$ s = \\mathbf{a} \\cdot \\mathbf{b} $$\n\n"
+    "a kind that another formula supports": "$$ \\mathbf{a} \\cdot \\mathbf{b} = s + 1 $$\n\n"
     "$$ \\mathbf{c} = s \\mathbf{a} + \\mathbf{b} $$\n\n$$ \\mathbf{c} = s + \\mathbf{b} $$\n",
     "an impossible condition": "$$ \\mathbf{c} = \\mathbf{a} \\times \\mathbf{b} $$\n\n"
     "$$ \\mathbf{a} \\cdot (\\mathbf{a} \\times \\mathbf{b}) = 1 $$\n",

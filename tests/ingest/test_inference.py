@@ -92,6 +92,12 @@ def test_a_formula_that_fits_no_kinds_is_a_misfit() -> None:
     )
 
 
+def test_a_bold_1_beside_quaternions_is_one_of_them() -> None:
+    sources = [Source(r"\mathbf{q}^{-1} \mathbf{q} = \mathbf{1}"), Source(r"\mathbf{q} = s + \mathbf{v}")]
+    found = infer(sources, Prose("A quaternion times a quaternion is a quaternion."))
+    assert not found.misfits and kind_name(found.kinds[r"\mathbf{q}"].kind) == "hamilton quaternion"
+
+
 @pytest.mark.parametrize(
     ("latex", "pieces"),
     [

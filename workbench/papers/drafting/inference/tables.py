@@ -105,7 +105,8 @@ class Costs:
                 return {(int(found[1]), int(found[2] or 1)) if found[1] else None: 0}
             case "identity" if found := IDENTITY.fullmatch(text):
                 size = found[1] or found[2]
-                return {(int(size), int(size)): 0} if size else dict(_UNITS)
+                one: Table = {QUATERNION: _ONE} if "1" in text else {}
+                return {(int(size), int(size)): 0} if size else _UNITS | one
             case "unit":
                 kind = kinds[tree.text]
                 is_square = isinstance(kind, tuple) and kind[0] == kind[1] != 1

@@ -76,7 +76,7 @@ def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> 
                 saying.fact = replace(saying.fact, strength=Strength.GUESSED)
             for declaration in saying.registered:
                 said.setdefault(declaration, []).append(saying)
-        for declaration in free_in(terms_of(statement), claim.notation.definitions):
+        for declaration in free_in(sides_of(statement), claim.notation.definitions):
             first.setdefault(declaration, display)
     return made
 
@@ -137,7 +137,7 @@ def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
     assert statement is not None
     found: dict[int, Fact] = {}
     seen: set[Declaration] = set()
-    waiting = free_in(terms_of(statement), notation.definitions)
+    waiting = free_in(sides_of(statement), notation.definitions)
     while waiting:
         declaration = waiting.pop()
         if declaration in seen:
@@ -152,7 +152,7 @@ def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
                 fact = replace(fact, content=None)
             found[saying.at] = fact
             if fact.act is Act.DEFINE:
-                waiting |= free_in(terms_of(stated), notation.definitions)
+                waiting |= free_in(sides_of(stated), notation.definitions)
     return [found[at] for at in sorted(found)]
 
 
@@ -216,7 +216,7 @@ def _law(claim: Claim, earlier: bool) -> Fact:
 
 def _spoken(claim: Claim) -> set[Declaration]:
     assert claim.printed.statement is not None
-    return free_in(terms_of(claim.printed.statement), claim.notation.definitions)
+    return free_in(sides_of(claim.printed.statement), claim.notation.definitions)
 
 
 def _moving(claim: Claim) -> set[Declaration]:

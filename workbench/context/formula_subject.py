@@ -79,7 +79,7 @@ class Subject:
     @cached_property
     def declarations(self) -> set[Declaration]:
         """The declarations of all free symbols, after unfolding definitions."""
-        return free_in(terms_of(self.statement), self.definitions)
+        return free_in(sides_of(self.statement), self.definitions)
 
     @cached_property
     def moved(self) -> set[Declaration]:

@@ -79,7 +79,7 @@ def is_all_given(claim: Claim) -> bool:
     """True if the given formulas contain every free symbol of the claim, so that they determine it."""
     definitions = claim.notation.definitions
     given = [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
-    return bool(given) and free_in(terms_of(claim.printed.parsed), definitions) <= free_in(given, definitions)
+    return bool(given) and free_in(sides_of(claim.printed.parsed), definitions) <= free_in(given, definitions)
 
 
 def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:

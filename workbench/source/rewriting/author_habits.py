@@ -59,13 +59,17 @@ def as_read(tokens: Sequence[Token]) -> list[Token]:
 def everywhere(
     tokens: list[Token], pattern: Callable[[list[Token], int], tuple[list[Token], int] | None]
 ) -> list[Token]:
+    """Returns the tokens rewritten by the pattern from left to right; the same list if it is found nowhere."""
     made: list[Token] = []
-    place = 0
+    start = place = 0
     while place < len(tokens):
         found = pattern(tokens, place)
-        made += [tokens[place]] if found is None else found[0]
-        place = place + 1 if found is None else found[1]
-    return made
+        if found is None:
+            place += 1
+            continue
+        made += [*tokens[start:place], *found[0]]
+        start = place = found[1]
+    return [*made, *tokens[start:]] if start else tokens
 
 
 def _variant(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

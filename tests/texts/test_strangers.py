@@ -123,7 +123,7 @@ def test_trivial_steps_break_no_chain(
     (tmp_path / "p.toml").write_text('source = "p.md"\n[symbols]\n\'n\' = { kind = "vector" }\n')
     trivial, of_a_unit, false = judge_paper(load_paper(tmp_path / "p.toml"))
     assert trivial.passed and trivial.verdict.outcome is Outcome.UNCHECKED
-    assert told(of_a_unit.verdict) == "doubtful" and "$n$: unit" in doubts(of_a_unit.verdict)
+    assert told(of_a_unit.verdict) == "doubtful" and "n: unit" in doubts(of_a_unit.verdict)
     assert false.verdict.outcome is Outcome.REFUTED and not false.passed
 
 
@@ -138,8 +138,8 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
 
 OPEN = [
     (r"$$\mathbf{r} \cdot (\mathbf{s} \times \mathbf{r}) = r_1^2$$", "says what r_{1} is"),
-    (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", "the text says more: $\\alpha"),
-    ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says more: $\\alpha"),
+    (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", "the text says more: \\alpha"),
+    ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says more: \\alpha"),
     (r"$$x y + x z + y = x$$", "says what z is"),
     (r"$$x^2 y - x^2 y^2 = 0$$", None),
     (r"$$\mathbf{r} + x\mathbf{s} + \mathbf{s} = x^2 \mathbf{s}$$", "says what"),

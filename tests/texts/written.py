@@ -82,5 +82,5 @@ def told(verdict: Verdict) -> str:
 
 
 def doubts(verdict: Verdict) -> str:
-    """Returns all that is said beside the outcome."""
-    return "; ".join([verdict.reason or "", *verdict.unless])
+    """Returns all that is said beside the outcome, without the dollar signs around formulas."""
+    return "; ".join([verdict.reason or "", *verdict.unless]).replace("$", "")

@@ -108,7 +108,7 @@ def test_the_condition_is_shown_with_its_line(tmp_path: Path) -> None:
     )
     (tmp_path / "p.toml").write_text(MODEL.format("tex"))
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
-    assert r"f\neq0 (line 2)" in result.verdict.reason
+    assert r"$f\neq0$ (line 2)" in result.verdict.reason
     assert result.verdict.hypothesis == r"f\neq0"
 
 

@@ -50,7 +50,7 @@ def test_figure_relations_of_numbered_vectors_are_proposed(tmp_path: Path) -> No
     formula = rf"e_i \cdot (e_i \times e_i) + e_i \cdot e_i = 1 {RANGE}"
     assert outcome(tmp_path, formula, VECTORS) == "refuted"
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"), motions=False)
-    assert result.verdict.grade == "warning" and result.verdict.unless == ("e_{1}, e_{2}, e_{3}: unit",)
+    assert result.verdict.grade == "warning" and result.verdict.unless == ("$e_{1}$, $e_{2}$, $e_{3}$: unit",)
     assert outcome(tmp_path, rf"e_i \times (e_i \times e_i) = e_i {RANGE}", VECTORS) == "refuted"
 
 

@@ -59,7 +59,7 @@ def as_read(tokens: Sequence[Token]) -> list[Token]:
 def everywhere(
     tokens: list[Token], pattern: Callable[[list[Token], int], tuple[list[Token], int] | None]
 ) -> list[Token]:
-    """Returns the tokens rewritten by the pattern from left to right; the same list if it is found nowhere."""
+    """Returns the tokens rewritten from left to right; the same list if the pattern is found nowhere."""
     made: list[Token] = []
     start = place = 0
     while place < len(tokens):

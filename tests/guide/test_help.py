@@ -64,6 +64,15 @@ def test_search_lists_pages_with_all_words() -> None:
     assert result.exit_code == 0 and "model-keys: Model keys" in result.output
 
 
+@pytest.mark.parametrize(
+    ("words", "topic"), [("custom accent", "accents"), ("jacobian derivative", "derivatives")]
+)
+def test_search_takes_several_words_in_one_argument(words: str, topic: str) -> None:
+    found = help_of("--search", words).output
+    assert found == help_of("--search", *words.split()).output
+    assert found.startswith(f"{topic}: ")
+
+
 def test_search_without_result_exits_with_1() -> None:
     assert help_of("--search", "zyzzyva").exit_code == 1
 

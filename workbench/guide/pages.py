@@ -12,6 +12,8 @@ from workbench.guide.contents import PARTS
 
 FOLDER = Path(__file__).parent
 _HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
+#: The most times that a word counts in one page of a search.
+_MOST_TIMES = 5
 _SENTENCE = re.compile(r"(.+?[.:])(?=\s|$)", re.DOTALL)
 
 
@@ -70,13 +72,17 @@ def find_page(topic: str, pages: Sequence[Page]) -> Page | None:
 
 
 def search(words: Sequence[str], pages: Sequence[Page]) -> list[tuple[Page, str]]:
-    """Returns the pages that contain all words, the one that has them most often first, each with a line."""
-    wanted = [word.casefold() for word in words]
+    """Returns the pages that contain all words, the one with most of them first, each with a line.
+
+    A word in a title counts most; in a long page it counts `_MOST_TIMES` times."""
+    wanted = " ".join(words).casefold().split()
     found = []
     for page in pages:
         text = page.text.casefold()
         if all(word in text for word in wanted):
-            weight = sum(text.count(word) + 20 * (word in page.title.casefold()) for word in wanted)
+            weight = sum(
+                min(text.count(word), _MOST_TIMES) + 20 * (word in page.title.casefold()) for word in wanted
+            )
             found.append((weight, page))
     ordered = sorted(found, key=lambda each: -each[0])
     return [(page, _best_line(page.text, wanted)) for _, page in ordered]

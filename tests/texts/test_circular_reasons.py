@@ -64,3 +64,19 @@ def test_implication_of_itself_is_a_law(tmp_path: Path, sign: str) -> None:
     latex = renamed(rf"<f> = <g> {sign} <g> = <f>", ALPHABETS[0])
     found = by_each_door(latex, tmp_path, ALPHABETS[0])
     assert [[verdict.outcome for verdict in each] for each in found] == [[Outcome.PROVED]] * 3
+
+
+@pytest.mark.parametrize(
+    ("claim", "condition"),
+    [
+        (r"<f> <g> + <h>^2 = <g> <h> + <f>^2", r"<f>^2 + <h> <g> = <h>^2 + <g> <f>"),
+        (
+            r"<f> (<a> \cdot <b>) + <g> <a>^2 = <f> <b>^2 + <g> (<a> \cdot <b>)",
+            r"<f> (<b> \cdot <a>) + <g> <a>^2 = (<b> \cdot <a>) <g> + <f> <b>^2",
+        ),
+    ],
+)
+def test_order_of_factors_makes_no_other_condition(tmp_path: Path, claim: str, condition: str) -> None:
+    latex = renamed(rf"{claim} \quad \text{{since }} {condition}", ALPHABETS[2])
+    for found in by_each_door(latex, tmp_path, ALPHABETS[2]):
+        assert [*map(_told, found)] == [(Outcome.UNCHECKED, VerdictCode.CONDITION_IS_THE_CLAIM)]

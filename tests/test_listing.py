@@ -16,6 +16,7 @@ from workbench.papers import load_paper
 from workbench.repair.author_edits import author_edits
 from workbench.source.documents.source_edits import SourceEdit, applied
 from workbench.source.rewriting.pasted_formulas import as_typed
+from workbench.source.typeset.differences import difference
 from workbench.source.typeset.plain_text import in_plain_text, plain_text
 
 PREAMBLE = r"""%! workbench: symbols.'a' = { kind = "vector" }
@@ -53,8 +54,10 @@ def test_edits_of_the_author_give_a_proved_text(tmp_path: Path, printed: str, ri
     paper = load_paper(path, faults=[])
     (result,) = with_proposals(judge_paper(paper, (), motions=False))
     assert result.proposed
-    edits = author_edits(result.claim, paper.text, result.proposed[0])
-    assert edits, result.proposed[0]
+    edits, edited = author_edits(result.claim, paper.text, result.proposed[0])
+    assert edits and edited, result.proposed[0]
+    shown = difference(result.claim.printed.latex, edited)
+    assert shown is None or len(shown.marked_before) + len(shown.marked_after) <= 4 * len(edits)
     path.write_text(applied(path.read_text(encoding="utf-8"), edits), encoding="utf-8")
     (again,) = judge_paper(load_paper(path, faults=[]), (), motions=False)
     assert again.verdict.outcome == "proved", path.read_text(encoding="utf-8")

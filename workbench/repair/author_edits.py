@@ -56,33 +56,38 @@ def with_author_edits(results: Sequence[ClaimResult], text: Text | None) -> list
     """Returns the results, each with the edits of the text that carry out its first proposal, if found."""
     if text is None:
         return list(results)
-    return [
-        replace(each, edits=author_edits(each.claim, text, each.proposed[0])) if each.proposed else each
-        for each in results
-    ]
+    found = []
+    for each in results:
+        if each.proposed:
+            edits, edited = author_edits(each.claim, text, each.proposed[0])
+            each = replace(each, edits=edits, edited=edited)
+        found.append(each)
+    return found
 
 
-def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[SourceEdit, ...]:
-    """Returns the edits of the author's characters that change the printed formula to the proposal.
+def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[tuple[SourceEdit, ...], str | None]:
+    """Returns the edits of the author's characters that change the printed formula to the proposal, and the
+    author's formula with them, macros expanded.
 
-    Returns none if no such edit was found.
+    Returns ((), None) if no such edit was found.
     """
+    none: tuple[tuple[SourceEdit, ...], None] = ((), None)
     step = _step_of(claim, text)
     if step is None:
-        return ()
+        return none
     latex, owners = spelled(step.tokens)
     try:
         right = _read(claim, proposed.latex)
     except (ReadError, IllFormedAt):
-        return ()
+        return none
     editor = _Editor(claim, latex, owners, proposed.latex, right)
     try:
         for pieces in editor.candidates():
             if (found := edits_in_source(pieces, owners)) is not None and editor.is_right(pieces):
-                return merged(found)
+                return merged(found), editor.edited(pieces)
     finally:
         editor.close()
-    return ()
+    return none
 
 
 def _read(claim: Claim, latex: str) -> Statement:
@@ -145,11 +150,13 @@ class _Editor:
                     seen.add(pieces)
                     yield pieces
 
+    def edited(self, pieces: Sequence[Piece]) -> str:
+        return _with(self._latex, [(each.start, each.end, each.expanded) for each in pieces])
+
     def is_right(self, pieces: Sequence[Piece]) -> bool:
         """True if the edited formula states what was proved, or is proved itself."""
-        edited = _with(self._latex, [(each.start, each.end, each.expanded) for each in pieces])
         try:
-            statement = _read(self._claim, edited)
+            statement = _read(self._claim, self.edited(pieces))
         except (ReadError, IllFormedAt):
             return False
         if statement == self._right:

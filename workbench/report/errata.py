@@ -235,7 +235,8 @@ def _changes(result: ClaimResult) -> Iterator[Change]:
     proved = (form for form in result.proposed or () if form.verdict is Outcome.PROVED)
     right = result.right or next(proved, None)
     if right and claim.shown and claim.shown != claim.sentence.quote and not claim.mend.edits:
-        yield _in_formula(claim.shown, right.latex)
+        is_first = right is next(iter(result.proposed or ()), None)
+        yield _in_formula(claim.shown, (result.edited if is_first else None) or right.latex)
 
 
 def _in_formula(old: str, new: str) -> Change:

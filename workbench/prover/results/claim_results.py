@@ -43,6 +43,7 @@ class ClaimResult:
 
     proposed, certificates: the proposals of the search and the results of Coq; None if not requested.
     edits: of the author's characters, which turn the formula into the first proposal.
+    edited: the author's formula with these edits, macros expanded.
     known: whether a baseline already lists the claim as wrong.
     """
 
@@ -53,6 +54,7 @@ class ClaimResult:
     proposed: tuple[Proposed, ...] | None = None
     certificates: tuple[Certification, ...] | None = None
     edits: tuple[SourceEdit, ...] = ()
+    edited: str | None = None
     known: bool = False
 
     @property

@@ -242,7 +242,9 @@ class TestConditions:
     def test_a_condition_that_lasts_has_to_be_said(self):
         open_ = verdict(r"\dot{f} = 0 \text{ where } f = 1")
         assert open_.outcome == Outcome.UNCHECKED and "at one instant only" in open_.reason
-        assert verdict(r"\dot{f} = 0 \text{ where } f = 1 \text{ and } \dot{f} = 0").outcome == Outcome.PROVED
+        said = r"\text{ where } f = 1 \text{ and } \dot{f} = 0"
+        assert verdict(rf"\dot{{f}} g = f - 1 {said}").outcome == Outcome.PROVED
+        assert verdict(rf"\dot{{f}} = 0 {said}").outcome == Outcome.UNCHECKED
         assert verdict(r"\dot{f} = g \text{ where } f = 1").outcome == Outcome.REFUTED
 
 

@@ -7,6 +7,7 @@ sine.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable
 from math import factorial
 from typing import Any, NamedTuple
@@ -178,9 +179,7 @@ def _object_function(name: str) -> Callable[[Any], Any]:
             return getattr(math, name)(x)
         if hasattr(x, name):
             return getattr(x, name)()
-        import sympy
-
-        return getattr(sympy, name)(x)
+        return getattr(sys.modules["sympy"], name)(x)  # the caller's, which made x
 
     return function
 

@@ -26,6 +26,8 @@ from workbench.papers.drafting.typefaces import flat
 BRACKETS = {"time": (60, 0), "lone": (8, 0), "tuple": (0, 4), "skewed": (0, 5), "unclear": (0, 6)}
 #: The cost of 1 as a unit tensor.
 _ONE = 15
+#: The cost of a bold 1 as a quaternion, so that it is one only beside others.
+_ONE_QUATERNION = 20
 #: The costs of a unit tensor as a number, and of a column of four numbers as a quaternion.
 _UNIT_NUMBER, _COLUMN_AS_QUATERNION = 30, 16
 #: The sizes of a unit tensor.
@@ -105,7 +107,7 @@ class Costs:
                 return {(int(found[1]), int(found[2] or 1)) if found[1] else None: 0}
             case "identity" if found := IDENTITY.fullmatch(text):
                 size = found[1] or found[2]
-                one: Table = {QUATERNION: _ONE} if "1" in text else {}
+                one: Table = {QUATERNION: _ONE_QUATERNION} if "1" in text else {}
                 return {(int(size), int(size)): 0} if size else _UNITS | one
             case "unit":
                 kind = kinds[tree.text]

@@ -57,7 +57,7 @@ def test_edits_of_the_author_give_a_proved_text(tmp_path: Path, printed: str, ri
     edits, edited = author_edits(result.claim, paper.text, result.proposed[0])
     assert edits and edited, result.proposed[0]
     shown = difference(result.claim.printed.latex, edited)
-    assert shown is None or len(shown.marked_before) + len(shown.marked_after) <= 4 * len(edits)
+    assert shown and len(shown.marked_before) + len(shown.marked_after) <= 4 * len(edits)
     path.write_text(applied(path.read_text(encoding="utf-8"), edits), encoding="utf-8")
     (again,) = judge_paper(load_paper(path, faults=[]), (), motions=False)
     assert again.verdict.outcome == "proved", path.read_text(encoding="utf-8")

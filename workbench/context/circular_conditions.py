@@ -21,6 +21,7 @@ from workbench.core.terms import (
     Term,
     Zero,
 )
+from workbench.engines.inventory.addend_expansion import addends
 from workbench.language.definitions import Definitions, expand
 from workbench.language.printing.printer import to_latex
 
@@ -90,8 +91,7 @@ def _difference(relation: Relation) -> tuple[str, frozenset[object]]:
     Terms that cancel are kept: f = 0 is another condition than g + f = g.
     """
     left, right = relation.left, relation.right
-    signs = ((1, -1), (-1, 1))
-    sums = (_counted(chain(_summands(left, one), _summands(right, other))) for one, other in signs)
+    sums = (_counted(chain(_summands(left, own), _summands(right, not own))) for own in (False, True))
     return relation.operator, frozenset(sums)
 
 
@@ -99,18 +99,11 @@ def _counted(parts: Iterable[object]) -> frozenset[tuple[object, int]]:
     return frozenset(Counter(parts).items())
 
 
-def _summands(term: Term, sign: int) -> Iterator[tuple[object, int]]:
-    """Yields the terms of a sum, each with its sign."""
-    match term:
-        case Zero():
-            return
-        case Apply(head="neg", arguments=(inner,)):
-            yield from _summands(inner, -sign)
-        case Apply(head="add", arguments=parts):
-            for part in parts:
-                yield from _summands(part, sign)
-        case _:
-            yield _unordered(term), sign
+def _summands(term: Term, negative: bool = False) -> Iterator[tuple[bool, object]]:
+    """Yields the keys of the addends that are not 0, each with whether it is subtracted."""
+    for is_subtracted, addend in addends(term, negative):
+        if not isinstance(addend, Zero):
+            yield is_subtracted, _unordered(addend)
 
 
 def _unordered(term: Term) -> object:
@@ -118,7 +111,7 @@ def _unordered(term: Term) -> object:
     if not isinstance(term, Apply):
         return term
     if term.head in ("add", "neg"):
-        return _counted(_summands(term, 1))
+        return _counted(_summands(term))
     parts = [_unordered(part) for part in term.arguments]
     is_commutative = term.head == "dot" or all(part.type.kind == "scalar" for part in term.arguments)
     if term.head in ("dot", "mul") and is_commutative:

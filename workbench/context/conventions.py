@@ -22,6 +22,7 @@ from workbench.core.terms import Apply, Derivative, Symbol, Zero
 from workbench.core.types import SCALAR
 from workbench.language.naming.symbols import UNIT_LETTERS
 from workbench.language.printing.printer import to_latex
+from workbench.source.typeset.glyphs import WEIGHT_STYLES
 
 
 @dataclass(frozen=True)
@@ -90,7 +91,7 @@ def _lengths(subject: Subject) -> Iterator[Made]:
             yield words, [own, whole], meaning(own, apply("norm", whole))
 
 
-_BOLD = frozenset({"\\mathbf", "\\boldsymbol", "\\bm", "\\vec"})
+_BOLD = WEIGHT_STYLES | {"\\vec"}
 
 
 def _typefaces(subject: Subject) -> Iterator[Made]:
@@ -149,11 +150,7 @@ def _under_roots(subject: Subject) -> Iterator[Made]:
         if each.declaration not in subject.moved and not each.declaration.positive
     ]
     if parts and own:
-        yield (
-            f"{named(own)}: positive, beside a root or a length",
-            own,
-            having("positive", own),
-        )
+        yield f"{named(own)}: positive, beside a root or a length", own, having("positive", own)
 
 
 def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
@@ -190,11 +187,7 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
         still = {s.declaration for s in own}
         is_void = any(free_in([rate], subject.definitions) <= still for rate in subject.rates)
         if own and not is_void:
-            yield (
-                f"{named(own)}: constant, as the text takes no rate",
-                own,
-                having("constant", own),
-            )
+            yield f"{named(own)}: constant, as the text takes no rate", own, having("constant", own)
         here = [s for s in may if s.declaration in subject.written]
         if (
             under_rates

@@ -96,7 +96,7 @@ class _Reader:
                 if _is_negated(text, match) or (not self._sentence.is_own and _is_case(text, match)):
                     continue
                 said = [each for each in self._named_in(match["symbols"]) if is_stated(row, each)]
-                for group in _related(said, self._named_in(match["others"] or ""), row):
+                for group in _related(said, self._named_in(match.groupdict().get("others") or ""), row):
                     self._read.append(match.span())
                     yield self._fact(name, group, match[0])
 
@@ -150,13 +150,13 @@ class _Reader:
 
 def _matches(words: str, predicate: str | None, text: str) -> Iterator[re.Match[str]]:
     """Yields "unit vector u", "u is a unit vector", "u has unit length" and "a is perpendicular to b"."""
-    symbols, none = rf"(?P<symbols>{_SYMBOLS})", r"(?P<others>(?!))?"
+    symbols = rf"(?P<symbols>{_SYMBOLS})"
     to = rf"\s+(?:to|with)\s+{_FILL}(?P<others>{_SYMBOLS})"
-    yield from re.finditer(rf"\b(?:{words})\b\s+{_FILL}{symbols}{none}", text, re.I)
+    yield from re.finditer(rf"\b(?:{words})\b\s+{_FILL}{symbols}", text, re.I)
     yield from re.finditer(rf"{symbols}\s*(?:,\s*)?{BE}\s+{_FILL}\b(?:{words})\b(?:{to})?", text, re.I)
     yield from re.finditer(rf"{symbols}\s+(?:{words}){to}", text, re.I)
     if predicate:
-        yield from re.finditer(rf"{symbols}\s+(?P<predicate>{predicate})\b{none}", text, re.I)
+        yield from re.finditer(rf"{symbols}\s+(?P<predicate>{predicate})\b", text, re.I)
 
 
 def _related(said: Sequence[Symbol], others: Sequence[Symbol], row: Property) -> Iterator[Sequence[Symbol]]:

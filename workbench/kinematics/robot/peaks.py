@@ -21,9 +21,8 @@ if TYPE_CHECKING:
     from workbench.kinematics.robot.states import States
 
 WITHIN, BEYOND, NOT_DETERMINED = "within", "BEYOND", "not determined"
-ROUNDING = (
-    1e-10  # of a limit and of the largest size on the path: a size that exceeds a limit by less is at it
-)
+#: The part of a limit and of the largest size on the path by which a size may exceed a limit and be at it.
+ROUNDING = 1e-10
 
 
 @dataclass(frozen=True)

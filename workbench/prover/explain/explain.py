@@ -125,9 +125,9 @@ class _Explanation:
 
     def _said_or_held(self, act: Act, own: Symbol | None) -> Verdict:
         """Returns what the formula says of a symbol, unless its sentence states a property that proves it."""
-        facts = self._context().facts
-        said = Context(tuple(each for each in facts if each.origin.provider is Provider.SENTENCE))
-        return self._by_hints(said) or _only_said(self.base, act, own)
+        facts = self.claim.context.facts
+        said = tuple(fact for fact in facts if fact.origin.provider is Provider.SENTENCE)
+        return self._by_hints(Context(said)) or _only_said(self.base, act, own)
 
     def unfinished(self) -> Verdict:
         """Returns the verdict if the limit on decisions is reached; a refuted claim stays refuted."""

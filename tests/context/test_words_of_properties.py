@@ -47,14 +47,23 @@ STATED = {
 DENIED = {
     r"(u \cdot a) u = a + u \times (u \times a)": (
         "Although $u$ does not have unit length,",
+        "Without assuming that $u$ has unit length,",
+        "It need not be a unit vector $u$:",
         "If $u$ is not of unit magnitude,",
     ),
-    r"\frac{d}{dt} (f a) = f \dot{a}": ("Although $f$ depends on time,", "As $f$ varies with time,"),
+    r"\frac{d}{dt} (f a) = f \dot{a}": (
+        "Although $f$ depends on time,",
+        "As $f$ varies with time,",
+        "For no constant $f$,",
+    ),
     r"(a + b) \cdot (a + b) = a \cdot a + b \cdot b": (
         "As $a$ is not perpendicular to $b$,",
         "Even if $a$ need not be orthogonal to $b$,",
     ),
-    r"(a \cdot b) a = (a \cdot a) b": ("As $a$ is not parallel to $b$,",),
+    r"(a \cdot b) a = (a \cdot a) b": (
+        "As $a$ is not parallel to $b$,",
+        "Without assuming that $a$ is parallel to $b$,",
+    ),
     r"f a + b = b - f (b + a)": ("As $f$ does not vanish,", "Since $f$ never vanishes,"),
 }
 

@@ -53,6 +53,12 @@ def test_claims_false_under_the_relation_are_refuted(tmp_path: Path, sentence: s
     assert verdict(tmp_path, b_may_be_0).outcome is Outcome.REFUTED
 
 
+@pytest.mark.parametrize("words", ["Without assuming that", "We do not suppose that", "Not only if"])
+def test_denied_supposition_is_no_premise(tmp_path: Path, words: str) -> None:
+    said = rf"{words} $a$ and $b$ are orthogonal, \[ (a + b)^2 = a^2 + b^2 \]"
+    assert verdict(tmp_path, said).outcome is Outcome.REFUTED
+
+
 @pytest.mark.parametrize("words", ["not orthogonal", "rarely parallel", "almost equal"])
 def test_words_that_deny_or_weaken_are_no_premise(tmp_path: Path, words: str) -> None:
     said = rf"As $a$ and $b$ are {words}, \[ (a + b)^2 = a^2 + b^2 \]"

@@ -58,6 +58,10 @@ _BETWEEN = [
         rf"{_ONE} (?:(?:is|be) {_RELATED} to|(?P<verb>commute)s with) (?:the [a-z]+ )?{_OTHER}",
     )
 ]
+#: Words before the reason that deny it: "without assuming that a and b are orthogonal".
+_DENIED = re.compile(
+    r"\b(?:without|not|never|nor)\s+(?:(?:assum|suppos|requir|need|us|only)[a-z]*\s+){0,2}$", re.IGNORECASE
+)
 _RELATIONS = {
     "orthogonal": r"{0} \perp {1}",
     "perpendicular": r"{0} \perp {1}",
@@ -195,6 +199,8 @@ def _between(words: str, line: int, notation: Notation) -> Iterator[Fact]:
     """Yields the relations of two symbols that the words state."""
     said = " ".join(words.replace(":math:", "").split())
     for match in (each for pattern in _BETWEEN for each in pattern.finditer(said)):
+        if _DENIED.search(said[: match.start()]):
+            continue
         sides = (match[name].strip("$`").removeprefix("\\(").removesuffix("\\)") for name in ("one", "other"))
         latex = _RELATIONS[(match["adjective"] or match["verb"]).lower()].format(*map(str.strip, sides))
         with suppress(ReadError, IllFormedAt, ValueError):

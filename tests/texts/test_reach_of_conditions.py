@@ -29,7 +29,11 @@ VALUES = [
 CASES = [
     *(f"{words} {{}}, we have" for words in ("If", "When", "For", "At", "Provided that", "While", "Given")),
     *(f"{words} {{}}. Then" for words in ("Suppose that", "We assume that", "Assume")),
+    "With {}, we get",
+    "In the case where {}, we get",
 ]
+#: Words between a display and the value that explains it; with a blank line before them or not.
+EXPLAINS = ["where {}.", "with {}.", "in which {}.", "when {}.", "if {}.", "provided that {}."]
 #: Sentences that stand in a paragraph of their own, or define.
 DECLARED = [
     "Assume {}.\n\nThen",
@@ -60,6 +64,20 @@ def test_case_reaches_no_other_paragraph(tmp_path: Path, form: str, sentence: st
         assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED), text
         assert again.grade is Grade.WARNING
         assert value.replace(" ", "") in " ".join(again.unless).replace(" ", "")
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("sentence", EXPLAINS)
+def test_value_behind_a_display_reaches_no_other_paragraph(tmp_path: Path, form: str, sentence: str) -> None:
+    letters = ALPHABETS[len(sentence) % 3]
+    for value, formula in VALUES:
+        shown = display(renamed(formula, letters), form)
+        words = sentence.format(inline(renamed(value, letters), form))
+        for parts in ([f"{shown}\n{words}"], [shown, words]):
+            text = text_of([*parts, "In general, this is different:", shown], form)
+            first, again = verdicts(tmp_path, text, model_of(letters, form), form)
+            assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED), text
+            assert again.grade is Grade.WARNING
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -100,18 +118,6 @@ def test_what_holds_in_a_case_excuses_no_formula_of_the_next_section(
     first, again = verdicts(tmp_path, text, model_of(letters, form), form)
     assert first.outcome is Outcome.CONDITIONAL
     assert again.outcome in (Outcome.REFUTED, Outcome.DEFINITION)  # it says what a symbol is
-
-
-def test_case_of_one_item_reaches_no_other(tmp_path: Path) -> None:
-    letters = ALPHABETS[0]
-    value, formula = (renamed(each, letters) for each in VALUES[0])
-    items = [
-        rf"\item for ${value}$: {display(formula, 'tex')}",
-        rf"\item in general: {display(formula, 'tex')}",
-    ]
-    text = text_of([r"\begin{itemize}" + " ".join(items) + r"\end{itemize}"], "tex")
-    first, again = verdicts(tmp_path, text, model_of(letters, "tex"), "tex")
-    assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED)
 
 
 def test_value_of_a_section_does_not_count_in_the_next_one_on_the_same_line(tmp_path: Path) -> None:

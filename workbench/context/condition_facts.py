@@ -27,6 +27,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display, Token, spelled
 from workbench.source.documents.surrounding_words import (
     holds_display,
+    leads_of,
     paragraph_around,
     sections_of,
     sentence_around,
@@ -71,8 +72,8 @@ _RELATIONS = {
 }
 #: The last of these words before a formula tells a definition from a condition.
 _SAYS = re.compile(
-    r"\b(?:(?P<defines>let|define|put|set|denote|introduce|write|writing|where|with)"
-    r"|(?P<case>if|when|for|at|provided|given|whenever|while)"
+    r"\b(?:(?P<defines>let|define|put|set|denote|introduce|write|writing)"
+    r"|(?P<explains>where|with|in which|here)|(?P<case>if|when|for|at|provided|given|whenever|while)"
     r"|(?P<supposes>suppos\w+|assum\w+)|since|because|as)\b",
     re.IGNORECASE,
 )
@@ -142,21 +143,25 @@ def _words_before(formula: Display) -> re.Match[str] | None:
 def _is_let(formula: Display) -> bool:
     """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
     words = _words_before(formula)
-    return words is not None and words["defines"] is not None
+    return words is not None and (words["defines"] or words["explains"]) is not None
 
 
 def place_of_case(formula: Display) -> range | None:
     """Returns the offsets of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
 
-    A supposition is a case if the display of its claim stands in its paragraph.
+    A supposition is a case if the display of its claim stands in its paragraph, and a formula that explains a
+    display, as in "where f = 0", if the display does.
     """
     words, text = _words_before(formula), formula.source.prose
     start, end = paragraph_around(text, formula.start)
-    is_supposed = words is not None and words["supposes"] is not None
-    is_case = words is not None and words["case"] is not None
-    if not (is_case or (is_supposed and holds_display(text, formula.end, end))):
+    if words is None or words["defines"]:
         return None
-    return range(start, end)
+    is_before, is_behind = (
+        holds_display(text, *span) for span in ((start, formula.start), (formula.end, end))
+    )
+    explains = words["explains"] and (is_before or (is_behind and words["explains"].lower() != "here"))
+    is_case = words["case"] or explains or (words["supposes"] and is_behind)
+    return range(start, end) if is_case else None
 
 
 def _as_definition(fact: Fact) -> Fact:
@@ -175,8 +180,8 @@ def conditions_of(
     """Yields the facts that formulas in sentences state of a statement's symbols, after unfolding
     definitions.
 
-    Sources are the formulas in the sentence of the display, earlier inequalities in its section or an
-    enclosing one, and earlier equations for rates.
+    Sources are the formulas in the sentence of the display, and in the words that introduce its list; earlier
+    inequalities in its section or an enclosing one, and earlier equations for rates.
     """
     reached = map(notation.definitions.reached, sides_of(statement))
     own = names_of(_symbols(part for parts in reached for part in parts))
@@ -184,12 +189,16 @@ def conditions_of(
     first, last = sentence_around(text, display.start, display.end)
     begins = first - len(supposed_before(text, first))
     line = display.source.place(display.start)[0]
-    found = list(_between(f"{text[begins : display.start]} . {text[display.end : last]}", line, notation))
+    leads = list(leads_of(text, display.start))
+    words = [text[slice(*lead)] for lead in leads]
+    words.append(f"{text[begins : display.start]} . {text[display.end : last]}")
+    found = [fact for each in words for fact in _between(each, line, notation)]
     sections = sections_of(text)
     for formula, step in spoken.conditions(path, first, notation):
         if _holds_rate(step.tokens) or sections.holds(formula.start, display.start):
             found += spoken.said(formula, step, notation, with_equations=False)
-    for formula in spoken.before(path, last, begins):
+    spans = [*leads, (begins, last)]
+    for formula in (each for start, end in spans for each in spoken.before(path, end, start)):
         for step in spoken.steps(formula, notation) if formula.rows else ():
             found += spoken.said(formula, step, notation, with_equations=True)
     yield from (fact for fact in found if fact.about & own)

@@ -10,15 +10,17 @@ from functools import cached_property
 from pathlib import Path
 
 from workbench.core.paper_errors import PaperError
+from workbench.source.documents.list_items import with_item_marks
 from workbench.source.toml.file_bytes import file_bytes
 
 MOST_BYTES = 20_000_000
 _BOMS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
-
+#: Formats in which a dash at the beginning of a line makes no item.
+_WITHOUT_MARKS = frozenset({".tex", ".latex", ".ltx", ".html", ".htm", ".xhtml"})
 
 #: Separators in a notebook: between two lines of a cell, and between two cells.
 _NOTEBOOK_LINE = re.compile(r'\\n"[,\s]*"')
-_NOTEBOOK_CELL = re.compile(r'"\s*\]?[,\s]*\}.*?"source":\s*\[?\s*"', re.DOTALL)
+_NOTEBOOK_CELL = re.compile(r'(?:\A|"\s*\]?[,\s]*\}).*?"source":\s*\[?\s*"', re.DOTALL)
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,11 +68,15 @@ class Source:
 
     @cached_property
     def prose(self) -> str:
-        """The text with unchanged offsets; for a notebook without the JSON between its cells."""
-        if self.path.suffix != ".ipynb":
+        """The text with unchanged offsets and MARK for items of Markdown; a notebook without its JSON."""
+        if self.path.suffix.lower() in _WITHOUT_MARKS:
             return self.text
-        lines = _NOTEBOOK_LINE.sub(lambda found: "\n".ljust(len(found[0])), self.text)
-        return _NOTEBOOK_CELL.sub(lambda found: "\n\n".ljust(len(found[0])), lines)
+        return with_item_marks(self._cells if self.path.suffix == ".ipynb" else self.text)
+
+    @property
+    def _cells(self) -> str:
+        lines = _NOTEBOOK_LINE.sub(lambda found: "\n".rjust(len(found[0])), self.text)
+        return _NOTEBOOK_CELL.sub(lambda found: "\n\n".rjust(len(found[0])), lines)
 
     @cached_property
     def _line_starts(self) -> list[int]:

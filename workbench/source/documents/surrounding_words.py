@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import inf
 
+from workbench.source.documents.list_items import ITEM, LIST_END, list_begin
+
 _FAR = 800
+#: White space but for the mark of an item.
+_BLANKS = " \t\n"
 _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 _BLANK_LINES = re.compile(r"\n[ \t]*\n")
 _DISPLAY_END = re.compile(
@@ -23,7 +27,7 @@ _HEADING = re.compile(
     re.MULTILINE | re.DOTALL | re.IGNORECASE,
 )
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$\\*`(])")
-_ITEM = re.compile(r"\\item\b")
+_ITEM = re.compile(f"{ITEM.pattern}|(?P<end>{LIST_END.pattern})")
 _STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$)?$")
 _THEN = re.compile(r"\s*(?:then|hence|thus|therefore|so|consequently|it follows)\b", re.IGNORECASE)
 _SUPPOSES = re.compile(
@@ -50,20 +54,33 @@ _NEW_SENTENCE = re.compile(r"(?!(?:Here|Where|With|In which|For|If|When|Since|Be
 
 
 def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
-    """Returns the start and end of the sentence that contains the display from `start` to `end`. A heading
-    ends it."""
+    """Returns the start and end of the sentence that contains the display from `start` to `end`. A heading or
+    another item of a list ends it."""
     first = max(0, start - _FAR)
-    before = text[first:start].rstrip()
+    before = text[first:start].rstrip(_BLANKS)
     ends = [m.end() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) for m in sign.finditer(before)]
-    end += len(text[end:]) - len(text[end:].lstrip())
+    end += len(text[end : end + _FAR]) - len(text[end : end + _FAR].lstrip(_BLANKS))
     after = text[end : end + _FAR]
     closed = _STOP.search(text[start:end].rstrip()[-40:]) or _NEW_SENTENCE.match(after)
     stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) if (m := sign.search(after))]
-    items = [m.end() for m in _ITEM.finditer(before) if m.end() > max(ends, default=0)]
-    if items:  # the next item is another sentence
-        ends.append(items[-1])
+    items = [m for m in _ITEM.finditer(before) if m.end() > max(ends, default=0)]
+    if items:
+        ends.append(items[-1].end())
+    if list_begin(text, start) is not None:  # the next item is another sentence
         stops += [m.start() for m in _ITEM.finditer(after)][:1]
     return first + max(ends, default=0), end if closed else end + min(stops, default=len(after))
+
+
+def leads_of(text: str, start: int) -> Iterator[tuple[int, int]]:
+    """Yields the start and end of the words that introduce the list around `start`: If f = 0, then: …
+
+    The list around that list follows. Words that end with a full stop introduce nothing."""
+    while (begin := list_begin(text, start)) is not None:
+        start, _ = sentence_around(text, begin, begin)
+        words = text[start:begin].rstrip()
+        if not words or _STOP.search(words):
+            return
+        yield start, begin
 
 
 def sentence_ends(text: str) -> list[int]:
@@ -135,7 +152,10 @@ def supposed_before(text: str, first: int) -> str:
 
 
 #: The break before another paragraph of words, or an item; displays and words in lower case begin none.
-_BREAK = re.compile(r"(?<!math::)\n[ \t]*\n\s*(?!\s|\$\$|\\\[|\\begin\b|```|\.\. |[a-z])|(?=\\item\b)")
+_BREAK = re.compile(
+    r"(?<!math::)\n[ \t]*\n\s*(?!\s|\$\$|\\\[|\\begin\b|```|\.\. |[a-z])"
+    rf"|(?={_ITEM.pattern})"
+)
 _DISPLAY = re.compile(r"\$\$|\\\[|\\begin\b|```|\.\. math::")
 
 

@@ -20,6 +20,7 @@ CONDITIONS = [
         r"<f>^2 <h> - <g>^2 <h> = <f> <h> - <g> <h>",
         r"<f>^2 <h> - <g>^2 <h> = <f> <h> - <g> <h> + <f> <g>",
     ),
+    (r"<f> = <g>^2", r"<f> <h> = <g>^2 <h>", r"<f> <h> = <g>^3 <h>"),
     (
         r"<f> = 0",
         r"<f> <g> <h> + <f>^2 = <f> (<g> + <h>)",
@@ -54,6 +55,38 @@ def by_each_door(latex: str, folder: Path, letters: dict[str, str]) -> list[list
     return found
 
 
+def is_said(verdict: Verdict) -> bool:
+    """True for "where f = g", which is a formula of its own in a text, and says what f is."""
+    return verdict.outcome is Outcome.DEFINITION
+
+
+DEFINED = {
+    r"\dot{<f>} = 2 <g> \dot{<g>} \quad \text{where } <f> = <g>^2": Outcome.PROVED,
+    r"\dot{<f>} = 3 <g> \dot{<g>}, \quad \text{with } <f> = <g>^2": Outcome.REFUTED,
+    r"<f> <h> = <g>^2 <x>, \quad \text{where } <f> = <g>^2, \; <h> = <x>": Outcome.PROVED,
+    r"<f> <h> = <g>^2 <x>, \quad \text{where } <f> = <g>^2 \text{ and } <h> = <x>": Outcome.PROVED,
+    r"<f> <h> = <g>^2 <x>, \quad \text{where } <f> = <g>^2 \text{ and } <h> = 2 <x>": Outcome.REFUTED,
+    r"\text{let } <f> = <g>^2, \quad <h> = <x>: \quad <f> <h> = <g>^2 <x>": Outcome.PROVED,
+}
+
+
+@pytest.mark.parametrize("latex", DEFINED)
+def test_definition_by_words_counts_alike_by_each_door(tmp_path: Path, latex: str) -> None:
+    for letters in ALPHABETS[:2]:
+        for found in by_each_door(renamed(latex, letters), tmp_path, letters):
+            assert [each.outcome for each in found if not is_said(each)] == [DEFINED[latex]]
+
+
+@pytest.mark.parametrize("words", WORDS.split("|"))
+@pytest.mark.parametrize("place", ["after", "behind a comma"])
+def test_formula_is_not_proved_by_itself_beside_it(tmp_path: Path, words: str, place: str) -> None:
+    letters = ALPHABETS[len(words) % 2]
+    for formula in (r"<f> = <g>^2", r"<f> <h> = <g>"):
+        latex = renamed(PLACES[place] % (formula, words, formula), letters)
+        for found in by_each_door(latex, tmp_path, letters):
+            assert all(each.outcome in (Outcome.UNCHECKED, Outcome.DEFINITION) for each in found), latex
+
+
 @pytest.mark.parametrize("place", [*PLACES, *BEFORE])
 @pytest.mark.parametrize(
     ("condition", "under", "never"), CONDITIONS, ids=[condition for condition, _, _ in CONDITIONS]
@@ -63,14 +96,13 @@ def test_condition_counts_alike_by_each_door(
 ) -> None:
     wanted = {under: Outcome.PROVED, never: Outcome.REFUTED, TRUE: Outcome.PROVED}
     words_here = WORDS.split("|")[CONDITIONS.index((condition, under, never)) :: 2]
-    if condition == r"<f> = <g>":  # "where f = g" in a text defines f
-        words_here = [each for each in words_here if each not in ("where", "with", "let")]
     for words, formula in product(words_here, wanted):
         letters = ALPHABETS[len(words) % 2]
         parts = (formula, words, condition) if place in PLACES else (words, condition, formula)
         latex = renamed((PLACES | BEFORE)[place] % parts, letters)
         found = by_each_door(latex, tmp_path, letters)
-        assert [[each.outcome for each in verdicts] for verdicts in found] == [[wanted[formula]]] * 3, latex
+        judged = [[each.outcome for each in verdicts if not is_said(each)] for verdicts in found]
+        assert judged == [[wanted[formula]]] * 3, latex
 
 
 @pytest.mark.parametrize(("condition", "under", "never"), CONDITIONS)

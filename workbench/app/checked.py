@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from workbench import papers
 from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.app.pipeline.verdict_keys import Memory
-from workbench.context.circular_conditions import IS_THE_CONCLUSION, is_conclusion
+from workbench.context.circular_conditions import IS_THE_CONCLUSION, is_conclusion, with_definitions_beside
 from workbench.context.claims import Ambiguity, ClaimContext
 from workbench.context.facts import Act, Fact, Origin, Provider
 from workbench.context.formula_acts import introduced, introduces
@@ -168,8 +168,9 @@ def _claims(
             origin = Origin(Provider.FORMULA, formula.latex, f"line {number}")
             said.append(Fact(formula.statement, frozenset(names), origin, Strength.STATED, act=Act.DEFINE))
         supposed = tuple(_formula(whole_line(text), known, values, "assume")[0] for text in conditions)
+        defined = tuple(_formula(each, known, values, "condition")[0] for each in line.definitions)
         beside = tuple(_formula(premise, known, values, "condition")[0] for premise in line.premises)
-        for condition in beside:
+        for condition in (*beside, *defined):
             if condition.ill_formed:
                 raise ValueError(f"condition: {condition.latex}: {condition.ill_formed}")
         for condition in supposed:
@@ -181,8 +182,9 @@ def _claims(
             if is_conclusion(premise, claimed, known.definitions):
                 raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
-        context = ClaimContext(facts=before)
-        claims.append(Claim(name, formula, known, (*supposed, *beside), values, context=context))
+        premises, defined = with_definitions_beside([*supposed, *beside], defined, formula)
+        context = ClaimContext(facts=before, given=defined)
+        claims.append(Claim(name, formula, known, premises, values, context=context))
     return claims
 
 

@@ -52,11 +52,11 @@ def without_circular(claim: Claim) -> tuple[Claim, tuple[Formula, ...]]:
     beside = claim.ambiguity
     if beside.perhaps or beside.serves:
         perhaps, serves = (
-            tuple(each for each in formulas if not _restates(each.statement, said))
+            tuple(each for each in formulas if not restates(each.statement, said))
             for formulas in (beside.perhaps, beside.serves)
         )
         claim = replace(claim, ambiguity=replace(beside, perhaps=perhaps, serves=serves))
-    circular = tuple(each for each in claim.assume if _restates(each.statement, said))
+    circular = tuple(each for each in claim.assume if restates(each.statement, said))
     if circular:
         claim = replace(claim, assume=tuple(each for each in claim.assume if each not in circular))
     if not _IMPLIES.search(claim.printed.latex):
@@ -66,10 +66,18 @@ def without_circular(claim: Claim) -> tuple[Claim, tuple[Formula, ...]]:
     return claim, circular
 
 
+def with_definitions_beside(
+    conditions: Sequence[Formula], definitions: Sequence[Formula], printed: Formula
+) -> tuple[tuple[Formula, ...], tuple[Formula, ...]]:
+    """Returns the conditions and the definitions beside a formula; one that states it anew is a condition."""
+    circular = [each for each in definitions if restates(each.statement, printed.statement)]
+    return (*conditions, *circular), tuple(each for each in definitions if each not in circular)
+
+
 def _apart_from_premises(said: Statement) -> tuple[Statement, tuple[Statement, ...]]:
     """Returns the statement without the premises that state their conclusion anew, and these premises."""
     match said:
-        case Implication(left=left, right=right) if _restates(left, right):
+        case Implication(left=left, right=right) if restates(left, right):
             return right, (left,)
         case Conjunction(parts=parts):
             pairs = [_apart_from_premises(part) for part in parts]
@@ -77,9 +85,9 @@ def _apart_from_premises(said: Statement) -> tuple[Statement, tuple[Statement, .
     return said, ()
 
 
-def _restates(condition: Statement | None, claim: Statement) -> bool:
+def restates(condition: Statement | None, claim: Statement | None) -> bool:
     """True if a part of the condition is a part of the claim with its sides swapped or terms moved."""
-    if condition is None:
+    if condition is None or claim is None:
         return False
     concluded = [_difference(each) for each in _relations(claim)]
     return any(_difference(each) in concluded for each in _relations(condition))

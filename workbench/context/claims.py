@@ -166,6 +166,7 @@ class ClaimContext:
     Attributes:
         span: The position of the formula in the text.
         given: The formulas from which it follows.
+        explains: Whether words introduce it as the definition of a symbol beside it, as in "where f = g^2".
         alone: Whether the model says that the claim follows from no other fact.
         act: What the formula does, and to which symbol.
         guessed: Symbols whose kinds are unconfirmed guesses.
@@ -176,6 +177,7 @@ class ClaimContext:
 
     span: Span | None = None
     given: tuple[Formula, ...] = ()
+    explains: bool = False
     alone: bool = False
     act: tuple[Act, Symbol | None] = (Act.ASSERT, None)
     guessed: tuple[str, ...] = ()

@@ -92,7 +92,7 @@ def _is_local(claim: Claim, display: Display, first: Mapping[Declaration, Displa
     if own is not None and any(_is_case_of(own, fact) for fact in claim.context.facts):
         return True
     is_earlier = own is not None and first.get(own.declaration, display) is not display
-    return bool(claim.ambiguity.serves) and is_earlier
+    return (claim.context.explains or bool(claim.ambiguity.serves)) and is_earlier
 
 
 def _is_case_of(own: Symbol, fact: Fact) -> bool:

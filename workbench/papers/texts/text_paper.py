@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from workbench.context.circular_conditions import with_definitions_beside
 from workbench.context.claim_parts import ClaimSource
 from workbench.context.claims import Ambiguity, Claim, ClaimContext, Correction, Formula, Notation, Paper
 from workbench.context.condition_facts import InlineFormulas, conditions_of, opaque, range_facts
@@ -120,7 +121,7 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
                 except (ReadError, IllFormedAt) as error:
                     raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
     says_none = any(table.value(("given",), list, None) == [] for table in tables)
-    return claim.with_context(given=tuple(given), alone=says_none and not given)
+    return claim.with_context(given=(*claim.context.given, *given), alone=says_none and not given)
 
 
 def _refuse_other_meaning(
@@ -244,12 +245,13 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
     printed, within = printed_formula(placed, orders, has_reading)
     assume, printed = assumed_formulas(placed, printed)
     reasons, unread_reasons = reasons_of(placed, _names_of(printed))
+    assume, defined = with_definitions_beside([*assume, *reasons], _definitions_beside(placed), printed)
     span = span_of(step.own, display)
     claim = Claim(
         placed.id,
         printed,
         placed.notation,
-        assume=(*assume, *reasons),
+        assume=assume,
         orders=within,
         source=ClaimSource(
             equation=step.number,
@@ -259,6 +261,8 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         ),
         context=ClaimContext(
             span=span,
+            given=defined,
+            explains=step.explains,
             act=act_of(printed, placed.notation),
             guessed=_used(printed, step.tokens, guessed),
             facts=unread_reasons,
@@ -274,6 +278,12 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
     for table in tables:
         claim = _with_keys(claim, table)
     return claim
+
+
+def _definitions_beside(placed: Placed) -> list[Formula]:
+    """Returns the equations by which words beside the formula define its symbols."""
+    formulas = (side_formula(tokens, placed) for tokens in placed.step.defined)
+    return [formula for formula in formulas if formula.statement is not None]
 
 
 def _with_keys(claim: Claim, table: Table) -> Claim:

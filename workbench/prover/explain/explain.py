@@ -102,6 +102,8 @@ class _Explanation:
         may_be = self.base.outcome is Outcome.REFUTED and self.act in _TESTED
         if may_be and not self.subject.conditioned and self.decider.is_impossible(()):
             self.act = Act.ASSERT
+        elif may_be and self.claim.context.explains:
+            return _only_said(self.base, self.act, self.own)
         is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.context.alone
         if is_refuted and (why := other_reading(self.claim, self.base, self.decider)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=self.base.read_back)
@@ -203,6 +205,8 @@ class _Explanation:
                     self.doubts.append(f"{says_what_it_is}, and not {hints}")
                 return True
         given = next((each for each in self.known if _says_what_is(self.own, each.content)), None)
+        if any(_says_what_is(self.own, each) for each in self._beside):
+            return True
         if given is None:
             is_spoken_of = self._are_spoken_of(self.subject.constrained)
             self.doubts += [says_what_it_is] * is_spoken_of
@@ -210,10 +214,16 @@ class _Explanation:
         self.doubts += [says_what_it_is] * (given.origin.provider is Provider.UNREAD)
         return True
 
+    @property
+    def _beside(self) -> list[Relation]:
+        """The equations that are conditions beside the formula, or define its symbols."""
+        formulas = (*self.claim.assume, *self.claim.context.given)
+        return [each.statement for each in formulas if isinstance(each.statement, Relation)]
+
     def _are_spoken_of(self, symbols: Sequence[Symbol]) -> bool:
         """Returns whether equations that are conditions of the sentence speak of each of the symbols."""
         beside = [each for each in self.known if each.origin.provider is Provider.CONDITION]
-        said = [each.content for each in beside if isinstance(each.content, Relation)]
+        said = [*self._beside, *(each.content for each in beside if isinstance(each.content, Relation))]
         names = {
             name for each in said if each.operator == "=" and not _holds_rate(each) for name in names_in(each)
         }

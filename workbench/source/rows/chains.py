@@ -24,6 +24,7 @@ class Step:
     own: the part that it adds to the previous step; for the first step, everything.
     assumed: its conditions.   reasons: the reasons that its author gives.
     ranges: those of its symbols, as i ≥ 1 and x ∈ [0, 1], at the end of the tokens.
+    defined: equations that define its symbols, as in "where f = g^2".   explains: whether it is one.
     perhaps: equations next to it, which may be its conditions.
     serves: formulas whose condition it may be.
     otherwise: the formulas in the other reading of the display, which `question` names.
@@ -38,6 +39,8 @@ class Step:
     assumed: tuple[tuple[Token, ...], ...] = ()
     reasons: tuple[tuple[Token, ...], ...] = ()
     ranges: tuple[tuple[Token, ...], ...] = ()
+    defined: tuple[tuple[Token, ...], ...] = ()
+    explains: bool = False
     perhaps: tuple[tuple[Token, ...], ...] = ()
     serves: tuple[tuple[Token, ...], ...] = ()
     otherwise: tuple[tuple[Token, ...], ...] = ()
@@ -92,6 +95,8 @@ class _Chain:
                 ranges=tuple(map(tuple, ranges)),
                 assumed=self._sides(Role.CONDITION, at),
                 reasons=self._sides(Role.REASON, at),
+                defined=self._sides(Role.DEFINITION, at),
+                explains=self._statement.explains,
                 perhaps=self._sides(Role.PERHAPS, at),
                 otherwise=otherwise,
                 question=question,

@@ -148,7 +148,7 @@ class _Cutter:
         for statement in [each for each in self.cut.statements if not each.nodes]:
             self.cut.statements.remove(statement)
             self.state.waiting += statement.beside
-        if self.cut.statements:
+        if self.cut.statements and not self.cut.statements[-1].explains:
             self.cut.statements[-1].beside += self.state.waiting
         else:
             for beside in self.state.waiting:

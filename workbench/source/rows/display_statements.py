@@ -12,11 +12,16 @@ from workbench.source.rows.display_vocabulary import GAPS
 
 
 class Role(Enum):
-    """The role of an equation next to a statement. PERHAPS: a separate statement or a condition."""
+    """The role of an equation next to a statement.
+
+    DEFINITION: a separate statement that defines a symbol of it, as in "where f = g^2".
+    PERHAPS: a separate statement or a condition.
+    """
 
     CONDITION = auto()
     REASON = auto()
     RANGE = auto()
+    DEFINITION = auto()
     PERHAPS = auto()
 
 
@@ -68,6 +73,7 @@ class Statement:
     is_condition_of: the statement that it may only be a condition of.
     serves: the statements that it may be a condition of.   indent: the wide spaces before its first row.
     ends_at_mark: True if an alignment mark follows it.
+    explains: True if it defines a symbol of a statement next to it, as in "where f = g^2".
     """
 
     nodes: list[Node]
@@ -83,6 +89,7 @@ class Statement:
     serves: tuple[Statement, ...] = ()
     indent: int = 0
     ends_at_mark: bool = False
+    explains: bool = False
     rows: list[RowEnd] = field(default_factory=list)
 
     def shift(self, count: int) -> None:

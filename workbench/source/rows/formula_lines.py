@@ -39,12 +39,14 @@ _COLUMNS_WITH_CONDITIONS = "columns of equations with conditions: write one equa
 class Line:
     """One line of a formula, without alignment marks.
 
-    slices: its parts in the whole formula.   premises: the conditions and reasons that words introduce."""
+    slices: its parts in the whole formula.   premises: the conditions and reasons that words introduce.
+    definitions: the equations by which words define its symbols, as in "where f = g^2"."""
 
     latex: str
     whole: str
     slices: tuple[slice, ...]
     premises: tuple[Line, ...] = ()
+    definitions: tuple[Line, ...] = ()
 
     def place(self, line: int, column: int) -> tuple[int, int]:
         """Returns the line and column in the whole formula of this line's character at (line, column)."""
@@ -110,6 +112,7 @@ def _has_premises_in_words(cut: Cut) -> bool:
         side.role is Role.CONDITION and side.nodes[0].tokens[0].start < min(starts) for side in sides
     )
     words = [node for node in cut.remarks if node.kind is Kind.WORDS]
+    defines = any(side.role is Role.DEFINITION for side in sides)
     if any(words_of(node) == "then" for node in words):
         return False  # if C then A
     roles = (WordRole.CONDITION, WordRole.REASON)
@@ -118,21 +121,24 @@ def _has_premises_in_words(cut: Cut) -> bool:
         for node in words
         if role_of(words_of(node)) in roles or lead_of(words_of(node)) is not None
     )
-    is_plain = all(side.role in (Role.CONDITION, Role.REASON) for side in sides)
+    is_plain = all(side.role in (Role.CONDITION, Role.REASON, Role.DEFINITION) for side in sides)
     is_sure = not any(each.doubts or each.whole or each.is_condition_of for each in cut.statements)
-    return bool(sides) and bool(words) and (is_unknown or is_before) and is_plain and is_sure
+    return bool(sides) and bool(words) and (is_unknown or is_before or defines) and is_plain and is_sure
 
 
 def _lines_with_premises(latex: str, cut: Cut) -> Iterator[Line]:
     """Yields a line for each step of the statements, with the premises of the step."""
-    for statement in cut.statements:
-        premises = [(side.first, _line_of(latex, bare(side.nodes))) for side in statement.beside]
+    for statement in (each for each in cut.statements if not each.explains):
+        beside = [(side, _line_of(latex, bare(side.nodes))) for side in statement.beside]
+        definitions = tuple(line for side, line in beside if side.role is Role.DEFINITION)
+        premises = [(side.first, line) for side, line in beside if side.role is not Role.DEFINITION]
         places = relation_places(statement.nodes) if any(first for first, _ in premises) else []
         starts = [0, *(place + 1 for place in places[:-1])]
         ends = [*places[1:], len(statement.nodes)]
         for at, (start, end) in enumerate(zip(starts, ends, strict=True)):
             line = _line_of(latex, statement.nodes[start:end])
-            yield replace(line, premises=tuple(premise for first, premise in premises if first <= at))
+            of_step = tuple(premise for first, premise in premises if first <= at)
+            yield replace(line, premises=of_step, definitions=definitions)
 
 
 def _line_of(latex: str, nodes: Sequence[Node]) -> Line:
@@ -183,7 +189,7 @@ class _Lines:
             id(each): [
                 own
                 for side in each.beside
-                if side.role is not Role.PERHAPS and (own := self._own(side.nodes))
+                if side.role not in (Role.PERHAPS, Role.DEFINITION) and (own := self._own(side.nodes))
             ]
             for each in cut.statements
         }

@@ -47,6 +47,7 @@ class RowReader(RowStatements):
         self._pending_words = ""
         self._in_bracket = False  # true if the words before open a bracket: (since a = b)
         self._names_what = False
+        self._is_ahead = False  # true if the definition before is of symbols of the next statement
         self._are_unknown = False  # true if the words before have no known meaning
         self._is_quantified = False  # true if the words before bind symbols, as "for all x"
         self._said = False
@@ -144,10 +145,10 @@ class RowReader(RowStatements):
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(self._pending, piece, rest)
             return False
-        if self._pending is not None:  # “where R = …” defines R, or is a condition
+        if self._pending is not None:  # “where R = …” defines R
             self._pending = None
             self._begun.add(self._column)
-            self._begin_beside(piece)
+            self._begin_definition(piece, rest)
             return False
         is_first = self._here is None and self._column not in self._begun
         above = self._above.get(self._column) if is_first else None
@@ -158,6 +159,13 @@ class RowReader(RowStatements):
             else:
                 self._begin(piece)
             return False
+        if target.explains and above is None and piece.relations and piece.lead is not Kind.RELATION:
+            if names_what(piece.kept) and (not self._is_ahead or any(each.relations for each in rest)):
+                self._begin_definition(piece, rest)  # where R = …, S = …
+                return False
+            if self._is_ahead:
+                self._begin(piece)
+                return False
         rule = below if above is not None else behind
         action, question = rule(target, piece, self._row.layout, rest)
         if action is Action.NEW and above is None and self._are_unknown and piece.relations:
@@ -178,7 +186,28 @@ class RowReader(RowStatements):
         """True if “where R := …” defines R: it is a statement, and not a condition."""
         return self._pending is Role.CONDITION and self._names_what and names_what(piece.kept)
 
-    def _begin_beside(self, piece: Piece) -> Statement:
+    def _begin_definition(self, piece: Piece, rest: Sequence[Piece]) -> None:
+        """Begins a statement that defines a symbol of those before it in its row.
+
+        If there are none, it does for the statement behind it in the row, else for all rows above.
+        """
+        above = [each for each in self._state.cut.statements if not each.explains]
+        if piece.kept[-1].name == ":":  # let f = g, h = k: …
+            self._state.leave(Leftover.LAYOUT, piece.kept[-1:])
+            piece.kept = trimmed(piece.kept[:-1])
+        waiting, self._state.waiting = self._state.waiting, []
+        statement = self._begin_beside(piece, Role.DEFINITION)
+        statement.explains, served, statement.serves = True, statement.serves, ()
+        self._state.waiting = waiting
+        definition = Beside(Role.DEFINITION, list(piece.kept))
+        is_behind = any(not each.explains for each in served)
+        self._is_ahead = not (is_behind or (above and not any(each.relations for each in rest)))
+        if self._is_ahead:
+            self._state.waiting.append(definition)
+        for target in above if not (is_behind or self._is_ahead) else ():
+            target.beside.append(definition)
+
+    def _begin_beside(self, piece: Piece, role: Role = Role.PERHAPS) -> Statement:
         """Returns a new statement that may be a condition of those before it in its row.
 
         Without its own mark it does not end the statement at the mark, which the next row continues.
@@ -190,7 +219,7 @@ class RowReader(RowStatements):
         if at_mark is not None and at_mark in served and _has_mark(at_mark.nodes) and not is_marked:
             self._state.columns[self._column] = at_mark
         for target in served:
-            target.beside.append(Beside(Role.PERHAPS, list(piece.kept)))
+            target.beside.append(Beside(role, list(piece.kept)))
         statement.serves = served
         return statement
 

@@ -11,6 +11,9 @@ from workbench.source.rows.display_tree import Node, relation_places
 from workbench.source.rows.display_vocabulary import Kind, Marks
 from workbench.source.rows.row_rules import Layout
 
+#: Roles of equations that are statements, too.
+_SEPARATE = (Role.PERHAPS, Role.DEFINITION)
+
 
 @dataclass
 class State:
@@ -103,7 +106,7 @@ class RowStatements:
             self._made.pop()
             self._state.cut.statements.remove(target)
             first = self._made[-1]
-            first.beside = [b for b in first.beside if b.role is not Role.PERHAPS or b.nodes != target.nodes]
+            first.beside = [b for b in first.beside if b.role not in _SEPARATE or b.nodes != target.nodes]
             first.beside += target.beside
             near = target.nodes[0].tokens[0]
             first.nodes += [Node(Kind.COMMA, [near.standing_for(",")], name=","), *target.nodes]

@@ -25,6 +25,7 @@ from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display, Token, spelled
+from workbench.source.documents.list_items import item_around
 from workbench.source.documents.surrounding_words import (
     holds_display,
     leads_of,
@@ -150,10 +151,14 @@ def place_of_case(formula: Display) -> range | None:
     """Returns the offsets of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
 
     A supposition is a case if the display of its claim stands in its paragraph, and a formula that explains a
-    display, as in "where f = 0", if the display does.
+    display, as in "where f = 0", if the display does. In an item of a list with its display, all are cases.
     """
     words, text = _words_before(formula), formula.source.prose
     start, end = paragraph_around(text, formula.start)
+    if words is None or not (words["case"] or words["explains"]):
+        item = item_around(text, formula.start)
+        if item is not None and holds_display(text, formula.end, item[1]):
+            return range(*item)
     if words is None or words["defines"]:
         return None
     is_before, is_behind = (
@@ -201,6 +206,8 @@ def conditions_of(
     for formula in (each for start, end in spans for each in spoken.before(path, end, start)):
         for step in spoken.steps(formula, notation) if formula.rows else ():
             found += spoken.said(formula, step, notation, with_equations=True)
+    for _ in found:  # what is said of the symbols by which the sentence defines others counts, too
+        own = own.union(*(fact.about for fact in found if fact.act is Act.DEFINE and fact.about & own))
     yield from (fact for fact in found if fact.about & own)
 
 

@@ -22,6 +22,7 @@ _LIST = r"\{(?:itemize|enumerate|description)\*?\}"
 LIST_END = re.compile(rf"\\end\s*{_LIST}|(?i:</[ou]l>)")
 _LIST_EDGE = re.compile(rf"(?P<end>{LIST_END.pattern})|\\begin\s*{_LIST}(?:\[[^\]]*\])?|(?i:<[ou]l\b[^<>]*>)")
 ITEM = re.compile(rf"\\item\b|(?i:<li\b[^<>]*>)|{MARK}")
+_ITEM_OR_EDGE = re.compile(rf"(?P<item>\\item\b|(?i:<li\b[^<>]*>))|{_LIST_EDGE.pattern}")
 #: The beginning of a paragraph without indentation, which ends a list of marks.
 _OUTSIDE = re.compile(rf"\n[ \t]*\n(?=[^\s{MARK}$\\`])")
 
@@ -51,6 +52,28 @@ def list_begin(text: str, start: int) -> int | None:
         own = column if first is None else own
         first = offset
     return first
+
+
+def item_around(text: str, start: int) -> tuple[int, int] | None:
+    """Returns the start and end of the innermost item around `start`, with the lists in it; None outside of
+    lists."""
+    begin = list_begin(text, start)
+    if begin is None:
+        return None
+    marks = _marks(text)
+    at = bisect_left(marks, (start, 1)) - 1
+    if at >= 0 and marks[at][0] >= begin:  # a list of marks
+        offset, column = marks[at]
+        return offset, next((end for end, other in marks[at + 1 :] if other <= column), len(text))
+    depth, first = 0, begin
+    for match in _ITEM_OR_EDGE.finditer(text, begin):
+        if match["item"] is None:
+            depth += -1 if match["end"] else 1
+        if not depth or (depth == 1 and match["item"] is not None):
+            if match.start() > start:
+                return first, match.start()
+            first = match.start()
+    return first, len(text)
 
 
 @lru_cache(maxsize=8)

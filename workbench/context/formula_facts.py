@@ -14,6 +14,7 @@ from workbench.context.facts import Act, Fact, Origin, Provider, Strength
 from workbench.context.formula_acts import constrains, declared_anew, definition_by
 from workbench.context.formula_subject import conditioned, names_of
 from workbench.context.free_symbols import free_in, names_in, terms_of
+from workbench.context.repeated_laws import is_repeated
 from workbench.core.names import Name
 from workbench.core.terms import Derivative, Relation, Statement, Symbol, sides_of
 from workbench.core.types import Declaration
@@ -70,8 +71,10 @@ def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> 
         if statement is None:
             made.append(claim)
             continue
-        made.append(claim.with_context(facts=(*claim.context.facts, *_about(claim, said))))
-        if (saying := _saying(claim, at)) is not None:
+        about = _about(claim, said)
+        repeats = is_repeated(claim, about)
+        made.append(claim.with_context(facts=(*claim.context.facts, *about), repeats=repeats))
+        if not repeats and (saying := _saying(claim, at)) is not None:
             if _is_local(claim, display, first):
                 saying.fact = replace(saying.fact, strength=Strength.GUESSED)
             for declaration in saying.registered:
@@ -176,7 +179,7 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
         laws = tuple(
             _law(each, p < at)
             for p, each in near
-            if not _are_of_one_chain(each, claim)
+            if not (each.context.repeats or _are_of_one_chain(each, claim))
             and _is_carried(each.printed.statement, each.notation, claim.notation)
         )
         made.append(claim.with_context(facts=(*claim.context.facts, *laws)))

@@ -15,10 +15,12 @@ from workbench.context.claims import Claim
 from workbench.context.conventions import conventional
 from workbench.context.facts import Act, Context, Fact, Provider, Strength, Supposition
 from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
-from workbench.context.formula_subject import Subject, derived
+from workbench.context.formula_subject import Subject
 from workbench.context.free_symbols import names_in, terms_of
+from workbench.context.repeated_laws import is_given_by, rate_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.reasons import Reason
 from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -170,22 +172,12 @@ class _Explanation:
         if said and self.act in _TESTED:
             self.subject = subject_of(self.claim, said)
             self.act, self.own = self.subject.act
-        if self.act is Act.POSTULATE and any(map(self._follows_from, self.known)):
-            self.act = Act.ASSERT
-
-    def _follows_from(self, fact: Fact) -> bool:
-        """True if a law states a lower rate of the symbol, or a definition the symbol, from which this one
-        follows."""
-        own, order = self._rate_in(self.claim.printed.statement)
-        other, lower = self._rate_in(fact.content)
-        is_given = lower > 0 or fact.act is Act.DEFINE
-        return own is not None and own == other and is_given and lower < order
-
-    def _rate_in(self, said: object) -> tuple[Symbol | None, int]:
-        """Returns the symbol of the act and its order, if its rate stands alone on a side."""
-        sides = (said.left, said.right) if isinstance(said, Relation) else ()
-        rates = (derived(side) for side in sides)
-        return next((rate for rate in rates if rate[0] == self.own), (None, 0))
+        statement, definitions = self.claim.printed.statement, self.claim.notation.definitions
+        if self.act is Act.POSTULATE and self.own is not None and isinstance(statement, Relation):
+            first = next((f for f in self.known if is_given_by(statement, self.own, f, definitions)), None)
+            self.act = Act.POSTULATE if first is None else Act.ASSERT
+            if first is not None and _order(first.content, self.own) == _order(statement, self.own):
+                self.doubts.append(f"it is another case than {first}")
 
     def _definitions(self) -> list[Definition]:
         return [fact.content for fact in self.known if isinstance(fact.content, Definition)]
@@ -292,7 +284,17 @@ class _Explanation:
         unless += [f"decided only where not {fact}" for fact in broken]
         basis = min((fact.strength for fact in self.known), default=Strength.DECLARED)
         doubt = "; ".join(dict.fromkeys(unless))  # the context counts as one doubt
-        return replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
+        found = replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
+        return found if doubt else replace(found, reason=self._given_otherwise() or found.reason)
+
+    def _given_otherwise(self) -> Reason | None:
+        """Returns the reason that earlier formulas give the symbol that this one speaks of."""
+        _, own = self.claim.context.act
+        if own is None:
+            return None
+        given = [fact for fact in self.known if fact.act in _GIVES and rate_in(fact.content, own) is not None]
+        facts = ", ".join(map(str, given))
+        return ContextCode.GIVEN_OTHERWISE(symbol=f"${to_latex(own)}$", facts=facts) if given else None
 
     def _rescuing(self, context: Context) -> list[str]:
         """Returns the first guess under which it holds, with the hints that it needs for that."""
@@ -306,6 +308,11 @@ class _Explanation:
             return []
         other = other_convention(self.claim, self.decider, [*self.known, *self.hints])
         return [other] if other is not None else []
+
+
+def _order(said: object, own: Symbol) -> int | None:
+    rate = rate_in(said, own)
+    return None if rate is None else rate[0]
 
 
 def _holds_rate(statement: Statement) -> bool:

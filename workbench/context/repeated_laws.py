@@ -1,0 +1,69 @@
+"""A formula for a symbol that earlier formulas of the text give already: it asserts, and is no fact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from workbench.context.claims import Claim
+from workbench.context.facts import Act, Fact, Provider, Strength
+from workbench.context.formula_acts import constrains, subject_of
+from workbench.context.formula_subject import derived
+from workbench.context.free_symbols import free_in
+from workbench.core.terms import Definition, Relation, Symbol, Term
+from workbench.language.definitions import Definitions
+
+_GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
+
+
+def rate_in(said: object, own: Symbol) -> tuple[int, Term] | None:
+    """Returns the order of the symbol's rate that stands alone on one side of an equation, and the other."""
+    if isinstance(said, Definition):
+        return (0, said.body) if said.declaration == own.declaration else None
+    if not isinstance(said, Relation) or said.operator != "=":
+        return None
+    for one, other in ((said.left, said.right), (said.right, said.left)):
+        found, order = derived(one)
+        if found == own:
+            return order, other
+    return None
+
+
+def is_given_by(law: Relation, own: Symbol, fact: Fact, definitions: Definitions) -> bool:
+    """True if a fact gives a rate of the symbol from which the law follows, or gives the same rate otherwise.
+
+    It does not if the two together say what another symbol is."""
+    here, there = rate_in(law, own), rate_in(fact.content, own)
+    if here is None or there is None or there[0] > here[0]:
+        return False
+    if there[0] < here[0]:
+        return there[0] > 0 or fact.act is Act.DEFINE
+    both = Relation("=", there[1], here[1])
+    return not free_in([there[1], here[1]], definitions) or not constrains(both, definitions)
+
+
+def is_repeated(claim: Claim, facts: Iterable[Fact]) -> bool:
+    """True if the earlier formulas of a text give the symbol that the claim says something of."""
+    act, own = claim.context.act
+    statement = claim.printed.statement
+    if act not in _GIVES or own is None or not isinstance(statement, Relation):
+        return False
+    said = [
+        fact
+        for fact in facts
+        if fact.origin.provider is Provider.FORMULA
+        and fact.strength is Strength.STATED
+        and fact.act in _GIVES
+    ]
+    if any(is_given_by(statement, own, fact, claim.notation.definitions) for fact in said):
+        definitions = definitions_in(said)
+        return not definitions or subject_of(claim, definitions).act[0] is Act.ASSERT
+    return False
+
+
+def definitions_in(facts: Sequence[Fact]) -> list[Definition]:
+    """Returns the first definition of each symbol among the facts."""
+    found: dict[object, Definition] = {}
+    for content in (fact.content for fact in facts):
+        if isinstance(content, Definition):
+            found.setdefault((content.declaration, content.index), content)
+    return list(found.values())

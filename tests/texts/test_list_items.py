@@ -93,6 +93,16 @@ def test_words_before_a_nested_list_belong_to_it_alone(tmp_path: Path) -> None:
     assert outcomes(tmp_path, text, "md") == [Outcome.CONDITIONAL, Outcome.CONDITIONAL, Outcome.REFUTED]
 
 
+@pytest.mark.parametrize("words", ["Let us assume {}.", "Here {}.", "Let {}."])
+def test_supposition_of_an_item_reaches_its_own_list_only(tmp_path: Path, words: str) -> None:
+    display, said = f"$${HELD}$$", words.format(f"${VALUE}$")
+    text = f"- {said}\n  - Then {display}\n  - and {display}\n- In general {display}"
+    assert outcomes(tmp_path, text, "md") == [Outcome.CONDITIONAL, Outcome.CONDITIONAL, Outcome.REFUTED]
+    items = rf"\begin{{enumerate}}\item One {display}\item and {display}\end{{enumerate}}"
+    text = rf"\begin{{itemize}}\item {said} {items}\item In general {display}\end{{itemize}}"
+    assert outcomes(tmp_path, text, "tex") == [Outcome.CONDITIONAL, Outcome.CONDITIONAL, Outcome.REFUTED]
+
+
 @pytest.mark.parametrize(
     "formula",
     [

@@ -81,6 +81,20 @@ def test_value_behind_a_display_reaches_no_other_paragraph(tmp_path: Path, form:
 
 
 @pytest.mark.parametrize("form", FORMATS)
+def test_sentence_speaks_of_the_symbols_by_which_it_defines(tmp_path: Path, form: str) -> None:
+    letters = ALPHABETS[0]
+    parts = (r"<g> = <f> <x>", r"<h> = <m> <x>", "<x>^2 = 1")
+    words = "where " + ", ".join(inline(renamed(each, letters), form) for each in parts) + "."
+    for formula, expected in (
+        ("<g> <h> = <f> <m>", Outcome.CONDITIONAL),
+        ("<g> <h> = 2 <f> <m>", Outcome.REFUTED),
+    ):
+        text = text_of([display(renamed(formula, letters), form), words], form)
+        (found,) = verdicts(tmp_path, text, model_of(letters, form), form)
+        assert found.outcome is expected, formula
+
+
+@pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("sentence", DECLARED)
 def test_declaration_reaches_the_paragraphs_of_its_section(tmp_path: Path, form: str, sentence: str) -> None:
     letters = ALPHABETS[len(sentence) % 3]

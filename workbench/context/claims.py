@@ -166,6 +166,7 @@ class ClaimContext:
     Attributes:
         span: The position of the formula in the text.
         given: The formulas from which it follows.
+        beside: Those of them that stand beside it, as in "where f = g^2".
         repeats: Whether earlier formulas give the symbol that it says something of, so that it asserts.
         explains: Whether words introduce it as the definition of a symbol beside it, as in "where f = g^2".
         alone: Whether the model says that the claim follows from no other fact.
@@ -178,6 +179,7 @@ class ClaimContext:
 
     span: Span | None = None
     given: tuple[Formula, ...] = ()
+    beside: tuple[Formula, ...] = ()
     repeats: bool = False
     explains: bool = False
     alone: bool = False

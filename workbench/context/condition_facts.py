@@ -155,18 +155,18 @@ def place_of_case(formula: Display) -> range | None:
     """
     words, text = _words_before(formula), formula.source.prose
     start, end = paragraph_around(text, formula.start)
-    if words is None or not (words["case"] or words["explains"]):
-        item = item_around(text, formula.start)
-        if item is not None and holds_display(text, formula.end, item[1]):
-            return range(*item)
-    if words is None or words["defines"]:
-        return None
     is_before, is_behind = (
         holds_display(text, *span) for span in ((start, formula.start), (formula.end, end))
     )
-    explains = words["explains"] and (is_before or (is_behind and words["explains"].lower() != "here"))
-    is_case = words["case"] or explains or (words["supposes"] and is_behind)
-    return range(start, end) if is_case else None
+    if words is not None and words["explains"]:
+        is_case = is_before or (is_behind and words["explains"].lower() != "here")
+    else:
+        is_case = words is not None and words["case"] is not None
+    item = None if is_case else item_around(text, formula.start)
+    if item is not None and holds_display(text, formula.end, item[1]):
+        return range(*item)
+    is_supposed = words is not None and words["supposes"] is not None
+    return range(start, end) if is_case or (is_supposed and is_behind) else None
 
 
 def _as_definition(fact: Fact) -> Fact:

@@ -88,7 +88,8 @@ def _is_local(claim: Claim, display: Display, first: Mapping[Declaration, Displa
     """Returns whether a formula says something for its display only.
 
     first: the displays in which the symbols stand first."""
-    conditions = (formula.statement for formula in (*claim.assume, *claim.ambiguity.perhaps))
+    beside = (*claim.assume, *claim.ambiguity.perhaps, *claim.context.beside)
+    conditions = (formula.statement for formula in beside)
     if any(isinstance(each, Relation) and each.operator == "=" for each in conditions):
         return True
     own = claim.context.act[1]

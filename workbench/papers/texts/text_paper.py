@@ -262,6 +262,7 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         context=ClaimContext(
             span=span,
             given=defined,
+            beside=defined,
             explains=step.explains,
             act=act_of(printed, placed.notation),
             guessed=_used(printed, step.tokens, guessed),

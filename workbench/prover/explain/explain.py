@@ -174,10 +174,11 @@ class _Explanation:
             self.act, self.own = self.subject.act
         statement, definitions = self.claim.printed.statement, self.claim.notation.definitions
         if self.act is Act.POSTULATE and self.own is not None and isinstance(statement, Relation):
-            first = next((f for f in self.known if is_given_by(statement, self.own, f, definitions)), None)
-            self.act = Act.POSTULATE if first is None else Act.ASSERT
-            if first is not None and _order(first.content, self.own) == _order(statement, self.own):
-                self.doubts.append(f"it is another case than {first}")
+            given = [f for f in self.known if is_given_by(statement, self.own, f, definitions)]
+            self.act = Act.ASSERT if given else Act.POSTULATE
+            order = _order(statement, self.own)
+            if given and all(_order(fact.content, self.own) == order for fact in given):
+                self.doubts.append(f"it is another case than {given[0]}")
 
     def _definitions(self) -> list[Definition]:
         return [fact.content for fact in self.known if isinstance(fact.content, Definition)]

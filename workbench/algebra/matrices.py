@@ -20,6 +20,11 @@ def matrix(entries: Iterable[Entry], columns: int) -> Matrix:
     return tuple(tuple(entries[i : i + columns]) for i in range(0, len(entries), columns))
 
 
+def kronecker(a: Matrix, b: Matrix) -> Matrix:
+    """Returns A ⊗ B, the blocks a_ij B."""
+    return tuple(tuple(x * y for x in left for y in right) for left in a for right in b)
+
+
 def add(a: Matrix, b: Matrix) -> Matrix:
     return tuple(tuple(x + y for x, y in zip(*rows, strict=True)) for rows in zip(a, b, strict=True))
 

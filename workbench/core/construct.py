@@ -31,6 +31,7 @@ from workbench.core.terms import (
     Identity,
     IllFormed,
     Integer,
+    Integral,
     Number,
     Power,
     Relation,
@@ -139,6 +140,13 @@ def big_sum(variables: Sequence[str], lower: Linear | int | None, upper: Linear 
                 TypeCode.ADDENDS_OF_DIFFERENT_WEIGHTS(variables=", ".join(variables), weight=weight)
             )
     return BigSum(body.type, weight, tuple(variables), lower, upper, body)
+
+
+def integral(sign: str, measure: str, variable: str, body: Term) -> Integral:
+    """Returns an integral or a limit. Its weight is open, since the weight of dm is."""
+    if body.type.kind == "operator":
+        raise Unsupported(TypeCode.INTEGRAL_OF_OPERATOR())
+    return Integral(body.type, None, sign, measure, variable, body)
 
 
 def block(entries: Sequence[Sequence[Term]]) -> Block:
@@ -260,6 +268,8 @@ def rebuild(term: Term, children: Sequence[Term]) -> Term:
             return power(children[0], term.exponent)
         case BigSum():
             return big_sum(term.variables, term.lower, term.upper, children[0])
+        case Integral():
+            return integral(term.sign, term.measure, term.variable, children[0])
         case Block():
             width = len(term.entries[0])
             return block([children[i : i + width] for i in range(0, len(children), width)])

@@ -48,6 +48,8 @@ OPERATORS: dict[Head, Operator] = {
     "neg": Operator(signatures.as_argument, linear="components"),
     "dot": Operator(signatures.dot, sign="·", linear="components"),
     "cross": Operator(function(_VECTORS, VECTOR, total_weight), sign="×", linear="components"),
+    # The Kronecker product of matrices. ⊗ of vectors is the dyad.
+    "kronecker": Operator(signatures.kronecker, sign="⊗", linear="components"),
     "outer": Operator(function(_VECTORS, TENSOR, total_weight), sign="⊗", linear="components"),
     "mul": Operator(signatures.mul, linear="components"),
     "compose": Operator(signatures.compose, sign="∘", linear="each"),
@@ -66,6 +68,8 @@ OPERATORS: dict[Head, Operator] = {
     ),
     "skew": Operator(function(("vector",), TENSOR, times(1)), ("skew",), linear="components", takes="tensor"),
     "vect": Operator(function(("tensor",), VECTOR, times(1)), ("vect",), linear="components", takes="tensor"),
+    # The columns of a matrix below each other.
+    "vec": Operator(signatures.columns_below, ("vec",), linear="components", takes="tensor"),
     "transpose": Operator(signatures.transpose, superscript="T", linear="components", takes="tensor"),
     "inverse": Operator(signatures.inverse, superscript="-1"),
     "adjugate": Operator(

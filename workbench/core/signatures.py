@@ -228,6 +228,27 @@ def transpose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return Type(type_.columns, type_.rows, type_.dual), arguments[0].weight
 
 
+_MATRICES = {"tensor", "matrix"}
+
+
+def kronecker(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """Returns the type and weight of A ⊗ B, the block matrix of the A_ij B, for two matrices."""
+    _expect(arguments, _MATRICES, _MATRICES)
+    left, right = (a.type for a in arguments)
+    if any(filling(a) is not None for a in arguments):
+        raise Unsupported(TypeCode.KRONECKER_OF_UNIT())
+    size = (left.rows * right.rows, left.columns * right.columns)
+    return Type(*size, _dual(arguments)), total_weight(arguments)
+
+
+def columns_below(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """Returns the type and weight of vec A, the columns of a matrix below each other."""
+    (matrix,) = arguments
+    if matrix.type.kind not in _MATRICES:
+        raise Unsupported(TypeCode.VEC(type=matrix.type))
+    return Type(matrix.type.rows * matrix.type.columns, 1, matrix.type.dual), matrix.weight
+
+
 def inverse(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     type_ = arguments[0].type
     if not type_.is_square and type_.kind != "quaternion":
@@ -315,15 +336,19 @@ def arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 def partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """Returns the type and weight of ∂f/∂x. For a scalar x it has the type of f. For a column x of n it is a
-    row of n, or a matrix whose row i belongs to the component i of f."""
+    row of n, or a matrix whose row i belongs to the component i of f. For a scalar f and a matrix X it is the
+    matrix of the ∂f/∂X_ij."""
     body, by = arguments
     if body.type.kind == "operator":
         raise IllFormed(TypeCode.PARTIAL_DERIVATIVE_OF_OPERATOR())
-    if by.type.dual or not (by.type.kind == "scalar" or by.type.is_column):
+    is_by_matrix = not (by.type.algebra or by.type.is_column or by.type.kind == "scalar")
+    if by.type.dual or (by.type.algebra and not by.type.is_column):
         raise Unsupported(TypeCode.PARTIAL_DERIVATIVE_BY(type=by.type))
     weight = None if body.weight is None or by.weight is None else body.weight - by.weight
     if by.type.kind == "scalar":
         return body.type, weight
-    if body.type.kind != "scalar" and not body.type.is_column:
-        raise Unsupported(TypeCode.DERIVATIVE_BY_VECTOR(type=body.type))
+    if body.type.kind != "scalar" and (is_by_matrix or not body.type.is_column):
+        raise Unsupported(TypeCode.DERIVATIVE_BY_VECTOR(type=body.type, by=by.type))
+    if is_by_matrix:
+        return by.type.with_dual(body.type.dual), weight
     return Type(body.type.rows, by.type.rows, body.type.dual), weight

@@ -23,6 +23,7 @@ Head = Literal[
     "neg",
     "dot",
     "cross",
+    "kronecker",
     "outer",
     "mul",
     "compose",
@@ -34,6 +35,7 @@ Head = Literal[
     "antisymmetric",
     "skew",
     "vect",
+    "vec",
     "transpose",
     "inverse",
     "adjugate",
@@ -228,6 +230,21 @@ class BigSum(Term):
     variables: tuple[str, ...]
     lower: Linear | None
     upper: Linear
+    body: Term
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return (self.body,)
+
+
+@_node
+class Integral(Term):
+    """An integral or a limit, of which only the linearity is known. sign, measure: the LaTeX before and
+    behind the body, as "\\int_{B}" and "\\mathrm{d}m".   variable: that of the letter behind the d."""
+
+    sign: str
+    measure: str
+    variable: str
     body: Term
 
     @property

@@ -112,6 +112,9 @@ class SyntaxCode(Code):
     INFINITE_SUM_SUMS_HAVE = "an infinite sum; sums have integer bounds"
     INTEGER_TOO_LARGE_HERE = "the integer {text} is too large here; at most {LARGEST_INTEGER}"
     INTEGER_VARIABLE_DECLARED_SYMBOL = "{name} is an integer variable and a declared symbol"
+    INTEGRAL_WITHOUT_DIFFERENTIAL = (
+        "an integral without a differential: expected \\int f \\, dt, with brackets around a sum"
+    )
     INTEGER_WITHOUT_RANGE = (
         "the integer variable {missing} in {spelling} has no range here; if {first} is no index, "
         "declare it as a symbol"
@@ -122,6 +125,7 @@ class SyntaxCode(Code):
     LETTERS_OR_NAME = "{letters}: {which}? {{…}} around each letter parts them"
     LETTER_IS_SYMBOL = "{name} is a symbol too; {what}"
     LIKELY_MEANT = "{fault}; likely meant: {intent}"
+    LIMIT_WITHOUT_PLACE = "a limit without its place: expected \\lim_{{h \\to 0}} f"
     MATRIX_BEFORE_PRODUCT_QUATERNIONS = "a matrix before a product of quaternions: bracket one of them"
     MEMBER_HERE_DECLARED = "a member of {name} is a {dual}{kind}; here it is a {got}, as declared"
     MINIMUM_OR_MAXIMUM_FORMULA = "of a minimum or maximum a formula says what it is: expected such a side"

@@ -18,7 +18,7 @@ class TypeCode(Code):
     ATAN2_ARGUMENTS = "atan2 takes two real scalars of one weight"
     COLUMN_BESIDE_QUATERNION = "a column of four beside a quaternion, whose scalar part stands first"
     DEFINITION_OF_ANOTHER_TYPE = "{key} is a {kind}, its definition is a {defined}"
-    DERIVATIVE_BY_VECTOR = "the derivative of a {type} by a vector is not read: it has more than two indices"
+    DERIVATIVE_BY_VECTOR = "the derivative of a {type} by a {by} is not read: it has more than two indices"
     DIFFERENT_SIZES = "{message}; the sizes are {sizes}"
     DIFFERENT_TYPES = "{what} differ in type: {types}"
     DIFFERENT_WEIGHTS = "{what} differ in weight (power of 1/time): {weights}"
@@ -38,9 +38,11 @@ class TypeCode(Code):
     FUNCTION_ARGUMENT_TYPE = "{name} takes a {type}, got a {type_2}"
     FUNCTION_ARGUMENT_WEIGHT = "{name} takes an argument of weight {weight}, got {weight_2}"
     INDEX_COUNT = "{name} takes {indices} indices, got {count}"
+    INTEGRAL_OF_OPERATOR = "an integral of an operator is not read"
     INVERSE = "the inverse of a {type}"
     LOGARITHM = "the logarithm of a {type}; of rotations, transforms and unit quaternions it is read"
     JUXTAPOSITION = "juxtaposition of a {left} and a {right} has no meaning"
+    KRONECKER_OF_UNIT = "how large is the 0 or I beside ⊗? write its size below it"
     MATRIX_PRODUCT = "matrix product of {left} and {right}"
     MEMBER_DECLARED_APART = "{member} is declared apart, as no member of {name}"
     MEMBER_OF_ANOTHER_TYPE = "a member of {name} is a {type}; here it is a {type_2}"
@@ -56,7 +58,9 @@ class TypeCode(Code):
     OPEN_ZEROS = "{message}; is meant a row or column of more zeros? a `reading` says it"
     OPERATOR_BESIDE_TENSOR = "an operator applied to a tensor, or their product?"
     OPERATOR_ON_SCALAR = "an operator with tensor coefficients acts on a vector or a tensor, got a scalar"
-    PARTIAL_DERIVATIVE_BY = "the partial derivative by a {type} is not read; that by a scalar or a vector is"
+    PARTIAL_DERIVATIVE_BY = (
+        "the partial derivative by a {type} is not read; that by a scalar, a column or a matrix is"
+    )
     PARTIAL_DERIVATIVE_OF_OPERATOR = "the partial derivative of an operator"
     POWER = "a power of a {type}"
     PRODUCT_OF_SIZES = "the product of a matrix {sizes} and a matrix {sizes_2}"
@@ -79,6 +83,7 @@ class TypeCode(Code):
     UNIT_MATRIX_NOT_SQUARE = "a unit matrix of the size {sizes}; it is square"
     UNIT_TENSOR_BESIDE_OTHERS = "{what} differ in type: the unit tensor and {shape}"
     UNIT_TENSOR_IN_ONE_ROW = "the unit tensor in a place of one row and one column"
+    VEC = "vec of a {type}: it stacks the columns of a matrix"
     ZERO_OF_ANOTHER_SIZE = "a zero printed with the size {size} in a place of the size {place}"
 
 

@@ -67,6 +67,8 @@ class VerdictCode(Code):
     NONE_EXISTS = "there is none"
     NOT_AS_DRAFTED = "does not fit the drafted kinds and notation: {reason}"
     NOT_DEFINED_FOR_ALL = "{left} is not seen to be defined for all of these: {reason}"
+    KEPT_IN_INTEGRAL = "what stands before the sign is the same throughout the integral"
+    NOT_FROM_LINEARITY = "it does not follow from the linearity of the integral"
     NOT_FROM_EXPONENTIALS = "does not follow from what derivatives of e^x are"
     NOT_SHOWN = "not shown"
     NO_BOUND = "it has no bound"

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, Block, Derivative, Head, Number, Symbol, Term
+from workbench.core.types import Declaration
 from workbench.engines.inventory import Lookup, NotExact, reached
 
 
@@ -45,10 +46,15 @@ def seeds(by: Term, definitions: Lookup) -> list[Seed]:
             return [seed._replace(factor=seed.factor * value) for seed in seeds(part, definitions)]
         case Symbol() if (body := definitions.lookup(by)) is not None:
             return seeds(body, definitions)
-        case Symbol() if not (by.declaration.unit or by.type.dual):
+        case Symbol() if not (by.type.dual or _is_constrained(by.declaration)):
             count = by.type.rows * by.type.columns
             return [Seed(by, 0, component, Fraction(1)) for component in range(count)]
     raise NotExact("a partial derivative by what is no free coordinate")
+
+
+def _is_constrained(of: Declaration) -> bool:
+    """True if the components cannot change one by one."""
+    return of.unit or of.rotation or of.transform or of.symmetric or of.diagonal
 
 
 def positive_coordinates(sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:

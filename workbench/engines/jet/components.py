@@ -203,6 +203,7 @@ LINEAR: dict[str, Callable] = {
     "neg": lambda x: -x,
     "skew": skew,
     "transpose": lambda x: x.T,
+    "vec": lambda x: x.T.ravel(),
     "trace": lambda a: scalar_array(sum((a[i, i] for i in range(1, len(a))), start=a[0, 0])),
 }
 DOUBLED: dict[str, Callable] = {

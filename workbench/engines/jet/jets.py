@@ -61,6 +61,10 @@ from workbench.engines.jet.tangents import changes, commuted, composed
 from workbench.engines.jet.term_source import Source
 
 
+def _in_shape_of(type_: Type, entries: np.ndarray) -> np.ndarray:
+    return entries.reshape(array_shape(type_))
+
+
 def _scaled(factor: Any, x: np.ndarray) -> np.ndarray:
     scaled: np.ndarray = x * factor
     return scaled
@@ -239,7 +243,7 @@ class JetEngine:
             case "triple":
                 a, b, c = (self.value(x, depth) for x in arguments)
                 return product_of(dot, a, product_of(cross, b, c))
-            case "adjugate" | "det" | "inverse" | "conjugate":
+            case "adjugate" | "det" | "inverse" | "conjugate" | "kronecker":
                 return self._of_matrix(term, depth)
             case "div":
                 return self._algebra.divide(*(self.value(a, depth) for a in arguments))
@@ -256,6 +260,16 @@ class JetEngine:
                 return self._of_field(head, arguments[0], depth)
         raise NotExact(f"no value for the operation {head}")
 
+    def _kronecker(self, term: Apply, depth: int) -> Value:
+        """A ⊗ B: the products of all entries, sorted by the rows of A, those of B, and the columns."""
+        shapes = [matrix_shape(a.type) for a in term.arguments]
+
+        def blocks(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+            entries = np.multiply.outer(a.reshape(shapes[0]), b.reshape(shapes[1]))
+            return entries.transpose(0, 2, 1, 3).reshape(array_shape(term.type))
+
+        return product_of(blocks, *(self.value(a, depth) for a in term.arguments))
+
     def _of_field(self, head: str, field: Term, depth: int) -> Value:
         """The divergence or the curl."""
         gradient = self._gradient(field, depth)
@@ -264,7 +278,10 @@ class JetEngine:
         return add(add(entry(gradient[0], 0), entry(gradient[1], 1)), entry(gradient[2], 2))
 
     def _of_matrix(self, term: Apply, depth: int) -> Value:
-        """The adjugate, determinant or inverse of a matrix; the inverse or conjugate of a quaternion."""
+        """The adjugate, determinant or inverse of a matrix, the Kronecker product of two; the inverse or
+        conjugate of a quaternion."""
+        if term.head == "kronecker":
+            return self._kronecker(term, depth)
         argument = term.arguments[0]
         if term.head == "inverse":
             known = inverted(argument, self._definitions, inverse_of_exponential(self._definitions))
@@ -351,7 +368,9 @@ class JetEngine:
             moved = [changes(self._moved_by(each).value(body, depth)) for each in lower]
             duals = [value.du for value in moved if value.du is not None]
             found.append(Value(commuted([v.re for v in moved]), commuted(duals) if duals else None))
-        return found[0] if by.type.kind == "scalar" else beside(found)
+        if by.type.kind == "scalar":
+            return found[0]
+        return beside(found) if by.type.is_column else stack(found).map(partial(_in_shape_of, by.type))
 
     def _moved_by(self, seed: Seed) -> JetEngine:
         if seed not in self._moved:

@@ -24,6 +24,7 @@ from workbench.algebra.matrices import (
     det,
     dual_part,
     flat,
+    kronecker,
     matrix,
     on_entries,
     product,
@@ -278,7 +279,8 @@ class ExactEngine:
         return ((g[2][1] - g[1][2],), (g[0][2] - g[2][0],), (g[1][0] - g[0][1],))
 
     def _partial(self, term: Apply) -> Matrix:
-        """Returns ∂f/∂x entry by entry; for a column x, the derivatives of each entry side by side."""
+        """Returns ∂f/∂x entry by entry; for a column x, the derivatives of each entry side by side; for a
+        matrix x, those of a scalar in its places."""
         body, by = term.arguments
         value, slopes = self.value(body), []
         for seed in seeds(by, self._definitions):
@@ -287,6 +289,8 @@ class ExactEngine:
             slopes.append(scaled(self.ring.constant(1 / seed.factor), self._map(once, value)))
         if by.type.kind == "scalar":
             return slopes[0]
+        if not by.type.is_column:
+            return matrix([slope[0][0] for slope in slopes], by.type.columns)
         return tuple(tuple(slope[i][0] for slope in slopes) for i in range(len(value)))
 
     def _gradient(self, field: Term) -> Matrix:
@@ -336,6 +340,8 @@ _HEADS = {
     "dot": _binary(lambda a, b: product(transpose(a), b)),
     "cross": _binary(lambda a, b: matrix(cross(flat(a), flat(b)), 1)),
     "outer": _binary(lambda a, b: product(a, transpose(b))),
+    "kronecker": _binary(kronecker),
+    "vec": _unary(lambda a: matrix((x for column in transpose(a) for x in column), 1)),
     "skew": _unary(lambda a: skew(flat(a))),
     "vect": _unary(vect),
     "symmetric": _unary(lambda a: symmetric(a, 1)),

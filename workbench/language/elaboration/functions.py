@@ -16,6 +16,7 @@ from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Nu
 from workbench.language.elaboration.angles import goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.determinants import of_vectors
+from workbench.language.elaboration.differentials import INCREMENT
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.quotients import Rate, slope, value_of
 from workbench.language.elaboration.superscripts import is_transpose, raised, rooted
@@ -230,7 +231,10 @@ def _is_bracket(node: Node) -> bool:
 
 
 def _is_rate_beside(term: Term, angle: Sequence[Factor]) -> bool:
-    """True for a rate, or a power of one, after an angle that is not a rate: \\sin\\theta \\dot{\\theta}."""
+    """True for a rate, or a power of one, after an angle that is not a rate: \\sin\\theta \\dot{\\theta}, and
+    for a differential."""
+    if INCREMENT in (term, *term.children):
+        return True
     rate = term.base if isinstance(term, Power) else term
     return isinstance(rate, Derivative) and not any(
         isinstance(part, Derivative) for factor in angle for part in factor.term.walk()

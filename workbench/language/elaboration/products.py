@@ -19,10 +19,12 @@ from workbench.language.elaboration.arguments import (
     question_of_sum,
     refuse_member,
 )
+from workbench.language.elaboration.differentials import differential
 from workbench.language.elaboration.evaluations import is_evaluated, value_at, with_brackets
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
+from workbench.language.elaboration.integrals import integration
 from workbench.language.elaboration.letters import letter
 from workbench.language.elaboration.nablas import along, as_del, of_field, with_sign
 from workbench.language.elaboration.quotients import divided, quotient, rate
@@ -36,6 +38,7 @@ from workbench.language.grammar.syntax import (
     Fraction,
     Group,
     Infix,
+    Integration,
     Leaf,
     Matrix,
     Node,
@@ -189,23 +192,23 @@ def _factor(row: Row, place: int) -> Factor:
         return of_field(row, place, sign)
     if (directed := along(item)) is not None:
         return of_field(row, place, directed[1], directed[0])
+    if (found := differential(row, place)) is not None:
+        return found
     if is_evaluated(item):
         return Factor(value_at(row.scope, item), item.at, place + 1, item)
     match item:
         case Product(items=(_, Infix())) if (spelt := row.scope.spelt(item)) is not None:
             return Factor(spelt, item.at, place + 1, item)
         case Product(items=(Summation() as head, *rest)):
-            term = summation(row.scope, head, lambda: _body(row.scope, head, rest))
-            return Factor(term, item.at, place + 1, item)
+            return Factor(_under_a_sign(row.scope, head, rest), item.at, place + 1, item)
         case Summation():
             raise Fault(SyntaxCode.SUM_HAS_NO_BODY(), item.at)
         case Leaf(kind="FUNCTION") | Scripted(nucleus=Leaf(kind="FUNCTION")):
             named = _as_name(row.scope, item)
             return function(row, place) if named is None else _name(row, place, named, Scripts())
         case Fraction():
-            found = rate(row.scope, item)
-            if found is not None:
-                return derivative(row, place, found)
+            if (slope := rate(row.scope, item)) is not None:
+                return derivative(row, place, slope)
             return Factor(quotient(row.scope, item), item.at, place + 1, item)
         case Bracket(kind="(", parts=(part,)) if place and _is_place(row.scope, row.items[place - 1], part):
             raise Fault(question_of_sum(latex_of(row.items[place - 1]), latex_of(part)), item.at)
@@ -230,6 +233,13 @@ def _as_name(scope: Scope, item: Node) -> Node | None:
     if letter is nucleus or not isinstance(letter, Leaf) or not scope.table.has_letter(letter.text):
         return None
     return replace(item, nucleus=letter) if isinstance(item, Scripted) else letter
+
+
+def _under_a_sign(scope: Scope, head: Summation, rest: Sequence[Node]) -> Term:
+    """Returns the sum, the integral or the limit of what stands behind its sign."""
+    if isinstance(head, Integration):
+        return integration(scope, head, rest, product)
+    return summation(scope, head, lambda: _body(scope, head, rest))
 
 
 def _body(scope: Scope, head: Summation, rest: Sequence[Node]) -> Term:

@@ -21,6 +21,7 @@ from workbench.core.terms import (
     Term,
 )
 from workbench.core.types import SCALAR, Type, type_of_kind
+from workbench.language.elaboration.differentials import as_rates, refuse_italic
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.evaluations import Apart, under_places
 from workbench.language.elaboration.extremum_operators import extrema, is_extremal
@@ -104,6 +105,7 @@ def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
         raise Fault(SyntaxCode.EXPECTED_ONE_EXPRESSION_GOT(), clauses[1].at)
     reader = Elaborator(table, integers)
     term = reader.term(clauses[0])
+    refuse_italic(reader)
     _refuse_applied(reader, [term])
     _refuse_depth(term, clauses[0].at)
     return term
@@ -296,7 +298,8 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
     reader.evaluations, reader.takes_bars = [], True
-    terms = reader.with_units([reader.term(side) for side in chain.sides])
+    reader.italic_differentials = []
+    terms = reader.with_units(as_rates(reader, [reader.term(side) for side in chain.sides]))
     reader.takes_bars = False
     if any(term.type == type_of_kind("matrix 4×1") for term in terms):
         terms = [reader.as_point(term, side.at) for term, side in zip(terms, chain.sides, strict=True)]

@@ -139,7 +139,7 @@ class Tokenizer:
         if self.ends("SUB", "SUP"):
             self.emit("LETTER", text[0], at)  # k_Re is k_R e
             at, text = at + 1, text[1:]
-        if text in FUNCTIONS:
+        if text in FUNCTIONS and not (text in NAMES and self.in_script()):
             self.emit("FUNCTION", text, at)
         elif text in NAMES and not self.in_script():
             self.words(text, text, at)
@@ -155,7 +155,7 @@ class Tokenizer:
         is_script = self.ends("SUB", "SUP")
         is_label = is_script or [token.type for token in self.out[-2:]] == ["SUB", "LBRACE"]
         is_name = plain[-1:].isalpha() or plain[:1].isdecimal()  # 3-2-1
-        if is_label and is_name and not (plain in FUNCTIONS and not is_script):
+        if is_label and is_name and (is_script or plain not in FUNCTIONS or plain in NAMES):
             self.label(words.strip(" ,."), at, braced=is_script)
         elif plain in FUNCTIONS:
             self.emit("FUNCTION", f"\\{plain}", at)

@@ -17,6 +17,7 @@ from workbench.language.grammar.syntax import (
     Given,
     Group,
     Infix,
+    Integration,
     Joined,
     Leaf,
     Lines,
@@ -83,7 +84,8 @@ def latex_of(node: Node) -> str:
             signed = (f" {sign} {latex_of(a)}" if sign else latex_of(a) for sign, _, a in addends)
             return "".join(signed).strip()
         case Summation(lower=lower, upper=upper):
-            return scripted("\\sum", _inside(lower), _inside(upper))
+            sign = node.sign if isinstance(node, Integration) else "sum"
+            return scripted(f"\\{sign}", _inside(lower), _inside(upper))
         case Extremal(least=least, over=over):
             return extremal(least, _inside(over))
         case Matrix(rows=rows):

@@ -27,6 +27,7 @@ from workbench.language.grammar.syntax import (
     Given,
     Group,
     Infix,
+    Integration,
     Joined,
     Leaf,
     Lines,
@@ -106,7 +107,9 @@ class _Builder(Transformer):
         sub, sup, primes, factorial = _scripts(children[1:])
         if primes or factorial:
             raise Fault(SyntaxCode.SUM_HAS_LOWER_UPPER(), at)
-        return Summation(at, sub, sup)
+        return (
+            Summation(at, sub, sup) if children[0] == "sum" else Integration(at, sub, sup, str(children[0]))
+        )
 
     def extremal(self, children):
         at = children[0].start_pos

@@ -140,6 +140,13 @@ class Summation(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class Integration(Summation):
+    """\\int with its bounds, which applies up to its differential, or \\lim with its place."""
+
+    sign: str
+
+
+@dataclass(frozen=True, slots=True)
 class Extremal(Node):
     """\\min or \\max with the node under it; it applies to the rest of its product."""
 

@@ -74,6 +74,7 @@ class Scope(ABC):
         self.evaluations: list[Any] = []  # the bars \left. f \right|_{x = 0} of the statement so far
         self.apart: list[Any] = []  # what stands outside of the bars of all statements
         self.tensor_operand: int | None = None  # offset of the last operator on a bare tensor
+        self.italic_differentials: list[int] = []  # offsets of the d of the statement so far
 
     def allows(self, relaxation: Relaxation) -> bool:
         """True if the paper uses this reading."""
@@ -135,11 +136,12 @@ class Scope(ABC):
             if body.type.kind == "vector" and self.table.frames.velocities:
                 raise Fault(SyntaxCode.PARTIAL_DERIVATIVE_VECTOR_SEEN(), at)
             return self.apply(at, head, body, by)
-        if self.table.conventions.gradient is None and by.type.is_column:
+        if self.table.conventions.gradient is None and not by.type.algebra:
             raise Fault(SyntaxCode.ROWS_OR_COLUMNS_CONVENTIONS(), at)
         slope = self.apply(at, head, body, by)
-        is_column = self.table.conventions.gradient is Gradient.COLUMN and body.type.kind == "scalar"
-        return construct.apply("transpose", slope) if is_column else slope
+        turned = Gradient.COLUMN if by.type.is_column else Gradient.ROW
+        is_turned = self.table.conventions.gradient is turned and body.type.kind == "scalar"
+        return construct.apply("transpose", slope) if is_turned else slope
 
     def frame(self, label: Node) -> Term:
         """Returns the angular velocity of the frame of that label; \\mathcal{B} is B, unless it is another

@@ -22,6 +22,7 @@ from workbench.core.terms import (
     Identity,
     Implication,
     Integer,
+    Integral,
     Naming,
     Number,
     Power,
@@ -138,8 +139,8 @@ def _plain(term: Term) -> Text:
             if isinstance(term.base, Symbol) and may_be_label(term.base, term.exponent.constant):
                 base = Text(bracket(base.text), ATOM)
             return _raised(base, _integer(term.exponent))
-        case BigSum():
-            return _big_sum(term)
+        case BigSum() | Integral():
+            return _under_a_sign(term)
         case Block():
             return Text(latex_forms.matrix(_entries(term)), ATOM)
         case Apply():
@@ -267,13 +268,21 @@ def _raised(base: Text, sup: str) -> Text:
 # Operations.
 
 
-def _big_sum(term: BigSum) -> Text:
+def _under_a_sign(term: BigSum | Integral) -> Text:
+    if isinstance(term, Integral):
+        return _integral(term)
     if term.lower is None:
         sign = latex_forms.scripted("\\sum", f"{'+'.join(term.variables)}={_integer(term.upper)}")
     else:
         below = f"{term.variables[0]}={_integer(term.lower)}"
         sign = latex_forms.scripted("\\sum", below, _integer(term.upper))
     return Text(f"{sign} {_print(term.body).at_least(INFIX)}", PRODUCT, "sum")
+
+
+def _integral(term: Integral) -> Text:
+    body = _print(term.body).at_least(PRODUCT if term.measure else INFIX)
+    behind = f" \\, {term.measure}" if term.measure else ""
+    return Text(f"{term.sign} {body}{behind}", PRODUCT, "" if term.measure else "sum")
 
 
 def _apply(term: Apply) -> Text:

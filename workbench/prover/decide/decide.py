@@ -39,6 +39,7 @@ from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
 from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
+from workbench.prover.decide.linear_integrals import holds_integral, judge_integrals
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
 from workbench.prover.decide.matrix_exponentials import refuted_by_commutator
 from workbench.prover.decide.orders_past_literals import OrderRanges
@@ -155,6 +156,8 @@ class Judge(Setting):
                 return self._of_parts(parts, assume)
             case Relation() if holds_arc(statement):
                 return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
+            case Relation(operator="=") if holds_integral(statement, self.definitions):
+                return self._integral(statement, assume)
             case Relation(operator="=") if holds_logarithm(statement, self.definitions):
                 return self._logarithm(statement, assume)
             case Relation(operator="=") if holds_exponentials(statement, self.definitions):
@@ -217,6 +220,11 @@ class Judge(Setting):
         if verdict.outcome is Outcome.REFUTED and law is not None:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.STATES_A_LAW(name=to_latex(law)))
         return verdict
+
+    def _integral(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        if isinstance(said.left, Symbol) and self.definitions.lookup(said.left) == said.right:
+            return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
+        return judge_integrals(said, self.definitions, lambda other: self._judge(other, assume))
 
     def _exponential(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         found = without_exponentials(said, self.definitions)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from workbench.papers.drafting.inference.differential_letters import has_differentials
 from workbench.papers.drafting.inference.kind_operations import SYMBOL, Operation
 from workbench.papers.drafting.inference.kind_search import Formula, Search
 from workbench.papers.drafting.inference.kind_signatures import QUATERNION, SCALAR, TENSOR, VECTOR, Kind
@@ -130,10 +131,10 @@ class Inference:
 def infer(sources: Sequence[Source], prose: Prose) -> Inference:
     """Returns the kinds of all symbols of the formulas. Inline formulas count if a display shares a
     symbol."""
-    walker = Walker()
+    walker = Walker((), has_differentials(each.latex for each in sources if not each.inline))
     read = [(each, operations_of(each.latex, walker)) for each in sources]
     if labels := walker.labelled & walker.transposed:
-        walker = Walker(labels)
+        walker = Walker(labels, walker.has_differentials)
         read = [(each, operations_of(each.latex, walker)) for each in sources]
     shown = {name for each, trees in read if not each.inline for tree in trees for name in tree.names}
     read = [(each, trees) for each, trees in read if not each.inline or _counts(trees, shown)]

@@ -7,10 +7,13 @@ from dataclasses import replace
 
 from workbench.core.names import PREFIXES
 from workbench.core.operations import FUNCTIONS, OF_ANGLES
+from workbench.language.elaboration.differentials import is_differential_sign, takes_differential
+from workbench.language.elaboration.integrals import parts_of_integral
 from workbench.language.grammar.syntax import (
     Bracket,
     Extremal,
     Infix,
+    Integration,
     Leaf,
     Node,
     Scripted,
@@ -39,8 +42,10 @@ _TIMES = frozenset(("t", "\\tau"))
 class RowWalker:
     """Walks rows of factors; `Walker` interprets each factor."""
 
-    def __init__(self, forest: Forest) -> None:
+    def __init__(self, forest: Forest, has_differentials: bool) -> None:
         self.forest, self.make = forest, forest.make
+        #: whether an italic d before a letter or a bracket is the sign of a differential
+        self.has_differentials = has_differentials
 
     def term(self, node: Node | None) -> Operation:
         raise NotImplementedError
@@ -63,6 +68,10 @@ class RowWalker:
         inner = core(node)
         if isinstance(node, Infix):
             return node.operator, place + 1
+        if isinstance(node, Integration) and (found := parts_of_integral(items[place + 1 :])) is not None:
+            body, _, after = found
+            made = self.row(body) if body else self.make("number", text="1")
+            return made, len(items) - len(after)
         if isinstance(node, Summation | Extremal):
             rest = self.row(items[place + 1 :]) if behind is not None else self.forest.anything()
             return rest, len(items)
@@ -78,6 +87,9 @@ class RowWalker:
         if is_left_script(node) and isinstance(node, Scripted):
             return self.prefixed(node, behind) or self.term(behind)
         inner, bracket = core(node), core(behind)
+        is_sure = self.has_differentials or not isinstance(inner, Leaf)
+        if is_differential_sign(node) and takes_differential(behind) and is_sure:
+            return self.make("rate", self.term(behind))
         if isinstance(inner, Leaf) and inner.text in PREFIXES and (both := prefixed(inner, behind)):
             return self.term(both)
         if isinstance(bracket, Bracket) and bracket.kind in ("(", "["):

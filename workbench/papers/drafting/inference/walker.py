@@ -72,8 +72,8 @@ class Walker(RowWalker):
         transposed: Letters with a frame on their left that have the superscript T.
     """
 
-    def __init__(self, labels: Collection[str] = ()) -> None:
-        super().__init__(Forest())
+    def __init__(self, labels: Collection[str] = (), has_differentials: bool = False) -> None:
+        super().__init__(Forest(), has_differentials)
         self.marks_over_several: set[str] = set()
         self.labels = labels
         self.labelled: set[str] = set()

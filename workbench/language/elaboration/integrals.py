@@ -1,0 +1,61 @@
+"""Integrals and limits: the body of each, up to its differential or to the end of the product."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+from workbench.core import construct
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault
+from workbench.core.terms import Term
+from workbench.language.elaboration.differentials import is_differential_sign, takes_differential
+from workbench.language.grammar.latex_forms import latex_of, scripted
+from workbench.language.grammar.syntax import Chain, Group, Integration, Node, Product, Sum, core, in_a_row
+from workbench.language.naming.patterns import Known
+from workbench.language.naming.scope import Scope
+
+
+def parts_of_integral(items: Sequence[Node]) -> tuple[list[Node], Node, list[Node]] | None:
+    """Returns the body, the letter behind the d, and what follows; None without a differential."""
+    match items:
+        case [Group(parts=(Sum(addends=((sign, at, addend),)),))]:  # the sign of \\int -f dt
+            inner = core(addend)
+            found = parts_of_integral(inner.items if isinstance(inner, Product) else [inner])
+            if found is None:
+                return None
+            body, letter, rest = found
+            signed = Group(at, (Sum(at, ((sign, at, in_a_row(at, body)),)),)) if body else addend
+            return [signed], letter, rest
+    for place, (item, behind) in enumerate(pairwise(items)):
+        if is_differential_sign(item) and takes_differential(behind):
+            return list(items[:place]), behind, list(items[place + 2 :])
+    return None
+
+
+def integration(
+    scope: Scope, head: Integration, items: Sequence[Node], product: Callable[[Scope, Sequence[Node]], Term]
+) -> Term:
+    """Returns the integral, times what follows its differential; or the limit. Raises Fault."""
+    if head.sign == "lim":
+        place = core(head.lower)
+        if not isinstance(place, Chain) or [sign for sign, _ in place.relations] != ["→"] or not items:
+            raise Fault(SyntaxCode.LIMIT_WITHOUT_PLACE(), head.at)
+        return _made(scope, head, product(scope, items), "", latex_of(place.sides[0]))
+    if (found := parts_of_integral(items)) is None:
+        raise Fault(SyntaxCode.INTEGRAL_WITHOUT_DIFFERENTIAL(), head.at)
+    inside, letter, rest = found
+    body = product(scope, inside) if inside else construct.number(1)
+    variable = latex_of(letter)
+    term = _made(scope, head, body, f"\\mathrm{{d}}{variable}", variable)
+    return product(scope, (Known(head.at, term), *rest)) if rest else term
+
+
+def _made(scope: Scope, head: Integration, body: Term, measure: str, variable: str) -> Term:
+    lower, upper = (None if bound is None else latex_of(bound) for bound in (head.lower, head.upper))
+    sign = scripted(f"\\{head.sign}", _unbraced(lower), _unbraced(upper))
+    return scope.build(head.at, construct.integral, sign, measure, variable, body)
+
+
+def _unbraced(bound: str | None) -> str | None:
+    return bound[1:-1] if bound and bound[0] == "{" and bound[-1] == "}" else bound

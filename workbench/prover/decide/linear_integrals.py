@@ -1,0 +1,121 @@
+"""Decides equations that are linear in integrals of one kind, or in limits, by what stands below the sign.
+
+    Σ Aᵢ ∫ fᵢ dm = 0    follows from    Σ Aᵢ fᵢ = 0    at each place, for Aᵢ that the integral keeps
+
+Where Σ Aᵢ fᵢ is not 0 at one place, the same values throughout are a counterexample, unless the variable of
+the integral stands in fᵢ or the functions are not free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import apply, rebuild, relation, zero
+from workbench.core.operations import LINEAR
+from workbench.core.terms import Apply, Block, Integral, Relation, Statement, Symbol, Term, Zero
+from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
+from workbench.engines.inventory import Lookup, NotExact, reached
+from workbench.language.definitions import expand
+from workbench.language.printing.printer import to_latex
+
+
+def holds_integral(said: Relation, definitions: Lookup) -> bool:
+    """True if an integral or a limit stands in the equation or in a definition that it uses."""
+    parts = (part for side in (said.left, said.right) for part in reached(side, definitions))
+    return any(isinstance(part, Integral) for part in parts)
+
+
+def judge_integrals(said: Relation, definitions: Lookup, judge: Callable[[Statement], Verdict]) -> Verdict:
+    """Returns the verdict. Raises NotExact if the equation is not linear in integrals of one kind."""
+    sides = [expand(side, definitions) for side in (said.left, said.right)]
+    integrals = {part for side in sides for part in side.walk() if isinstance(part, Integral)}
+    if len({(each.sign, each.measure) for each in integrals}) > 1:
+        raise NotExact("integrals of more than one kind")
+    if frozenset().union(*map(_degrees, sides)) != {1}:
+        raise NotExact("an equation that is not linear in its integrals")
+    left, right = map(_bodies, sides)
+    if left == right:
+        verdict = judge(relation("=", apply("add", left, apply("neg", right)), zero(left.type)))
+    else:
+        verdict = judge(relation("=", left, right))
+    evidence = Evidence(
+        "linearity", "what stands below the signs of integration", {"formula": to_latex(said)}
+    )
+    verdict = replace(verdict, evidence=(*verdict.evidence, evidence))
+    if verdict.outcome is Outcome.REFUTED and not _is_free(sides, integrals):
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_LINEARITY(), evidence=verdict.evidence)
+    kept = _kept(sides, integrals)
+    if verdict.outcome is not Outcome.PROVED or not kept:
+        return verdict
+    variable = next(iter(integrals)).variable
+    said_of = r" \text{ and } ".join(map(to_latex, kept))
+    return Verdict(
+        Outcome.CONDITIONAL,
+        reason=VerdictCode.KEPT_IN_INTEGRAL(),
+        hypothesis=rf"{said_of} \text{{ is the same for each }} {variable}",
+        evidence=verdict.evidence,
+        basis=Strength.HINTED,
+    )
+
+
+def _degrees(term: Term) -> frozenset[int]:
+    """Returns how many integrals the addends of a term multiply. Raises NotExact below another operation."""
+    match term:
+        case Zero():
+            return frozenset()
+        case Integral():
+            if any(isinstance(part, Integral) for part in term.body.walk()):
+                raise NotExact("an integral of an integral")
+            return frozenset({1})
+        case Apply(head="add") | Block():
+            return frozenset().union(*map(_degrees, term.children))
+        case Apply(head="div", arguments=(above, below)) if not _holds(below):
+            return _degrees(above)
+        case Apply(head=head, arguments=arguments) if head in LINEAR and head != "compose":
+            found = frozenset({0})
+            for each in map(_degrees, arguments):
+                found = frozenset(i + j for i in found for j in each)
+            return found
+    if _holds(term):
+        raise NotExact("an equation that is not linear in its integrals")
+    return frozenset({0})
+
+
+def _holds(term: Term) -> bool:
+    return any(isinstance(part, Integral) for part in term.walk())
+
+
+def _bodies(term: Term) -> Term:
+    """Returns the term with its integrals replaced by their bodies."""
+    if isinstance(term, Integral):
+        return term.body
+    return rebuild(term, [_bodies(child) for child in term.children]) if term.children else term
+
+
+def _symbols(term: Term, inside: bool, is_within: bool = False) -> Iterator[Symbol]:
+    """Yields the symbols inside of the integrals of a term, or those outside."""
+    is_within = is_within or isinstance(term, Integral)
+    if isinstance(term, Symbol) and is_within == inside:
+        yield term
+    for child in term.children:
+        yield from _symbols(child, inside, is_within)
+
+
+def _kept(sides: list[Term], integrals: set[Integral]) -> list[Symbol]:
+    """Returns the symbols that stand outside of the integrals and inside, and are not constant."""
+    within = {each for side in sides for each in _symbols(side, inside=True)}
+    outside = dict.fromkeys(each for side in sides for each in _symbols(side, inside=False))
+    return [each for each in outside if each in within and not each.declaration.constant]
+
+
+def _is_free(sides: list[Term], integrals: set[Integral]) -> bool:
+    """True if values that are the same throughout may refute the equation."""
+    (first, *_) = integrals
+    own = [set(side.walk()) for side in sides]
+    symbols = [{part for part in parts if isinstance(part, Symbol)} for parts in own]
+    runs = any(to_latex(each) == first.variable or each.declaration.clock for each in symbols[0] | symbols[1])
+    has_zero = any(isinstance(side, Zero) for side in sides)
+    is_closed = first.sign.startswith("\\oint")
+    return bool(symbols[0] & symbols[1]) and not (runs or has_zero or is_closed)

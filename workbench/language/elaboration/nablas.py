@@ -12,11 +12,12 @@ from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch
-from workbench.core.terms import IllFormed, Symbol, Term
+from workbench.core.terms import Block, IllFormed, Symbol, Term
 from workbench.core.types import VECTOR
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.grammar.syntax import (
     Bracket,
+    Group,
     Infix,
     Leaf,
     Node,
@@ -98,14 +99,25 @@ def of_field(row: Row, place: int, sign: Del, direction: Node | None = None) -> 
 
 def _place(scope: Scope, sign: Del) -> Term:
     if sign.by is not None:
-        by = scope.term(sign.by)
-        if not (isinstance(by, Symbol) and by.type.is_column):
+        by = _several(scope, sign.by) or scope.term(sign.by)
+        if not (by.type.is_column and isinstance(by, Symbol | Block)):
             raise Fault(SyntaxCode.NABLA_ANYTHING_BUT_COLUMN(), sign.by.at)
         return by
     places = {each for each in scope.table.symbols.values() if each.coordinate}
     if len(places) != 1:
         raise Fault(SyntaxCode.NABLA_PLACE_ONE_SYMBOL(places=len(places)), sign.at)
     return construct.symbol(places.pop())
+
+
+def _several(scope: Scope, below: Node) -> Term | None:
+    """Returns the column of the x, y and θ of ∇_{x,y,θ}, which are numbers; None for one variable."""
+    inner = core(below)
+    if not (isinstance(inner, Group) and len(inner.parts) > 1):
+        return None
+    letters = [scope.term(part) for part in inner.parts]
+    if not all(isinstance(letter, Symbol) and letter.type.kind == "scalar" for letter in letters):
+        raise Fault(SyntaxCode.NABLA_ANYTHING_BUT_COLUMN(), below.at)
+    return construct.block([[letter] for letter in letters])
 
 
 def _derived(scope: Scope, sign: Del, body: Term, by: Term) -> Term:

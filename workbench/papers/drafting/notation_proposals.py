@@ -176,6 +176,9 @@ _NOTATION: tuple[tuple[str, str, dict[str, str], str, str, str], ...] = (
             (r"\]\s*_\s*\{?\s*\\times", r"[x]_\times"),
             (r"\]\s*\^\s*\{?\s*\\times", r"[x]^\times"),
             (r"\\rfloor\s*_\s*\{?\s*\\times", r"\lfloor x \rfloor_\times"),
+            (r"\\times\s*(?:\\right\s*)?\\rfloor", r"\lfloor x \times \rfloor"),
+            (r"\\times\s*\}?\s*(?:\\right\s*)?\]", r"[x \times]"),
+            (r"\\times\s*\}?\s*(?:\\right\s*)?\)", r"(x \times)"),
             (r"[A-Za-z}]\s*\^\s*\{?\s*\\times", r"x^\times"),
             (_IN_BRACKETS, "[x]"),
         )

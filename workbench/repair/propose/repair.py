@@ -34,6 +34,7 @@ from workbench.repair.terms.changes import Candidate
 from workbench.repair.terms.divisors import divisors
 from workbench.repair.terms.edit_search import Neighbourhood, candidate_of, cost
 from workbench.repair.terms.false_members import membership, other_members
+from workbench.repair.terms.relation_signs import other_signs
 from workbench.repair.terms.subterm_positions import places
 from workbench.repair.terms.term_edits import Edit, edits
 from workbench.repair.trees.as_printed import as_printed
@@ -113,7 +114,8 @@ class _Bench:
             notation, orders = self.claim.notation, self.claim.orders
             self._offer(other_members(parts, notation, orders, self.screen, self._tick))
         elif printed is not None:
-            self._repair_false([Candidate(printed, ())])
+            if not self._offer(other_signs(printed)):
+                self._repair_false([Candidate(printed, ())])
         else:
             self._repair_ill_formed()
         for unlikely in (self.apart, self.idle):

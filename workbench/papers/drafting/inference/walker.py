@@ -16,6 +16,7 @@ from workbench.language.grammar.syntax import (
     Fraction,
     Given,
     Group,
+    Infix,
     Joined,
     Leaf,
     Lines,
@@ -27,6 +28,7 @@ from workbench.language.grammar.syntax import (
     Sum,
     both_below,
     core,
+    in_a_row,
     is_left_script,
 )
 from workbench.language.naming.spelling import Scripts, spell, spell_label, under_accent
@@ -259,6 +261,8 @@ class Walker(RowWalker):
         return self.make("skew", body)
 
     def _bracket(self, node: Bracket) -> Operation:
+        if len(node.parts) == 1 and (crossed := _before_a_cross(node.parts[0])) is not None:
+            return self.make("skew", self.term(crossed))
         parts = tuple(map(self.term, node.parts))
         if node.kind in ("|", "\\|"):
             return self.make("norm", *parts)
@@ -289,6 +293,16 @@ class Walker(RowWalker):
                 return self.make("operator", place)
             return self.make("partial", self.row(top[1:]), place)
         return self.make("div", self.term(node.numerator), self.term(node.denominator))
+
+
+def _before_a_cross(part: Node) -> Node | None:
+    """Returns the a of (a ×), and the a + b of [a + b ×]; None for other contents of a bracket."""
+    match core(part):
+        case Product(items=(*factors, Infix(operator="×"))) if factors:
+            return in_a_row(part.at, factors)
+        case Sum(addends=(*before, (sign, at, last))) if (inner := _before_a_cross(last)) is not None:
+            return Sum(part.at, (*before, (sign, at, inner)))
+    return None
 
 
 def plain(node: Node | None) -> str:

@@ -41,7 +41,7 @@ _LIMITS = """## What it gets wrong, by kind
 - A falsehood in a display that is not read stays silent. The summary counts these displays.
 - A sentence that the lexicon does not know is not a fact.
 - A first display `x = …` defines x where nothing else does, so an error in it shows only where x is used.
-- Limits, integrals and series are not computed."""
+- Limits, integrals and series are not computed; of the first two the linearity is known."""
 
 
 def _summary(rows: Sequence[Mapping[str, Any]]) -> str:

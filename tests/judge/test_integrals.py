@@ -66,6 +66,13 @@ def test_equation_that_needs_more_than_linearity_is_not_judged(formula: str) -> 
     assert check(formula, SYMBOLS).outcome is Outcome.UNCHECKED
 
 
+def test_premise_at_an_instant_says_nothing_of_an_integral() -> None:
+    assert check(r"f = g \Rightarrow \int f\, dt = \int g\, dt", SYMBOLS).outcome is Outcome.UNCHECKED
+    assert check(r"\int f\, dt = \int f^2\, dt", SYMBOLS, assume=["f = 1"]).outcome is Outcome.UNCHECKED
+    assert check(r"\int f\, dt = \int 2 f\, dt", SYMBOLS, assume=["f = 1"]).outcome is Outcome.REFUTED
+    assert check(r"\int 2 f\, dt = 2 \int f\, dt", SYMBOLS, assume=["f = 1"]).outcome is Outcome.PROVED
+
+
 @pytest.mark.parametrize(
     ("formula", "asked"),
     [

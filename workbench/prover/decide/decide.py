@@ -224,7 +224,17 @@ class Judge(Setting):
     def _integral(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         if isinstance(said.left, Symbol) and self.definitions.lookup(said.left) == said.right:
             return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
-        return judge_integrals(said, self.definitions, lambda other: self._judge(other, assume))
+
+        def judge(below: Statement) -> Verdict:
+            """What is assumed at an instant holds at no other place of the integral."""
+            verdict = self._judge(below, assume)
+            if not assume or verdict.outcome is Outcome.REFUTED:
+                return verdict
+            alone = self._judge(below, ())
+            is_open = alone.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_LINEARITY()) if is_open else alone
+
+        return judge_integrals(said, self.definitions, judge)
 
     def _exponential(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         found = without_exponentials(said, self.definitions)

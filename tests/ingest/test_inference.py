@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 from ingest.true_kinds import TRUE, UNSEEN, symbols_of
 
+from workbench.papers.drafting.draft_model import inferred_of
 from workbench.papers.drafting.inference.infer import Inference, Source, infer, kind_name
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
@@ -108,3 +110,31 @@ def test_a_bold_1_beside_quaternions_is_one_of_them() -> None:
 )
 def test_a_refused_formula_is_read_in_pieces(latex: str, pieces: list[str]) -> None:
     assert [tree.op for tree in operations_of(latex, Walker())] == pieces
+
+
+EULER = tuple(
+    rf"I_{{{i}}} \dot\omega_{{{i}}} - (I_{{{j}}} - I_{{{k}}}) \omega_{{{j}}} \omega_{{{k}}} = M_{{{i}}}"
+    for i, j, k in ("123", "231", "312")
+)
+
+
+@pytest.mark.parametrize("letter", ["I", "J", r"\mathbf{I}"])
+def test_moments_of_inertia_are_scalars_in_any_letter(tmp_path: Path, letter: str) -> None:
+    words = "The principal moments of inertia are $I_1$, $I_2$ and $I_3$."
+    text = "\n\n".join((words, *(f"$$ {latex} $$" for latex in EULER)))
+    path = tmp_path / "p.md"
+    path.write_text(text.replace("I_", f"{letter}_"))
+    found = inferred_of(path).kinds
+    assert [kind_name(found[f"{letter}_{{{k}}}"].kind) for k in "123"] == ["scalar"] * 3
+
+
+def test_a_unit_tensor_with_its_size_is_no_symbol() -> None:
+    formulas = (r"\mathbf{R} \mathbf{R}^T = I_3", r"\mathbf{A} = I_2 + \mathbf{B}")
+    assert not {"I_{2}", "I_{3}"} & kinds(*formulas).keys()
+    assert {"I_{2}", "I_{3}"} <= kinds(*formulas, "I_1 = m r^2").keys()
+
+
+def test_an_inertia_beside_the_spin_is_a_tensor() -> None:
+    euler = r"\tau = I_B \dot\omega + \omega \times I_B \omega"
+    assert kinds(euler)["I_{B}"] == "tensor"
+    assert kinds(r"T = \frac{1}{2} I_B \dot\theta^2")["I_{B}"] == "scalar"

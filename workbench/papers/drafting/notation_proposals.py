@@ -9,6 +9,7 @@ from dataclasses import replace
 from workbench.papers.drafting.drafted_frames import frames
 from workbench.papers.drafting.inference.infer import Inference
 from workbench.papers.drafting.model_proposal import Proposal
+from workbench.papers.drafting.typefaces import flat
 from workbench.papers.drafting.words_on_symbols import speaks_of_quaternions
 from workbench.papers.notation_tables import FUNCTIONS, HAMILTON
 
@@ -60,7 +61,9 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
         yield _notation(trigger, key, {"V": "matrix 6×1"}, means, "a bracket or a wedge on a twist", question)
     for row in _NOTATION:
         yield _notation(*row)
-    units = [" ".join(match[0].split()) for match in _UNITS.finditer(together)]
+    symbols = set(map(flat, inference.kinds))
+    written = (" ".join(match[0].split()) for match in _UNITS.finditer(together))
+    units = [each for each in written if flat(each) not in symbols]
     if "I" in inference.kinds and inference.is_square("I") and "inertia" not in prose.lower():
         units.append("I")
     for unit in dict.fromkeys(units):

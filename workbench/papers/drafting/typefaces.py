@@ -44,7 +44,12 @@ ADJOINT = re.compile(
 
 @dataclass(frozen=True)
 class Guess:
-    """The guessed kind and properties of a symbol. why: the reason."""
+    """The guessed kind and properties of a symbol.
+
+    Attributes:
+        why: The reason.
+        is_inertia: Whether words say that it is an inertia, which is a scalar or a tensor.
+    """
 
     name: str
     kind: str
@@ -53,6 +58,7 @@ class Guess:
     constant: bool = False
     independent: bool = False
     free: bool = False
+    is_inertia: bool = False
 
     @property
     def is_said(self) -> bool:

@@ -18,7 +18,14 @@ _WORDS = (
     (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
     (re.compile(r"\bvectors?\b|velocit|position\b|displacement|angular momentum|torque"), "vector"),
     (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
-    (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
+    (
+        re.compile(
+            r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"
+            r"|\bmoments of inertia|\bprincipal inertia"
+        ),
+        "scalar",
+    ),
+    (re.compile(r"\binertias?\b"), "inertia"),
 )
 #: The kinds of the members of a set, by its name without fonts and blanks.
 _SETS = {
@@ -38,6 +45,8 @@ _BEHIND = 4
 _PHRASE = 16
 #: The beginning of words after a symbol that describe other symbols.
 _OF_OTHERS = re.compile(r"[.;,$]|\b(?:and|with|where|about|by|from|to)\b")
+#: The words between two symbols of a list, "the forces a, b and c", which the words before it describe.
+_LISTED = re.compile(r"\s*(?:,|and|or|,\s*and|,\s*or)\s*")
 #: A q in any font; its parts have names of their own.
 _QUATERNION = re.compile(
     r"(?:\\(?:mathbf|boldsymbol|mathsf|bar|vec|hat|underline)\{)?q\}?(?:_\{(?P<part>[^{}]*)\})?(?:\^\{(?![+\\])[^{}]*\})?"
@@ -66,7 +75,9 @@ class Prose:
     def __init__(self, text: str, inline: Sequence[Display] = (), displays: Sequence[Display] = ()) -> None:
         self.text = text
         self.has_quaternions = speaks_of_quaternions(text)
-        self._numbers_parts = all(re.search(rf"q_\{{?{part}", text) for part in "0123")
+        self._numbers_parts = any(
+            all(re.search(rf"q_\{{?{part}", text) for part in parts) for parts in ("0123", "1234")
+        )
         self._inline, self._displays = inline, displays
         self._flat = flat(text)
         self._alone: dict[str, list[tuple[str, str]]] | None = None
@@ -81,17 +92,21 @@ class Prose:
             kind = _WORDS[place][1]
             if kind == "quaternion" and self.has_quaternions:
                 return self._of_quaternions(name)
-            plain = kind.removeprefix("unit ")
+            plain = "scalar" if kind == "inertia" else kind.removeprefix("unit ")
             why = f'the text says "{" ".join(words.split())}" near it'
-            return Guess(name, plain, why, unit=plain != kind)
+            return Guess(name, plain, why, unit=kind == "unit vector", is_inertia=kind == "inertia")
         return self._of_quaternions(name)
+
+    def is_inertia(self, name: str) -> bool:
+        """True if words next to a symbol say that it is an inertia."""
+        return any(re.search(r"\binertia", " ".join(near)) for near in self._near(flat(name)))
 
     def _of_quaternions(self, name: str) -> Guess | None:
         """Returns the guess for q in any font in a text on quaternions, and for its parts."""
         if not self.has_quaternions or (quaternion := _QUATERNION.fullmatch(name)) is None:
             return None
         part = quaternion["part"] or ""
-        is_number = bool(part) and part in "0123" and self._numbers_parts
+        is_number = bool(part) and part in "01234" and self._numbers_parts
         kind = "scalar" if is_number else _PARTS.get(part, "hamilton quaternion")
         return Guess(name, kind, "the text speaks of quaternions")
 
@@ -110,6 +125,7 @@ class Prose:
         it."""
         if self._alone is None:
             self._alone = {}
+            listed = ""
             for formula in self._inline:
                 key, text = flat(formula.latex.partition("=")[0]), formula.source.text
                 before = re.sub(
@@ -117,6 +133,10 @@ class Prose:
                 )
                 after = re.sub(r"^\s*(?:\$|\\\)|`)", "", text[formula.end : formula.end + _NEAR])
                 before, after = re.split(r"[.;$]", before)[-1], _OF_OTHERS.split(after)[0]
+                if not _LISTED.fullmatch(before):
+                    listed = "" if _OF_OTHERS.search(before) else before
+                elif listed:
+                    before = listed
                 self._alone.setdefault(key, []).append((before.lower(), after.lower()))
             for display in self._displays:
                 left, _, right = display.latex.partition("=")

@@ -18,7 +18,7 @@ from workbench.papers.drafting.inference.notation_marks import (
 )
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.priors import Priors
-from workbench.papers.drafting.inference.walker import Walker
+from workbench.papers.drafting.inference.walker import Walker, counted_letters
 from workbench.papers.drafting.words_on_symbols import Prose
 
 #: Sizes that any text may use, and the greatest size that a literal matrix suggests.
@@ -131,10 +131,12 @@ class Inference:
 def infer(sources: Sequence[Source], prose: Prose) -> Inference:
     """Returns the kinds of all symbols of the formulas. Inline formulas count if a display shares a
     symbol."""
-    walker = Walker((), has_differentials(each.latex for each in sources if not each.inline))
+    walker = Walker((), (), has_differentials(each.latex for each in sources if not each.inline))
     read = [(each, operations_of(each.latex, walker)) for each in sources]
-    if labels := walker.labelled & walker.transposed:
-        walker = Walker(labels, walker.has_differentials)
+    labels = walker.labelled & walker.transposed
+    counted = _counted([tree for _, trees in read for tree in trees], prose)
+    if labels or counted:
+        walker = Walker(labels, counted, walker.has_differentials)
         read = [(each, operations_of(each.latex, walker)) for each in sources]
     shown = {name for each, trees in read if not each.inline for tree in trees for name in tree.names}
     read = [(each, trees) for each, trees in read if not each.inline or _counts(trees, shown)]
@@ -180,6 +182,20 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
     )
 
 
+def _counted(trees: Iterable[Operation], prose: Prose) -> frozenset[str]:
+    leaves = {each.text for tree in trees for each in tree.walk() if each.op in (SYMBOL, "identity")}
+    return counted_letters(leaves, (name for name in leaves if prose.is_inertia(name)))
+
+
+def _turning(trees: Iterable[Operation]) -> Iterable[str]:
+    for tree in trees:
+        match tree:
+            case Operation(op="cross", parts=(one, Operation(op="mul", parts=(factor, other)))) if (
+                one is other
+            ):
+                yield from factor.names
+
+
 def _orthogonal(trees: Iterable[Operation]) -> Iterable[str]:
     for tree in trees:
         if tree.op == "member" and re.search(r"S[OE]", tree.text):
@@ -215,7 +231,7 @@ def _search(
     parted = {name for tree in trees if tree.op in _OF_QUATERNIONS for name in tree.names}
     speaks = prose.has_quaternions or bool(units) or bool(parted)
     sizes = _sizes(trees, prose, has_joints) + ([QUATERNION] if speaks else [])
-    priors = Priors(prose, sizes, heads, units, parted)
+    priors = Priors(prose, sizes, heads, units, parted, {*_turning(trees)})
     if before is None:
         return Search(formulas, priors)
     return Search(formulas, priors, before.kinds, before.costs)

@@ -43,6 +43,7 @@ SAID = {
     "vector": (35, 0, 35, 4, 40, 40, 10),
     "unit vector": (45, 0, 45, 10, 50, 50, 20),
     "tensor": (40, 35, 0, 25, 3, 4, 40),
+    "inertia": (0, 45, 3, 45, 10, 40, 60),
     "rotation": (50, 45, 0, 45, 25, 40, 12),
     "transform": (50, 45, 25, 45, 0, 40, 40),
     "quaternion": (30, 14, 45, 2, 50, 50, 0),
@@ -59,6 +60,8 @@ _OF_JOINTS = re.compile(
 _OPEN = 9
 #: The costs of a quaternion in a text that does not mention quaternions, and of a row.
 _NO_QUATERNIONS, _ROW = 60, 14
+#: The cost of a scalar s in a × (s a).
+_NOT_PARALLEL = 30
 
 _ADJOINT = re.compile(r"\\operatorname\{[aA]d\b")
 _LEFT = re.compile(r"^\{\}(?:[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
@@ -123,6 +126,7 @@ class Priors:
         functions: Letters before brackets.
         units: i, j and k, if they are those of quaternions.
         parted: Symbols of which the text takes the scalar or the vector part.
+        turning: Symbols T of formulas with a × (T a), which is 0 for a scalar.
     """
 
     def __init__(
@@ -132,9 +136,10 @@ class Priors:
         functions: Collection[str],
         units: Collection[str] = (),
         parted: Collection[str] = (),
+        turning: Collection[str] = (),
     ) -> None:
         self.prose, self.kinds, self.functions = prose, kinds, functions
-        self.units, self.parted = units, parted
+        self.units, self.parted, self.turning = units, parted, turning
 
     def is_said(self, name: str) -> bool:
         """True if words next to a symbol, or a set that it is in, state its kind."""
@@ -158,6 +163,8 @@ class Priors:
                 sure = (exact.rows, exact.columns)
         if name in self.parted:
             by_shape = [cost // 4 + own for cost, own in zip(by_shape, SAID["quaternion"], strict=True)]
+        if name in self.turning:
+            by_shape[0] += _NOT_PARALLEL
         by_shape[6] += 0 if has_quaternions else _NO_QUATERNIONS
         kinds = {*self.kinds, *([] if sure is None else [sure])}
         bonus = _OPEN if _OF_JOINTS.fullmatch(_LEFT.sub("", name)) else 0
@@ -174,6 +181,8 @@ def is_open(kind: Kind) -> bool:
 
 
 def _words(said: Guess) -> str:
+    if said.is_inertia:
+        return "inertia"
     return "unit vector" if said.unit and said.kind == "vector" else said.kind
 
 

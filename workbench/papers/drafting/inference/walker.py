@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from workbench.core.names import Name
@@ -38,6 +38,7 @@ from workbench.papers.drafting.typefaces import flat
 
 _FACE = r"(?:\\(?:math(?:bf|bb|ds|rm|cal|sf)|boldsymbol))"
 IDENTITY = re.compile(rf"{_FACE}(?:I|1|Id)_?(?:([2-9])(?:\\times\d)?)?|[IE]_([2-9])(?:\\times\d)?|I")
+_COUNTS = re.compile(rf"{_FACE}?[IE]_(?:[01ij]|[xyz]{{1,2}})")
 ZERO = re.compile(rf"{_FACE}?[0O]_?(?:(\d)(?:\\times(\d))?)?")
 _TRANSPOSES = frozenset(("T", "\\mathrmT", "\\mathsfT", "\\mathttT", "-T", "t"))
 #: Superscripts that are labels, not powers.
@@ -70,14 +71,17 @@ class Walker(RowWalker):
     Attributes:
         marks_over_several: Marks over more than one letter, which are not part of a name.
         labels: Letters with a frame on their left whose superscript T is a label.
+        counted: Letters like those of unit tensors whose indices number quantities, as I_1, I_2, I_3.
         labelled: Letters with a frame on their left that have another label.
         transposed: Letters with a frame on their left that have the superscript T.
     """
 
-    def __init__(self, labels: Collection[str] = (), has_differentials: bool = False) -> None:
+    def __init__(
+        self, labels: Collection[str] = (), counted: Collection[str] = (), has_differentials: bool = False
+    ) -> None:
         super().__init__(Forest(), has_differentials)
         self.marks_over_several: set[str] = set()
-        self.labels = labels
+        self.labels, self.counted = labels, counted
         self.labelled: set[str] = set()
         self.transposed: set[str] = set()
 
@@ -138,7 +142,7 @@ class Walker(RowWalker):
         bare = flat(name)
         if bare == "I":
             return self.make(UNIT, text=name)
-        if IDENTITY.fullmatch(bare):
+        if IDENTITY.fullmatch(bare) and stem_of(bare) not in self.counted:
             return self.make("identity", text=name)
         if ZERO.fullmatch(bare):
             return self.make("zero", text=bare)
@@ -303,6 +307,20 @@ def _before_a_cross(part: Node) -> Node | None:
         case Sum(addends=(*before, (sign, at, last))) if (inner := _before_a_cross(last)) is not None:
             return Sum(part.at, (*before, (sign, at, inner)))
     return None
+
+
+def stem_of(name: str) -> str:
+    """Returns the name without its index."""
+    return flat(name).partition("_")[0]
+
+
+def counted_letters(names: Iterable[str], inertias: Iterable[str] = ()) -> frozenset[str]:
+    """Returns the letters I and E in any face whose indices number quantities, and no sizes.
+
+    So it is if one of the names has an index that is no size, or words say that one is an inertia.
+    """
+    numbered = (flat(name) for name in names)
+    return frozenset(map(stem_of, (*filter(_COUNTS.fullmatch, numbered), *inertias)))
 
 
 def plain(node: Node | None) -> str:

@@ -30,7 +30,7 @@ from workbench.papers.drafting.missing_features import feature_of
 from workbench.papers.drafting.model_proposal import Proposal, ground_of, words_of
 from workbench.papers.drafting.notation_proposals import proposals_for, unit_tensor
 from workbench.papers.drafting.questions import questions_of
-from workbench.papers.drafting.redefinitions import Scope, scopes_of
+from workbench.papers.drafting.redefinitions import Scope, parted_quaternions, scopes_of
 from workbench.papers.drafting.sentence_kinds import Facts, facts_of
 from workbench.papers.drafting.symbol_guesses import guesses_of
 from workbench.papers.drafting.trial_reading import EXPONENTIAL, Outcome, Reader
@@ -148,6 +148,8 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         found.append(jacobian)
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])
+    parted = parted_quaternions(facts.quaternions, guesses)
+    found = [each for each in found if each.name not in parted]
     sure = {each.name: each for each in found if each.sure}
     scopes = scopes_of(text.displays, made, guesses, sure, facts.quaternions)
     return Ingested(

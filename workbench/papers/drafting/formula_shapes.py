@@ -107,6 +107,37 @@ def components_of(body: str) -> list[str]:
     return names if len(names) == len(parts) else []
 
 
+def quaternion_parts(value: Operation) -> tuple[str, ...]:
+    """Returns the symbols that a formula lists as the parts of a quaternion; none for other formulas.
+
+    (s, v), [q_0, q_1, q_2, q_3]^T, a column, s + v and q_0 + q_1 i + q_2 j + q_3 k list them.
+    """
+    match value:
+        case Operation(op="transpose", parts=(row,)):
+            return quaternion_parts(row)
+        case Operation(op="tuple" | "matrix" | "add", parts=cells):
+            parts = tuple(_part_in(cell) for cell in cells)
+        case Operation(op="mul"):
+            parts = tuple(each.text if each.op == SYMBOL else "" for each in value.walk() if each.op != "mul")
+        case _:
+            return ()
+    return parts if len(parts) in (2, 4) and all(parts) else ()
+
+
+def _part_in(cell: Operation) -> str:
+    """Returns the symbol of v, v^T, or the product of a symbol and a unit i, j or k; "" for other cells."""
+    match cell:
+        case (
+            Operation(op="symbol", text=name)
+            | Operation(op="transpose", parts=(Operation(op="symbol", text=name),))
+        ):
+            return name
+        case Operation(op="mul", parts=(Operation(op="symbol") as one, Operation(op="symbol") as other)):
+            names = [each.text for each in (one, other) if without_bold(each.text) not in ("i", "j", "k")]
+            return names[0] if len(names) == 1 else ""
+    return ""
+
+
 def _cells(column: Operation) -> tuple[Operation, ...]:
     is_column = column.op == "tuple" or (column.op == "matrix" and "1" in column.text.split())
     return column.parts if is_column else ()

@@ -10,6 +10,7 @@ from functools import cached_property
 from workbench.core.formula_errors import Fault
 from workbench.language.grammar.parser import parse
 from workbench.papers.drafting.inference.kind_operations import MARKED, SYMBOL, UNIT, Operation
+from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
 from workbench.source.documents import Display, Text
 
@@ -72,6 +73,13 @@ class MarkedText:
         except (Fault, RecursionError):
             return None
         return trees[0] if len(trees) == 1 else None
+
+    @cached_property
+    def equations(self) -> list[Operation]:
+        """Returns the formulas of the text that are an equation with a symbol alone on the left."""
+        formulas = sorted([*self.formulas, *self._text.displays], key=lambda each: each.line)
+        trees = (tree for each in formulas for tree in operations_of(each.latex, self._walker))
+        return [tree for tree in trees if tree.op == "equal" and tree.parts[0].op == SYMBOL]
 
     def names(self, mark: str) -> list[str]:
         r"""Returns the symbols that a formula lists: \boldsymbol{a}, or l_1, l_2; for x = … and x ∈ …, x."""

@@ -79,6 +79,11 @@ def scopes_of(
     return sorted([*found, *ends], key=lambda scope: places[id(scope.display)])
 
 
+def parted_quaternions(quaternions: Sequence[Quaternion], guesses: Mapping[str, Guess]) -> frozenset[str]:
+    """Returns the unit quaternions whose parts a scope defines."""
+    return frozenset(each.name for each in quaternions if _scalar_and_vector(each, guesses))
+
+
 def _given(formulas: Sequence[Formula], places: Mapping[int, int]) -> Iterator[_Given]:
     walker = Walker()
     for formula in formulas:
@@ -113,13 +118,15 @@ def _parts(
             guess is not None and guess.kind == "rotation" and displays[each.place].section == first.section
         )
         if is_turn and each.uses & names.keys():
-            scope.definitions[each.name] = each.body
+            scope.definitions.setdefault(each.name, each.body)
     yield scope
 
 
 def _scalar_and_vector(quaternion: Quaternion, guesses: Mapping[str, Guess]) -> dict[str, str]:
     """Returns the definitions of the parts of a quaternion; none if their roles are unclear."""
     name, parts = quaternion.name, quaternion.parts
+    if name in guesses and guesses[name].kind != "hamilton quaternion":
+        return {}
     kinds = [guesses[part].kind if part in guesses else "" for part in parts]
     if sorted(kinds) == ["scalar", "vector"]:
         heads = {"scalar": "Sc", "vector": "Vec"}

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from workbench.papers.drafting.drafted_definitions import Proposed
+from workbench.papers.drafting.formula_shapes import quaternion_parts
+from workbench.papers.drafting.inference.kind_operations import SYMBOL
 from workbench.papers.drafting.marked_text import MARK, MarkedText, Sentence
 
 _LABEL = re.compile(r"(?:\\(?:math\w+|boldsymbol)\s*\{?\s*)*\{?[A-Z](?:\s*_\s*\{?\w+\}?)?\s*\}*|\{\w\}|\d")
@@ -72,7 +74,17 @@ def facts_of(text: MarkedText) -> Facts:
         for pattern, take in _RULES:
             for match in pattern.finditer(sentence.words):
                 take(facts, text, sentence, match)
+    facts.quaternions = [_with_parts(each, text) for each in facts.quaternions]
     return facts
+
+
+def _with_parts(quaternion: Quaternion, text: MarkedText) -> Quaternion:
+    """Returns the quaternion with its parts from the first equation of the text that lists them."""
+    if quaternion.parts:
+        return quaternion
+    equations = (tree for tree in text.equations if tree.parts[0].text == quaternion.name)
+    listed = (quaternion_parts(tree.parts[1]) for tree in equations)
+    return replace(quaternion, parts=next(filter(None, listed), ()))
 
 
 def _spin(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
@@ -128,9 +140,11 @@ def _quaternion(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Ma
     tree = text.tree(match["name"])
     if tree is None:
         return
-    if tree.op == "equal" and tree.parts[1].op in ("tuple", "matrix") and tree.parts[0].op == "symbol":
-        parts = tuple(part.text for part in tree.parts[1].parts if part.op == "symbol")
-        facts.quaternions.append(Quaternion(tree.parts[0].text, parts, sentence.line))
+    name = tree.parts[0] if tree.parts else tree
+    parts = quaternion_parts(tree.parts[1]) if tree.op == "equal" else ()
+    known = {each.name for each in facts.quaternions}
+    if name.op == SYMBOL and tree.op in ("equal", "said", "member") and name.text not in known:
+        facts.quaternions.append(Quaternion(name.text, parts, sentence.line))
 
 
 Rule = tuple[re.Pattern[str], Callable[[Facts, MarkedText, Sentence, re.Match[str]], None]]
@@ -146,6 +160,9 @@ def _rule(pattern: str, take: Callable[[Facts, MarkedText, Sentence, re.Match[st
 
 _ANGULAR = r"angular (?P<what>velocity|acceleration)(?: vector)?"
 _OF_IN = rf" of {_ARTICLE}{_mark('frame')}{_IN}{_ARTICLE}{_mark('base')}"
+_UNIT_QUATERNION = (
+    r"(?:(?:unit|normali[sz]ed)(?:[- ](?:norm|length))?|(?:unit )?versor|unit rotation) quaternions?"
+)
 _IN_FRAME = rf"(?:{_IN}{_ARTICLE}{_mark('frame')})?"
 _RULES: tuple[Rule, ...] = (
     _rule(rf"{_mark('name')}{_IS}{_ANGULAR}{_OF_IN}", _spin),
@@ -167,7 +184,15 @@ _RULES: tuple[Rule, ...] = (
         rf" (?P<names>{_LIST})",
         _listed("free"),
     ),
-    _rule(rf"\bunit quaternion {_mark('name')}", _quaternion),
+    _rule(rf"\b{_UNIT_QUATERNION} (?:is |denoted |written |given |by |as )*{_mark('name')}", _quaternion),
+    _rule(
+        rf"{_mark('name')}(?: is| be| denotes?| represents?|,)(?: an?| the| some)? {_UNIT_QUATERNION}\b",
+        _quaternion,
+    ),
+    _rule(
+        rf"\bquaternion {_mark('name')} (?:is normali[sz]ed|(?:has|of|with) unit (?:norm|length))",
+        _quaternion,
+    ),
     _rule(
         rf"(?P<names>⟦\d+⟧){_IS}(?:\S+ )?(?:identity(?: (?:matrix|tensor))?|unit (?:matrix|tensor))\b",
         _listed("units"),

@@ -88,13 +88,13 @@ $$ \mathbf{b} = \mathbf{R} \mathbf{c} + \mathbf{a} $$
 
 $$ \mathbf{R} = \begin{bmatrix} \cos s & -\sin s \\ \sin s & \cos s \end{bmatrix} $$
 """,
-    "two misfits of one symbol": r"""$$ \mathbf{c} = s \mathbf{a} + \mathbf{b} $$
+    "one notation that is misread twice": r"""$$ \mathbf{c} = s \mathbf{a} + \mathbf{b} $$
 
 $$ s = \mathbf{a} \cdot \mathbf{b} $$
 
-$$ \mathbf{c} = s + \mathbf{b} $$
+$$ \mathbf{c} = \mathbf{a} \times s + \mathbf{b} $$
 
-$$ \mathbf{a} \times \mathbf{b} = \mathbf{c} + s^2 $$
+$$ \mathbf{b} = \mathbf{a} \times s $$
 """,
     "a law": r"""$$ E = v^2 + v $$
 

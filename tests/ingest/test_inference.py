@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from pathlib import Path
 
@@ -138,3 +139,36 @@ def test_an_inertia_beside_the_spin_is_a_tensor() -> None:
     euler = r"\tau = I_B \dot\omega + \omega \times I_B \omega"
     assert kinds(euler)["I_{B}"] == "tensor"
     assert kinds(r"T = \frac{1}{2} I_B \dot\theta^2")["I_{B}"] == "scalar"
+
+
+GOOD = (
+    r"\mathbf{v} = \dot{\mathbf{r}}",
+    r"\mathbf{p} = m \mathbf{v}",
+    r"\mathbf{h} = \mathbf{r} \times \mathbf{p}",
+    r"E = \frac{1}{2} m \mathbf{v} \cdot \mathbf{v}",
+)
+WRONG = (
+    r"\dot{E} = m \dot{\mathbf{v}} \times \mathbf{v} + E \mathbf{v} \cdot \mathbf{h}",
+    r"\mathbf{h} \cdot \mathbf{v} = m \mathbf{r} + \mathbf{p} \cdot \mathbf{v}",
+    r"\dot{\mathbf{h}} = \mathbf{r} \cdot \dot{\mathbf{p}}",
+    r"E + \mathbf{p} = m \mathbf{r} \cdot \mathbf{v}",
+)
+
+
+def doubts(*formulas: str) -> dict[str, tuple[str, ...]]:
+    found = infer([Source(latex, line) for line, latex in enumerate((*GOOD, *formulas))], Prose(""))
+    return {each.latex: each.cured_by for each in found.misfits}
+
+
+@pytest.mark.parametrize(("one", "other"), itertools.combinations(WRONG, 2))
+def test_a_type_error_adds_no_doubt_to_another_one(one: str, other: str) -> None:
+    alone, together = doubts(one) | doubts(other), doubts(one, other)
+    assert together.keys() == alone.keys()
+    assert all({*names} <= {*alone[latex]} for latex, names in together.items())
+
+
+def test_a_notation_that_is_misread_twice_makes_its_symbols_doubtful() -> None:
+    misread = (r"\mathbf{p} \times m = \mathbf{r}", r"\mathbf{h} = \mathbf{p} \times m + \mathbf{v}")
+    found = doubts(*misread)
+    assert found.keys() == {*misread}
+    assert all({r"\mathbf{p}", "m"} <= {*names} for names in found.values())

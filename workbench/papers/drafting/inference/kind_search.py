@@ -17,6 +17,8 @@ from workbench.papers.drafting.inference.tables import Costs
 _UNLIKE, _INLINE = 12, 4
 #: A symbol with a kind that costs at least this much more than its cheapest one makes its formulas suspect.
 _STRANGE = 12
+#: The operations that relate values which other operations make.
+_OF_SIDES = ("add", "equal")
 _ROUNDS, _MOST_OPTIONS, _MOST_MENDED, _MOST_OTHERS = 12, 10, 3, 3
 #: The limit of the number of readings of operations; the search stops there with the kinds found so far.
 _MOST_READINGS = 400_000
@@ -250,8 +252,9 @@ class Search:
     def cured_by(self, place: int) -> list[str]:
         """Returns the symbols of a misfit formula that are likely meant with other kinds.
 
-        These are symbols of misfit formulas on other lines, or those of a cure: other kinds that suit the
-        formula, where no other evidence supports the present kind of one of the symbols.
+        These are symbols whose other kind would explain misfits on other lines as well, or those of a cure:
+        other kinds that suit the formula, where no other evidence supports the present kind of one of the
+        symbols.
         """
         if spoilt := self._spoilt(place):
             return sorted(spoilt)
@@ -271,17 +274,52 @@ class Search:
                 yield change
 
     def _spoilt(self, place: int) -> set[str]:
-        """Returns the symbols in misfit formulas on other lines, and those that are written like them.
+        """Returns the symbols whose other kind would explain misfits on other lines, too.
 
-        One wrong kind explains several misfits better than several errors do."""
+        One wrong kind, or one misread notation, explains several misfits better than several errors do."""
         line = self.formulas[place].line
-        misfit = (
-            names
-            for formula, names, cost in zip(self.formulas, self.names, self._now, strict=True)
-            if cost >= MISFIT // 2 and not formula.inline and formula.line != line
+        misfit = [
+            other
+            for other, cost in enumerate(self._now)
+            if cost >= MISFIT // 2 and not self.formulas[other].inline
+        ]
+        found = set()
+        for other in misfit:
+            if self.formulas[other].line == line:
+                continue
+            alike = {likeness(name) for name in self.names[other]}
+            shared = {name for name in self.names[place] if likeness(name) in alike}
+            if self._is_same_misfit(place, other):
+                found |= shared
+            found |= {name for name in shared if self._may_be_wrong(name, (place, other), misfit)}
+        return found
+
+    def _is_same_misfit(self, place: int, other: int) -> bool:
+        """True if the same operation on the same symbol fits in neither formula: a notation is misread."""
+        one, two = (
+            {
+                (each.op, name)
+                for tree in self.formulas[index].trees
+                for each in self.costs.misfits(tree, self.kinds)
+                if each.op not in _OF_SIDES
+                for name in map(likeness, each.names)
+            }
+            for index in (place, other)
         )
-        alike = {likeness(name) for names in misfit for name in names}
-        return {name for name in self.names[place] if likeness(name) in alike}
+        return not one.isdisjoint(two)
+
+    def _may_be_wrong(self, name: str, pair: tuple[int, int], misfit: Sequence[int]) -> bool:
+        """True if another kind of a symbol, and of those written like it, suits one of two misfit formulas
+        and breaks no formula that fits."""
+        group = self.alike.get(likeness(name), [name])
+        fits = {other for each in group for other in self.users[each]}.difference(misfit)
+        for kind in self.prior[name]:
+            changes = ({name: kind}, {each: kind for each in group if kind in self.prior[each]})
+            for change in changes:
+                is_cure = any(self._cost(each, change) < MISFIT // 2 for each in pair)
+                if is_cure and all(self._cost(each, change) < MISFIT // 2 for each in fits):
+                    return True
+        return False
 
     def _is_supported(self, name: str, place: int, change: Change) -> bool:
         """True if another formula or a word supports the present kind of a symbol, and its letter does not

@@ -30,10 +30,13 @@ class Loaded:
 
     def judged(self, results: Sequence[ClaimResult]) -> Judged:
         """Returns the results with the basis that the kinds of the draft have."""
+        from workbench.app.pipeline.open_sizes import at_other_sizes
         from workbench.papers.drafting.judged_draft import on_drafted_kinds
 
-        own = results if self.draft is None else on_drafted_kinds(self.draft, results)
-        return Judged(self.paper, list(own), self.draft)
+        if self.draft is None:
+            return Judged(self.paper, list(results))
+        own = at_other_sizes(self.draft, on_drafted_kinds(self.draft, results))
+        return Judged(self.paper, own, self.draft)
 
 
 @dataclass(frozen=True)

@@ -80,6 +80,7 @@ class VerdictCode(Code):
     OF_FRAMES = (
         "{outcome} for free frames and points; `orientation` in [frames] and `fixed` in [points] say more"
     )
+    OF_ONE_SIZE = "{outcome} for n = 2, but {other} for n = {size}; the text does not say how large n is"
     OF_SQUARES = "{reason}; the two sides are given as squares"
     ON_PRINCIPAL_BRANCH = "holds on the principal branch, which the text does not state"
     OPEN_WHERE_POSITIVE = "not decided where {name} is positive"

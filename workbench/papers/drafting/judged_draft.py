@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,12 +12,13 @@ from workbench.context.free_symbols import terms_of
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
-from workbench.core.terms import Relation, Symbol
+from workbench.core.terms import Relation, Symbol, sides_of
 from workbench.core.verdict import Outcome, Strength, Verdict
 from workbench.papers.drafting.draft_model import Ingested, ingest
-from workbench.papers.drafting.inference.infer import Thin, kind_name
+from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
+from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
 from workbench.papers.texts.load_texts import model_beside
 from workbench.papers.texts.text_paper import TextPaper, text_paper
@@ -25,6 +27,10 @@ from workbench.prover.results.claim_results import ClaimResult
 from workbench.source.documents import is_text, read_text
 from workbench.source.documents.titles import own_title
 
+#: The words for one of several cases, before a display.
+_CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
+#: The words for maps of twists, whose kinds are known.
+_OF_TWISTS = ("Ad", "ad")
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 
@@ -84,7 +90,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
     if verdict.outcome is not Outcome.ILL_FORMED:  # with another kind, it is ill-formed
         thin = [each for each in thin if not each.alone]
-    misfits = {each.latex: each.cured_by for each in inference.misfits}
+    misfits = {each.latex: each.cured_by for each in inference.misfits if not _has_unknown_word(each)}
     reason: Reason | None = None
     if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
         reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
@@ -100,11 +106,19 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     doubts = [name for name in names or unsure if name in unsure and name not in known]
     if (own := _defined_elsewhere(draft, claim)) is not None:
         doubts.append(own)
+    doubts += [name for name in _given_anew(draft, claim) if name not in doubts]
     unless = ["the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3])]
     if not doubts and verdict.counterexample is not None and may_say_what_symbols_are(claim):
         unless.append("it says what its symbols are")
     said = [doubt for doubt in map(_of_the_text, verdict.unless) if doubt]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
+
+
+def _has_unknown_word(misfit: TypeMismatch) -> bool:
+    """True if the operation has a word whose values the draft can only guess, as vech(A)."""
+    return any(
+        name.startswith(r"\operatorname") and flat(name)[14:16] not in _OF_TWISTS for name in misfit.names
+    )
 
 
 def _of_the_text(doubt: str) -> str:
@@ -127,6 +141,35 @@ def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
         if any(sections.get(line, claim.source.section) != claim.source.section for line in lines)
         else None
     )
+
+
+def _given_anew(draft: Draft, claim: Claim) -> list[str]:
+    """Returns the symbols of a claim that the text gives anew between their definition and the claim.
+
+    So does a matrix that stands in another section, or behind words on another case.
+    """
+    displays = draft.ingested.text.displays
+    defined = {each.name: each for each in draft.ingested.definitions if each.sure}
+    places = {id(display): index for index, display in enumerate(displays)}
+    found = []
+    for given in given_in(draft.ingested.formulas, places):
+        known, display = defined.get(given.name), displays[given.place]
+        if known is None or given.name not in _reached(draft, claim) or "matrix}" not in given.body:
+            continue
+        first = next((each for each in displays if each.line == known.line), display)
+        is_elsewhere = (first.section, first.heading) != (display.section, display.heading)
+        is_another_case = bool(_CASE.search(first.before) and _CASE.search(display.before))
+        if known.line < display.line <= (claim.line or 0) and (is_elsewhere or is_another_case):
+            found.append(given.name)
+    return found
+
+
+def _reached(draft: Draft, claim: Claim) -> set[str]:
+    """Returns the names of a claim's symbols, and of those in their definitions."""
+    statement = claim.printed.statement
+    sides = sides_of(statement) if statement is not None else ()
+    terms = (term for side in sides for term in claim.notation.definitions.reached(side))
+    return {str(term.declaration.name) for term in terms if isinstance(term, Symbol)} | {*_names(claim)}
 
 
 def _symbols(claim: Claim) -> list[Name]:

@@ -4,25 +4,36 @@ from __future__ import annotations
 
 from workbench.context.claims import Claim, Notation
 from workbench.context.free_symbols import free_in
-from workbench.core.terms import Definition, Relation
+from workbench.core.terms import Definition, Derivative, Relation, Symbol
 from workbench.language.definitions import Definitions
 from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.decide_under_facts import Decider
 
 
 def may_say_what_symbols_are(claim: Claim) -> bool:
-    """True if an equation has no free symbol on both sides, and some values of its symbols make it true.
+    """True if an equation gives a sequence, or has no free symbol on both sides and is true for some values.
 
     An identity relates what stands on both sides; F + G = 0 and AᵀP + PA = -1 rather state a law or a
-    condition of the text.
+    condition of the text, and x_n = x_{n-1} + v_n Δt says how x proceeds.
     """
     statement = claim.printed.statement
     if not isinstance(statement, Relation) or statement.operator != "=":
         return False
+    if _is_recurrence(statement):
+        return True
     said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
     definitions = Definitions([*claim.notation.definitions, *said]) if said else claim.notation.definitions
     left, right = (free_in([side], definitions) for side in (statement.left, statement.right))
     return left.isdisjoint(right) and not Decider(claim, _judge, True).is_impossible(())
+
+
+def _is_recurrence(statement: Relation) -> bool:
+    """True if the left side is a member of a family, or its rate, and the right side has another member."""
+    left = statement.left.body if isinstance(statement.left, Derivative) else statement.left
+    if not isinstance(left, Symbol) or not left.index:
+        return False
+    members = {part for part in statement.right.walk() if isinstance(part, Symbol) and part.index}
+    return any(each.declaration == left.declaration and each.index != left.index for each in members)
 
 
 def _judge(notation: Notation) -> Judge:

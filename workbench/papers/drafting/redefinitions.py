@@ -57,7 +57,7 @@ def scopes_of(
     for formula in formulas:
         for name in formula.outcome.symbols:
             users.setdefault(name, []).append(places[id(formula.display)])
-    given = list(_given(formulas, places))
+    given = list(given_in(formulas, places))
     found = [scope for each in quaternions for scope in _parts(each, displays, given, users, guesses)]
     taken = {(name, scope.display.section) for scope in found for name in scope.definitions}
     for each in given:
@@ -84,7 +84,7 @@ def parted_quaternions(quaternions: Sequence[Quaternion], guesses: Mapping[str, 
     return frozenset(each.name for each in quaternions if _scalar_and_vector(each, guesses))
 
 
-def _given(formulas: Sequence[Formula], places: Mapping[int, int]) -> Iterator[_Given]:
+def given_in(formulas: Sequence[Formula], places: Mapping[int, int]) -> Iterator[_Given]:
     walker = Walker()
     for formula in formulas:
         trees = operations_of(formula.latex, walker)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from workbench.papers.drafting.inference.infer import Inference, Inferred, kind_name
 from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, VECTOR, Kind
@@ -11,7 +12,7 @@ from workbench.papers.drafting.typefaces import Guess, by_typeface
 from workbench.papers.drafting.words_on_symbols import Prose
 
 #: The number used for an undetermined size.
-_OPEN = "2"
+OPEN = "2"
 _TURN = re.compile(r"(?:\{\}.*\})?(?:\\[a-z]+\{)*[RC]\}?(?![a-z])")
 _LENGTHS = re.compile(r"[lLmabdc](?:_\{.*\})?")
 
@@ -36,9 +37,19 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
     return Guess(name, kind, why, unit, constant)
 
 
-def kind_of_model(kind: Kind) -> str:
+def kind_of_model(kind: Kind, size: str = OPEN) -> str:
     """Returns the name of a kind in a model, with a number for an undetermined size."""
-    return re.sub(r"n(?=×|$)", _OPEN, kind_name(kind)) if is_open(kind) else kind_name(kind)
+    return re.sub(r"n(?=×|$)", size, kind_name(kind)) if is_open(kind) else kind_name(kind)
+
+
+def open_kinds(inference: Inference, guesses: Mapping[str, Guess]) -> dict[str, Kind]:
+    """Returns the guessed symbols with an undetermined size, and their kinds."""
+    kinds = {name: inference.kinds[name].kind for name in guesses if name in inference.kinds}
+    return {
+        name: kind
+        for name, kind in kinds.items()
+        if is_open(kind) and guesses[name].kind == kind_of_model(kind)
+    }
 
 
 def _is_rotation(name: str, inference: Inference, said: Guess | None) -> bool:

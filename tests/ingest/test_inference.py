@@ -172,3 +172,31 @@ def test_a_notation_that_is_misread_twice_makes_its_symbols_doubtful() -> None:
     found = doubts(*misread)
     assert found.keys() == {*misread}
     assert all({r"\mathbf{p}", "m"} <= {*names} for names in found.values())
+
+
+#: The velocities of two wheels, as a public text derives them.
+WHEELS = tuple(
+    latex.replace("?", side).replace("#", sign)
+    for side, sign in (("l", "-"), ("r", "+"))
+    for latex in (
+        r"\vec{v}_? = v_c \hat{i} + \omega \hat{k} \times r_b \hat{j}",
+        r"\vec{v}_? = v_c \hat{i} # \omega r_b \hat{i}",
+        r"\vec{v}_? = (v_c # \omega r_b) \hat{i}",
+        r"v_? = (v_c # \omega r_b) \hat{i} \cdot \frac{\hat{i}}{\norm{\hat{i}}}",
+        r"v_? = (v_c # \omega r_b) \hat{i} \cdot \hat{i}",
+        r"v_? = v_c # \omega r_b",
+    )
+)
+
+
+def test_marked_letters_are_vectors_where_words_call_lengths_velocities(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    words = (
+        "The mapping to the wheel velocities $v_l$ and $v_r$: let $\\vec{v}_l$ be the velocity vector of the"
+        " left wheel, $\\vec{v}_r$ be the velocity vector of the right wheel, $r_b$ is the distance to each."
+    )
+    solved = (r"2 \omega r_b = v_r - v_l", r"v_c = v_r - \omega r_b", r"v_c = \frac{v_r + v_l}{2}")
+    path.write_text("\n\n".join((words, *(f"$$ {latex} $$" for latex in (*WHEELS, *solved)))))
+    found = {name: kind_name(own.kind) for name, own in inferred_of(path).kinds.items()}
+    marked = (r"\vec{v}_{l}", r"\vec{v}_{r}", r"\hat{i}", r"\hat{j}", r"\hat{k}")
+    assert [found[name] for name in marked] == ["vector"] * 5

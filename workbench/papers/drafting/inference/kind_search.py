@@ -17,6 +17,8 @@ from workbench.papers.drafting.inference.tables import Costs
 _UNLIKE, _INLINE = 12, 4
 #: A symbol with a kind that costs at least this much more than its cheapest one makes its formulas suspect.
 _STRANGE = 12
+#: The typefaces of vectors; formulas with several such letters fit only if all of them are vectors.
+_OF_VECTORS = ("hat", "marked", "bold small")
 #: The operations that relate values which other operations make.
 _OF_SIDES = ("add", "equal")
 _ROUNDS, _MOST_OPTIONS, _MOST_MENDED, _MOST_OTHERS = 12, 10, 3, 3
@@ -168,7 +170,8 @@ class Search:
                 changed |= self._take(
                     {name: kind for name in names if kind in self.prior[name]} for kind in kinds
                 )
-        return changed
+        marked = {name: next(iter(own)) for name, own in self.prior.items() if face(name) in _OF_VECTORS}
+        return self._take([marked]) or changed
 
     def _repairs(self) -> bool:
         """Changes several symbols of a misfit formula at once, and then repairs the formulas that this

@@ -12,7 +12,7 @@ from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.drafting.draft_model import ingest
-from workbench.papers.drafting.judged_draft import draft_of, needs_draft, on_drafted_kinds
+from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds, undeclared_text
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.typefaces import Guess
 from workbench.prover.results.claim_results import ClaimResult
@@ -56,11 +56,11 @@ def test_a_kind_that_only_one_formula_needs_does_not_judge_it(tmp_path: Path) ->
 def test_texts_with_a_model_or_comments_need_no_draft(tmp_path: Path) -> None:
     path = tmp_path / "p.tex"
     path.write_text("\\[ a = b \\]\n")
-    assert needs_draft(path)
+    assert undeclared_text(path)
     path.write_text("%! workbench: symbols.a = 'scalar'\n\\[ a = b \\]\n")
-    assert not needs_draft(path)
+    assert undeclared_text(path) is None
     (tmp_path / "p.toml").write_text('source = "p.tex"\n')
-    assert not needs_draft(path)
+    assert undeclared_text(path) is None
 
 
 def test_a_guess_that_no_model_can_hold_is_left_out(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ itself.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import SequenceMatcher
 from itertools import islice, pairwise, product
@@ -46,28 +46,40 @@ _SAME = {
     r"\rVert": r"\|",
     r"\top": "T",
 }
+#: Returns the answer of the function to the question about a formula of a claim, or that of an earlier run.
+Once = Callable[[Claim, str, Callable[[], bool]], bool]
+
+
+def _always(claim: Claim, latex: str, asked: Callable[[], bool]) -> bool:
+    return asked()
+
+
 #: The most edited formulas that are read, and the most that are judged.
 _MOST_READ, _MOST_JUDGED = 200, 6
 #: Seconds of processor time for judging one of them.
 _MOST_SECONDS = 2.0
 
 
-def with_author_edits(results: Sequence[ClaimResult], text: Text | None) -> list[ClaimResult]:
+def with_author_edits(
+    results: Sequence[ClaimResult], text: Text | None, once: Once = _always
+) -> list[ClaimResult]:
     """Returns the results, each with the edits of the text that carry out its first proposal, if found."""
     if text is None:
         return list(results)
     found = []
     for each in results:
         if each.proposed:
-            edits, edited = author_edits(each.claim, text, each.proposed[0])
+            edits, edited = author_edits(each.claim, text, each.proposed[0], once)
             each = replace(each, edits=edits, edited=edited)
         found.append(each)
     return found
 
 
-def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[tuple[SourceEdit, ...], str | None]:
+def author_edits(
+    claim: Claim, text: Text, proposed: Proposed, once: Once = _always
+) -> tuple[tuple[SourceEdit, ...], str | None]:
     """Returns the edits of the author's characters that change the printed formula to the proposal, and the
-    author's formula with them, macros expanded.
+    author's formula with them, macros expanded. once: asks whether an edited formula of a claim is proved.
 
     Returns ((), None) if no such edit was found.
     """
@@ -80,7 +92,7 @@ def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[tuple[So
         right = _read(claim, proposed.latex)
     except (ReadError, IllFormedAt):
         return none
-    editor = _Editor(claim, latex, owners, proposed.latex, right)
+    editor = _Editor(claim, latex, owners, proposed.latex, right, once)
     try:
         for pieces in editor.candidates():
             if (found := edits_in_source(pieces, owners)) is not None and editor.is_right(pieces):
@@ -121,9 +133,9 @@ class _Editor:
     """Maps the difference between the printed formula and a proposal to the author's formula."""
 
     def __init__(
-        self, claim: Claim, latex: str, owners: Sequence[Token], proposal: str, right: Statement
+        self, claim: Claim, latex: str, owners: Sequence[Token], proposal: str, right: Statement, once: Once
     ) -> None:
-        self._claim, self._latex, self._owners, self._right = claim, latex, owners, right
+        self._claim, self._latex, self._owners, self._right, self._once = claim, latex, owners, right, once
         self._before = _atoms(Repair(claim).printed)
         self._after = _atoms(proposal)
         self._own = _atoms(latex)
@@ -155,12 +167,14 @@ class _Editor:
 
     def is_right(self, pieces: Sequence[Piece]) -> bool:
         """True if the edited formula states what was proved, or is proved itself."""
+        edited = self.edited(pieces)
         try:
-            statement = _read(self._claim, self.edited(pieces))
+            statement = _read(self._claim, edited)
         except (ReadError, IllFormedAt):
             return False
-        if statement == self._right:
-            return True
+        return statement == self._right or self._once(self._claim, edited, lambda: self._is_proved(statement))
+
+    def _is_proved(self, statement: Statement) -> bool:
         if self._judged == _MOST_JUDGED:
             return False
         self._judged += 1

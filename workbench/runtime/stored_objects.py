@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import io
 import pickle
+import re
 from typing import Any
 
-_OURS = ("workbench.core.", "workbench.language.", "workbench.papers.", "workbench.context.")
+_OURS = tuple(f"workbench.{package}." for package in ("core", "language", "papers", "context", "source"))
 _PLAIN = frozenset({
     ("builtins", "range"), ("builtins", "frozenset"), ("builtins", "set"), ("fractions", "Fraction"),
     ("pathlib", "PosixPath"), ("pathlib", "WindowsPath"),
@@ -23,7 +24,9 @@ def unpacked(data: bytes) -> Any:
 
 
 class _Unpickler(pickle.Unpickler):
-    def find_class(self, module: str, name: str) -> type:
+    def find_class(self, module: str, name: str) -> Any:
+        if (module, name) == ("re", "_compile"):
+            return re.compile
         if module.startswith(_OURS) or (module, name) in _PLAIN:
             found = super().find_class(module, name)
             if isinstance(found, type) and found.__module__ == module:

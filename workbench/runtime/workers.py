@@ -79,9 +79,9 @@ class Workers:
         if not self._workers:
             yield from map(self._function, items)
             return
-        if not any(worker.runs for worker in self._workers):
-            self._prepare()
         asked = list(enumerate(items))
+        if asked and not any(worker.runs for worker in self._workers):
+            self._prepare()
         waiting = deque(deque(run) for _, run in groupby(asked, lambda each: self._alike(each[1])))
         free = list(self._workers)
         places: dict[_Worker, int] = {}

@@ -173,9 +173,8 @@ def with_proposals(
     from workbench.app.commands.terminal import progress_bar
     from workbench.app.pipeline.result_proposals import with_proposals
     from workbench.papers.texts.text_paper import TextPaper
-    from workbench.repair.author_edits import with_author_edits
 
     limits = replace(STANDARD, seconds=seconds) if wanted else None
     with memory_of_verdicts(cache) as memory, progress_bar(len(results) * wanted, "repairing") as advance:
-        found = with_proposals(results, limits, advance, memory, beside_right)
-    return with_author_edits(found, paper.text if isinstance(paper, TextPaper) else None)
+        text = paper.text if isinstance(paper, TextPaper) else None
+        return with_proposals(results, limits, advance, memory, beside_right, text)

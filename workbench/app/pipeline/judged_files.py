@@ -52,16 +52,17 @@ def loaded_file(path: Path, memory: Memory | None = None, answers: Sequence[Answ
     """Returns a file as it is read; a text without a model, under a drafted one.   answers: of its author to
     the questions of the draft.   Raises PaperError."""
     from workbench.papers import load_paper
-    from workbench.papers.drafting.draft_model import ingest
-    from workbench.papers.drafting.judged_draft import draft_from, needs_draft
+    from workbench.papers.drafting.judged_draft import draft_from, newest_draft, undeclared_text
     from workbench.papers.drafting.questions_to_author import answered
 
-    if not needs_draft(path):
+    if (text := undeclared_text(path)) is None:
         return Loaded(load_paper(path, faults=[], store=memory))
-    found = ingest(path)
-    for answer in answers:
-        found = answered(found, answer)
-    draft = draft_from(found)
+    draft = newest_draft(text, memory)
+    if answers:
+        found = draft.ingested
+        for answer in answers:
+            found = answered(found, answer)
+        draft = draft_from(found)
     return Loaded(draft.paper, draft)
 
 
@@ -95,11 +96,10 @@ def with_corrections(
     """
     from workbench.app.pipeline.result_proposals import with_proposals
     from workbench.papers.texts.text_paper import TextPaper
-    from workbench.repair.author_edits import with_author_edits
     from workbench.repair.propose.search_limits import Limits
 
+    text = judged.paper.text if isinstance(judged.paper, TextPaper) else None
     with memory_of_verdicts(True) as memory:
         limits = Limits(seconds=seconds)
-        results = with_proposals(judged.results, limits, lambda _: found(), memory, beside_right=False)
-    text = judged.paper.text if isinstance(judged.paper, TextPaper) else None
-    return replace(judged, results=list(with_author_edits(results, text)))
+        results = with_proposals(judged.results, limits, lambda _: found(), memory, False, text)
+    return replace(judged, results=results)

@@ -6,14 +6,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.app.pipeline.verdict_keys import Keys, Memory
+from workbench.context.claims import Claim
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.verdict import Outcome
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.prover.results.proposed_form import Proposed
+from workbench.repair.author_edits import with_author_edits
 from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of
 from workbench.repair.propose.parallel_repairs import repair_claims
 from workbench.repair.propose.proposal import Repair
 from workbench.repair.propose.search_limits import STANDARD, Limits
+from workbench.source.documents import Text
 
 #: Verdicts on a printed form for which another form is searched.
 _TO_REPAIR = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
@@ -25,6 +28,7 @@ def with_proposals(
     progress: Callable[[Repair], None] = lambda found: None,
     memory: Memory | None = None,
     beside_right: bool = True,
+    text: Text | None = None,
 ) -> list[ClaimResult]:
     """Returns the results, each with proposals if its printed form is refuted or ill-formed, few changes
     first.
@@ -32,6 +36,7 @@ def with_proposals(
     limits: of the search; None for no search.
     memory: the cache of earlier proposals, including those of searches that ran out of time.
     beside_right: whether also to search if a proved right form is given.
+    text: its own characters are edited.
     """
     if limits is None:
         return [replace(result, proposed=()) for result in results]
@@ -56,7 +61,17 @@ def with_proposals(
 
     asked = [replace(keys.parts.for_proposals(claim), id=name) for name, claim in new.items()]
     repair_claims(asked, limits, keep, beside=beside)
-    return [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
+    found = [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
+
+    def once(claim: Claim, latex: str, asked: Callable[[], bool]) -> bool:
+        """Asks whether an edited formula is proved, unless an earlier run has proved it."""
+        key = keys.of_proposals(claim, f"edited\n{latex}") if memory else ""
+        known = memory is not None and memory.knows(key)
+        if not known and (known := asked()) and memory is not None:
+            memory.know(key)
+        return known
+
+    return with_author_edits(found, text, once)
 
 
 def asks_for_proposals(result: ClaimResult, beside_right: bool = True) -> bool:

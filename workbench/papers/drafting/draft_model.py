@@ -66,16 +66,9 @@ class Ingested:
     scopes: list[Scope]
     confirmed: frozenset[str] = frozenset()
 
-    @cached_property
-    def _formulas_of(self) -> dict[int, list[Formula]]:
-        found: dict[int, list[Formula]] = {}
-        for formula in self.formulas:
-            found.setdefault(id(formula.display), []).append(formula)
-        return found
-
     def feature_of(self, display: Display) -> str | None:
         """Returns the missing feature that the display needs; None if the display is read as a whole."""
-        own = self._formulas_of.get(id(display))
+        own = [formula for formula in self.formulas if formula.display is display]
         if not own:
             return "a formula without a relation"
         unread = (each for each in own if each.outcome.statements is None)
@@ -106,7 +99,13 @@ class Ingested:
 
 def ingest(path: Path, macros: Path | None = None) -> Ingested:
     """Returns a draft of a model. Raises PaperError for a text that cannot be used, or has no display."""
-    text, fences = _text(path, macros)
+    return ingested(read_text(path, macros), macros)
+
+
+def ingested(text: Text, macros: Path | None = None) -> Ingested:
+    """Returns a draft of the model of a text that was read with these macros. Raises PaperError if it has no
+    display."""
+    text, fences = _with_fences(text, macros)
     inline, prose = _words(text)
     steps = _steps(text.displays, frozenset())
     inference = _inferred(text, steps, prose)
@@ -192,7 +191,7 @@ def _dot(proposals: Sequence[Proposal]) -> str:
 
 def inferred_of(path: Path, macros: Path | None = None) -> Inference:
     """Returns the kinds inferred for the symbols of a text. Raises as `ingest`."""
-    text, _ = _text(path, macros)
+    text, _ = _with_fences(read_text(path, macros), macros)
     return _inferred(text, _steps(text.displays, frozenset()), _words(text)[1])
 
 
@@ -206,14 +205,13 @@ def _words(text: Text) -> tuple[list[Display], Prose]:
     return inline, Prose("\n".join(source.text for source in text.sources[:1]), inline, text.displays)
 
 
-def _text(path: Path, macros: Path | None) -> tuple[Text, dict[str, str]]:
+def _with_fences(text: Text, macros: Path | None) -> tuple[Text, dict[str, str]]:
     """Returns the text, and what the macros that only TeX can expand seem to print."""
-    text = read_text(path, macros)
     fences = letters_in_bold(text.displays) | {f"\\{name}": body for name, body in text.fences.items()}
     if fences:
-        text = read_text(path, macros, bodies=fences)
+        text = read_text(text.path, macros, bodies=fences)
     if not text.displays:
-        raise NoDisplay(path)
+        raise NoDisplay(text.path)
     return text, fences
 
 

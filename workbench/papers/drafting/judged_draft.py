@@ -14,23 +14,28 @@ from workbench.core.names import Name
 from workbench.core.reasons import Reason
 from workbench.core.terms import Relation, Symbol, sides_of
 from workbench.core.verdict import Outcome, Strength, Verdict
-from workbench.papers.drafting.draft_model import Ingested, ingest
+from workbench.papers.drafting.draft_model import Ingested, ingest, ingested
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
+from workbench.papers.paper_cache import Kept
 from workbench.papers.texts.load_texts import model_beside
 from workbench.papers.texts.text_paper import TextPaper, text_paper
 from workbench.prover.explain.field_alternatives import TRANSPOSED
 from workbench.prover.results.claim_results import ClaimResult
-from workbench.source.documents import is_text, read_text
+from workbench.runtime.store import Store
+from workbench.source.documents import Text, is_text, read_text
 from workbench.source.documents.titles import own_title
 
 #: The words for one of several cases, before a display.
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for maps of twists, whose kinds are known.
 _OF_TWISTS = ("Ad", "ad")
+#: The libraries whose versions a draft depends on, beside the files of its text.
+DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
+
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 
@@ -51,15 +56,24 @@ class Draft:
         return f"drafted a model of {path.name} ({told}); `workbench draft {path}` writes it"
 
 
-def needs_draft(path: Path) -> bool:
-    """True if a file is a text without a model and without comments that declare anything. Raises
-    PaperError."""
-    return is_text(path) and model_beside(path) is None and not read_text(path).directives
+def undeclared_text(path: Path) -> Text | None:
+    """Returns the text of a file without a model and without comments that declare anything; None for other
+    files. Raises PaperError."""
+    text = read_text(path) if is_text(path) and model_beside(path) is None else None
+    return None if text is None or text.directives else text
 
 
 def draft_of(path: Path) -> Draft:
     """Returns a text under a drafted model. Raises PaperError."""
     return draft_from(ingest(path))
+
+
+def newest_draft(text: Text, store: Store | None) -> Draft:
+    """Returns the draft of a text, from the store if the text has not changed. Raises PaperError."""
+    kept = Kept(store)
+    files = [(str(source.path), source.text, source.warnings) for source in text.sources]
+    key = kept.key_of(("draft", str(text.path), files, list(map(str, text.warnings))), DRAFTS_REST_ON)
+    return kept.newest(str(text.path), key, lambda: draft_from(ingested(text)), Draft)
 
 
 def draft_from(ingested: Ingested) -> Draft:

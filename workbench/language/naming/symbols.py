@@ -157,11 +157,12 @@ class SymbolTable:
     def with_specs(self, specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
         """Returns this table with new symbols. Raises SpecError."""
         more = SymbolTable.build(specs).symbols
+        families = [known for known in self.symbols if known.indices]
         for name in more:
             if name in self.symbols or name in self.functions:
                 raise SpecError(DeclarationCode.SYMBOL_KNOWN(), str(name))
             self.refuse_tilde(name)
-            if family := next((known for known in self.symbols if known.index_of(name) is not None), None):
+            if family := next((known for known in families if known.index_of(name) is not None), None):
                 raise SpecError(DeclarationCode.SYMBOL_KNOWN_AS_MEMBER(family=family), str(name))
         return replace(self, symbols={**self.symbols, **more})
 
@@ -285,8 +286,9 @@ def _with_members(
     If b_1 is declared as something else, the family has no such member.
     """
     kept = dict(symbols)
+    families = [(name, declaration) for name, declaration in symbols.items() if name.indices]
     for name, declaration in symbols.items():
-        for pattern, family in symbols.items() if not name.indices else ():
+        for pattern, family in families if not name.indices else ():
             index = pattern.index_of(name)
             if index is None:
                 continue

@@ -57,15 +57,17 @@ class Beams:
             return lists[0]
         found: list[Option] = [(0, 0, {})]
         for each in lists:
-            merged: dict[frozenset[tuple[str, Kind]], Option] = {}
-            for own, cost, one in found:
-                for its, more, other in each:
-                    shared = one.keys() & other.keys()
-                    if shared:
-                        if any(one[name] != other[name] for name in shared):
-                            continue
-                        its -= sum(self._own[name][other[name]] for name in shared)
-                    both = one | other
-                    merged[frozenset(both.items())] = (own + its, cost + more, both)
-            found = sorted(merged.values(), key=lambda item: item[0] + item[1])[: 3 * _BEAM]
+            names = each[0][2] if each else {}
+            shared = [name for name in found[0][2] if name in names] if found else []
+            by_shared: dict[tuple[Kind, ...], list[Option]] = defaultdict(list)
+            for its, more, other in each:  # all options of a list have the same symbols
+                counted = sum([self._own[name][other[name]] for name in shared])
+                by_shared[tuple([other[name] for name in shared])].append((its - counted, more, other))
+            pairs = [
+                (own + its, cost + more, one, other)
+                for own, cost, one in found
+                for its, more, other in by_shared.get(tuple([one[name] for name in shared]), ())
+            ]
+            pairs.sort(key=lambda pair: pair[0] + pair[1])
+            found = [(own, cost, one | other) for own, cost, one, other in pairs[: 3 * _BEAM]]
         return found

@@ -67,6 +67,7 @@ class Search:
             if face(name) != "component":
                 self.alike[likeness(name)].append(name)
         self._known: dict[tuple[int, tuple[Kind, ...]], int] = {}
+        self._joint: dict[tuple[int, tuple[Kind, ...]], list[Change]] = {}
         self._hopeless: dict[int, tuple[Kind, ...]] = {}
         self._beams = Beams(self.costs)
         self._now = [self._cost(index, None) for index in range(len(self.formulas))]
@@ -101,13 +102,14 @@ class Search:
                 total += _UNLIKE * (len(members) - max(usual.values()))
         return total
 
-    def gain(self, change: Change) -> int:
-        """Returns the decrease of the total cost after the change; an upper bound if there is none."""
+    def gain(self, change: Change, least: int = 0) -> int:
+        """Returns the decrease of the total cost after the change; an upper bound if it is not above
+        `least`."""
         change = {name: kind for name, kind in change.items() if self.kinds[name] != kind}
         places = {place for name in change for place in self.users[name]}
         best = self.own(change, {}) - self.own(change, change) + sum([self._now[p] for p in places])
         for place in places:
-            if best <= 0:
+            if best <= least:
                 return best
             best -= self._cost(place, change)
         return best
@@ -133,7 +135,7 @@ class Search:
         """Applies the best of the changes, and returns whether it gains anything."""
         best, chosen = 0, None
         for change in changes:
-            if change and (gain := self.gain(change)) > best:
+            if change and (gain := self.gain(change, best)) > best:
                 best, chosen = gain, change
         if chosen is not None:
             self._change(chosen)
@@ -192,8 +194,14 @@ class Search:
                 self._hopeless[place] = state
         return changed
 
-    def _together(self, place: int) -> Iterator[Change]:
-        """Yields changes of any number of the formula's symbols that make it cheaper."""
+    def _together(self, place: int) -> list[Change]:
+        """Returns changes of any number of the formula's symbols that make it cheaper."""
+        state = place, tuple([self.kinds[name] for name in self.names[place]])
+        if (found := self._joint.get(state)) is None:
+            found = self._joint[state] = list(self._cheaper_together(place))
+        return found
+
+    def _cheaper_together(self, place: int) -> Iterator[Change]:
         names = self.names[place]
         now = self.cost(place) + sum(self.prior[name][self.kinds[name]] for name in names)
         own = {name: self._own_of(name) for name in names}

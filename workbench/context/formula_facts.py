@@ -169,6 +169,7 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
     moving = [_moving(claim) for claim in claims]
     spoken = [_spoken(claim) if own else set() for claim, own in zip(claims, moving, strict=True)]
     made = []
+    known: dict[tuple[str, bool], Fact] = {}
     for at, claim in enumerate(claims):
         alike = {place for place, own in enumerate(moving) if place != at and not own.isdisjoint(moving[at])}
         waiting = [place for place in alike if place < at]
@@ -178,7 +179,7 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
             alike, waiting = alike.union(more), [*waiting, *more]
         near = [(p, claims[p]) for p in sorted(alike, key=lambda p: (p > at, -p))]
         laws = tuple(
-            _law(each, p < at)
+            known.get((each.id, p < at)) or known.setdefault((each.id, p < at), _law(each, p < at))
             for p, each in near
             if not (each.context.repeats or _are_of_one_chain(each, claim))
             and _is_carried(each.printed.statement, each.notation, claim.notation)

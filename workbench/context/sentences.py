@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property, lru_cache
 
 from workbench.context.facts import Fact, Origin, Provider, Strength
 from workbench.context.formula_subject import names_of
@@ -89,36 +89,30 @@ class _Reader:
 
     def of_names(self) -> Iterator[Fact]:
         """Yields the properties of symbols that are named: "the unit vector n", "n is a unit vector"."""
-        text = self._sentence.text
-        for name, words in PROPERTY_WORDS.items():
+        for name, match in _stated_in(self._sentence.text, self._sentence.is_own):
             row = PROPERTIES[name]
-            for match in _matches(words, PREDICATES.get(name), text):
-                if _is_negated(text, match) or (not self._sentence.is_own and _is_case(text, match)):
-                    continue
-                said = [each for each in self._named_in(match["symbols"]) if is_stated(row, each)]
-                for group in _related(said, self._named_in(match.groupdict().get("others") or ""), row):
-                    self._read.append(match.span())
-                    yield self._fact(name, group, match[0])
+            said = [each for each in self._named_in(match["symbols"]) if is_stated(row, each)]
+            for group in _related(said, self._named_in(match.groupdict().get("others") or ""), row):
+                self._read.append(match.span())
+                yield self._fact(name, group, match[0])
 
     def of_kinds(self) -> Iterator[Fact]:
         """Yields the properties of all symbols of a kind: "for unit vectors" in the claim's own sentence, or
         "unit quaternions" stated for the rest of the text.
         """
-        for name, words in PROPERTY_WORDS.items():
-            for kind, noun in KIND_NOUNS.items():
-                before = rf"\b(?:{words})\s+{_FILL}(?:{noun})\b(?!\s*⟦)"
-                after = rf"\b(?:{noun})\s+{BE}\s+{_FILL}(?:{words})\b"
+        for name in PROPERTY_WORDS:
+            for kind in KIND_NOUNS:
                 if self._sentence.is_own or (name, kind) in FOR_ALL:
-                    yield from self._of_kind(name, kind, f"{before}|{after}")
+                    yield from self._of_kind(name, kind)
 
-    def _of_kind(self, name: str, kind: str, pattern: str) -> Iterator[Fact]:
+    def _of_kind(self, name: str, kind: str) -> Iterator[Fact]:
         row, text = PROPERTIES[name], self._sentence.text
         said = [
             own for own in self._symbols if own.type.kind == kind and is_stated(row, own) and not own.index
         ]
         if not said or row.count not in (1, len(said)):
             return
-        for match in re.finditer(pattern, text, re.I):
+        for match in _of_a_kind(name, kind).finditer(text):
             is_meant = (name, kind) in FOR_ALL or _IF.search(_CLAUSES.split(text[: match.start()])[-1])
             if is_meant and not _is_negated(text, match):
                 self._read.append(match.span())
@@ -146,6 +140,26 @@ class _Reader:
     def _origin(self, words: str) -> Origin:
         quoted = re.sub(r"⟦(\d+)⟧", lambda match: f"${self._sentence.named[int(match[1])]}$", words)
         return Origin(Provider.SENTENCE, f"“{quoted}”", self._sentence.place)
+
+
+@cache
+def _of_a_kind(name: str, kind: str) -> re.Pattern[str]:
+    """Returns the pattern of a property of all symbols of a kind: "unit vectors", "vectors are unit"."""
+    words, noun = PROPERTY_WORDS[name], KIND_NOUNS[kind]
+    before = rf"\b(?:{words})\s+{_FILL}(?:{noun})\b(?!\s*⟦)"
+    return re.compile(rf"{before}|\b(?:{noun})\s+{BE}\s+{_FILL}(?:{words})\b", re.I)
+
+
+@lru_cache(maxsize=4096)
+def _stated_in(text: str, is_own: bool) -> tuple[tuple[str, re.Match[str]], ...]:
+    """Returns the properties of named symbols that a sentence states, whatever the symbols are: it is asked
+    once, and not for each claim."""
+    return tuple(
+        (name, match)
+        for name, words in PROPERTY_WORDS.items()
+        for match in _matches(words, PREDICATES.get(name), text)
+        if not _is_negated(text, match) and (is_own or not _is_case(text, match))
+    )
 
 
 def _matches(words: str, predicate: str | None, text: str) -> Iterator[re.Match[str]]:

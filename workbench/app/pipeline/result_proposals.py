@@ -61,7 +61,7 @@ def with_proposals(
 
     asked = [replace(keys.parts.for_proposals(claim), id=name) for name, claim in new.items()]
     repair_claims(asked, limits, keep, beside=beside)
-    found = [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
+    made = [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
 
     def once(claim: Claim, latex: str, asked: Callable[[], bool]) -> bool:
         """Asks whether an edited formula is proved, unless an earlier run has proved it."""
@@ -71,7 +71,7 @@ def with_proposals(
             memory.know(key)
         return known
 
-    return with_author_edits(found, text, once)
+    return with_author_edits(made, text, once)
 
 
 def asks_for_proposals(result: ClaimResult, beside_right: bool = True) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 from workbench.core.codes.declaration_codes import DeclarationCode
@@ -78,6 +79,11 @@ def read_key(key: str, labels: Collection[str] = ()) -> Named:
 
     Raises SpecError.
     """
+    return _read_key(key, frozenset(labels))
+
+
+@lru_cache(maxsize=4096)
+def _read_key(key: str, labels: frozenset[str]) -> Named:
     try:
         lines = parse(key).lines
         if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain):

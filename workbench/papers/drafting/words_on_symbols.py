@@ -81,9 +81,15 @@ class Prose:
         self._inline, self._displays = inline, displays
         self._flat = flat(text)
         self._alone: dict[str, list[tuple[str, str]]] | None = None
+        self._guesses: dict[str, Guess | None] = {}
 
     def guess(self, name: str) -> Guess | None:
         """Returns the kind that the text states of a symbol in words or by a set; None if none."""
+        if name not in self._guesses:
+            self._guesses[name] = self._guess(name)
+        return self._guesses[name]
+
+    def _guess(self, name: str) -> Guess | None:
         if (kind := self._in_a_set(flat(name))) is not None:
             return Guess(name, kind, "the text says what set it is in")
         said = [each for near in self._near(flat(name)) if (each := _nearest(*near)) is not None]

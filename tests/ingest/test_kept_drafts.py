@@ -10,18 +10,21 @@ import pytest
 from tests.ingest.test_draft import WRONG
 from workbench.app.pipeline.verdict_keys import Keys
 from workbench.papers.drafting import judged_draft
+from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.drafting.judged_draft import Draft, draft_of, newest_draft
 from workbench.papers.drafting.model_file import model_text
 from workbench.papers.drafting.questions_to_author import questions_about
 from workbench.runtime import fingerprint
 from workbench.runtime.store import Store
-from workbench.source.documents import read_text
+from workbench.source.documents import Text, read_text
 
 PAPERS = sorted(
     path
     for path in Path(__file__).parent.rglob("*")
     if path.suffix in (".tex", ".md") and path.stem != "README"
 )
+
+whole = judged_draft.ingested
 
 
 def told(draft: Draft) -> Any:
@@ -35,14 +38,16 @@ def told(draft: Draft) -> Any:
 
 
 def drafted_anew(path: Path, store: Store, monkeypatch: pytest.MonkeyPatch) -> bool:
-    made = []
-    monkeypatch.setattr(judged_draft, "ingested", lambda text: made.append(text) or whole(text))
+    made: list[Text] = []
+
+    def ingested(text: Text) -> Ingested:
+        made.append(text)
+        return whole(text)
+
+    monkeypatch.setattr(judged_draft, "ingested", ingested)
     newest_draft(read_text(path), store)
     monkeypatch.undo()
     return bool(made)
-
-
-whole = judged_draft.ingested
 
 
 @pytest.mark.parametrize("path", PAPERS, ids=lambda path: path.stem)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from functools import cached_property
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property, partial
 from pathlib import Path
 
 from workbench.context.claims import Notation
+from workbench.context.condition_facts import InlineFormulas
 from workbench.context.facts import Fact
 from workbench.context.formula_acts import is_before_scope
 from workbench.context.sentences import Sentence, flat, speaks_for_all, speaks_of, told_by
@@ -17,7 +18,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display, spelled
 from workbench.source.documents.source_view import Source
 from workbench.source.documents.surrounding_words import sentence_around, sentence_ends, supposed_before
-from workbench.source.rows.chains import steps_of
+from workbench.source.rows.chains import Step
 
 #: The characters around a formula in prose.
 _OPENING, _CLOSING = "$`(\\ \n", ("$", "`", "\\", ")")
@@ -27,8 +28,9 @@ _LABEL = re.compile(r"\\(?:label|ref|eqref|cite)\s*\{[^}]*\}|:math:")
 class TextSentences:
     """The sentences of a text, read once for all of its displays."""
 
-    def __init__(self, inline: Sequence[Display], words: frozenset[str]) -> None:
-        self._inline, self._words = inline, words
+    def __init__(self, inline: Sequence[Display], spoken: InlineFormulas, notation: Notation) -> None:
+        self._inline = inline
+        self._steps = partial(spoken.steps, notation=notation)
         self._files: dict[Path, _FileSentences] = {}
 
     def facts(self, display: Display, statement: Statement, notation: Notation) -> Iterator[Fact]:
@@ -52,13 +54,15 @@ class TextSentences:
     def _of(self, source: Source) -> _FileSentences:
         if source.path not in self._files:
             inline = [each for each in self._inline if each.source.path == source.path]
-            self._files[source.path] = _FileSentences(source, inline, self._words)
+            self._files[source.path] = _FileSentences(source, inline, self._steps)
         return self._files[source.path]
 
 
 class _FileSentences:
-    def __init__(self, source: Source, inline: Sequence[Display], words: frozenset[str]) -> None:
-        self._source, self._words = source, words
+    def __init__(
+        self, source: Source, inline: Sequence[Display], steps: Callable[[Display], Sequence[Step]]
+    ) -> None:
+        self._source, self._steps = source, steps
         self._inline = sorted(inline, key=lambda each: each.start)
 
     def up_to(self, display: Display) -> Iterator[tuple[Sentence, int]]:
@@ -103,7 +107,7 @@ class _FileSentences:
             if formula is display:
                 pieces.append(" ; ")
                 continue
-            for part in (step for line in steps_of(formula, self._words) for step in line):
+            for part in self._steps(formula):
                 pieces.append(f" ⟦{len(named)}⟧ ")
                 named[len(named)] = spelled(part.tokens)[0]
             while prose[at : at + 1] in _CLOSING and at < last:

@@ -136,8 +136,8 @@ def _refuse_other_meaning(
 def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> Iterator[Claim]:
     """Yields the claims with the facts of the text; none for a claim with a closed context."""
     unread = said_unread(claims, text.inline)
-    words = placed[0].notation.words
-    sentences, spoken = TextSentences(text.inline, words), InlineFormulas(text.inline)
+    spoken = InlineFormulas(text.inline)
+    sentences = TextSentences(text.inline, spoken, placed[0].notation)
     claims = [
         claim.with_context(
             facts=tuple(dict.fromkeys((*claim.context.facts, *own))), properties=_properties(claim, each)

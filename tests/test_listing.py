@@ -152,5 +152,12 @@ def test_try_judges_one_formula() -> None:
     assert found.exit_code == 1 and found.output.startswith("✗ does not hold; change the sign of b × a\n")
     assert run("try", r"\mathbf{a} \times \mathbf{a} = 0").exit_code == 0
     assert run("try", "a = ", "-s", "a=vector").exit_code == 2
+    assert run("try", r"[k]_\times^2 = k k^T - \norm{k}^2 I").exit_code == 0
+    assert run("try", "a = b", "-s", "a=vector", "-s", "b=vector").exit_code == 1
+    assert run("try", r"\sin(\pi - \theta) = \sin\theta").output.endswith(
+        "Taken as: θ scalar. Another kind: -s NAME=KIND.\n"
+    )
+    bad = run("try", "a = a", "-s", "a=vctor")
+    assert bad.exit_code == 2 and "kind is 'vctor'" in bad.output
     bad = run("try", "a = a", "-s", "vector")
     assert bad.exit_code == 2 and "expected NAME=KIND" in bad.output

@@ -58,7 +58,7 @@ def test_assistant_drafts_checks_and_corrects() -> None:
     assert formula["formulas"][0]["grade"] == "error"
     assert "same term" in page["page"]
     assert proposed["proposed"][0][0]["latex"] == r"a \times b = -b \times a"
-    assert "\\foo" in bad["errors"][0]
+    assert "\\foo" in bad["formulas"][0]["because"]
 
 
 def test_assistant_reads_no_file_of_the_machine(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from workbench import check, judge, load
+from workbench.app.commands.try_formula import judged_formula
 from workbench.guide.spelling_page import Spelling, spelling_page, spellings
 
 ROWS = list(spellings())
@@ -26,6 +27,16 @@ def outcomes(row: Spelling, folder: Path) -> set[str]:
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row.written)
 def test_spelling_is_read_as_the_table_says(row: Spelling, tmp_path: Path) -> None:
     assert outcomes(row, tmp_path) == {row.outcome}
+
+
+BY_KIND = [row for row in ROWS if all(isinstance(kind, str) for kind in row.symbols.values())]
+
+
+@pytest.mark.parametrize("row", BY_KIND, ids=lambda row: row.written)
+def test_spelling_is_read_by_the_command_try(row: Spelling) -> None:
+    """`try` reads one formula as a text would."""
+    found, _ = judged_formula(row.example, row.symbols, ())
+    assert {str(each.outcome) for each in found} == {row.outcome}
 
 
 def test_page_has_every_spelling() -> None:

@@ -164,6 +164,13 @@ SPELLED = [
     (r"(x y)\dot{} = \left[x (y)\right]^{\cdot}", [r"\dot{(x y)} = \dot{\left[x (y)\right]}"]),
     (r"(x y) \dot{z} = (x)^{\circ}", [r"(x y) \dot{z} = (x)^{\circ}"]),
     (r"x = \qty(y z) \qty[w]", [r"x = (y z) [w]"]),
+    (
+        r"\norm{\abs x}^2 = \norm*{y}_2 + \abs[\big]{z}",
+        [r"\left\|\left|x\right|\right\|^2 = \left\|y\right\|_2 + \left|z\right|"],
+    ),
+    (r"\tr(A) = \Tr A", [r"\operatorname{tr}(A) = \operatorname{Tr} A"]),
+    (r"\norm_2 = \norm", [r"\norm_2 = \norm"]),
+    (r"\vb*{a} = \va*{b}", [r"\mathbf{a} = \vec{b}"]),
     (r"x = \bbox[10px, gray]{y} + \bbox{z}", ["x = y + z"]),
     (r"\text{\makebox[3em]{}} x = y", ["x = y"]),
     (r"\text{\makebox[3em]{a}} x = y", ["x = y"]),

@@ -167,25 +167,36 @@ def _claims(
         elif names := introduces(formula, known):
             origin = Origin(Provider.FORMULA, formula.latex, f"line {number}")
             said.append(Fact(formula.statement, frozenset(names), origin, Strength.STATED, act=Act.DEFINE))
-        supposed = tuple(_formula(whole_line(text), known, values, "assume")[0] for text in conditions)
         defined = tuple(_formula(each, known, values, "condition")[0] for each in line.definitions)
         beside = tuple(_formula(premise, known, values, "condition")[0] for premise in line.premises)
         for condition in (*beside, *defined):
             if condition.ill_formed:
                 raise ValueError(f"condition: {condition.latex}: {condition.ill_formed}")
-        for condition in supposed:
-            if condition.ill_formed:
-                raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
-            premise, claimed = condition.statement, formula.statement
-            if premise is None or claimed is None:
-                continue
-            if is_conclusion(premise, claimed, known.definitions):
-                raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
-        premises, defined = with_definitions_beside([*supposed, *beside], defined, formula)
+        premises, defined = with_definitions_beside(beside, defined, formula)
         context = ClaimContext(facts=before, given=defined)
-        claims.append(Claim(name, formula, known, premises, values, context=context))
+        claim = Claim(name, formula, known, premises, values, context=context)
+        claims.append(with_assumptions(claim, conditions))
     return claims
+
+
+def with_assumptions(claim: Claim, conditions: Sequence[str]) -> Claim:
+    """Returns the claim under formulas that are assumed.
+
+    Raises:
+        ValueError: A condition cannot be read, does not fit, or is the claim itself.
+    """
+    line_of = map(whole_line, conditions)
+    supposed = [_formula(line, claim.notation, claim.orders, "assume")[0] for line in line_of]
+    claimed = claim.printed.statement
+    for condition in supposed:
+        if condition.ill_formed:
+            raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
+        if claimed is None or condition.statement is None:
+            continue
+        if is_conclusion(condition.statement, claimed, claim.notation.definitions):
+            raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
+    return replace(claim, assume=(*supposed, *claim.assume))
 
 
 def _with_what_stands_beside(result: ClaimResult, budget: Budget | None, memory: Memory) -> ClaimResult:

@@ -17,6 +17,8 @@ from workbench.core.verdict import Outcome, Verdict
 
 if TYPE_CHECKING:
     from workbench import Checked
+    from workbench.papers.drafting.judged_draft import Draft
+    from workbench.prover.results.claim_results import ClaimResult
 
 
 @click.command("try")
@@ -75,9 +77,40 @@ def judged_formula(
     from workbench.source.rewriting.pasted_formulas import as_typed
 
     latex = as_typed(formula)[0]
-    inferred = {} if paper else {k: v for k, v in _inferred(latex).items() if k not in symbols}
-    found = check(latex, {**inferred, **symbols}, paper, assume)
-    return ([found] if isinstance(found, Checked) else list(found)), inferred
+    if not latex:
+        raise ValueError("the formula is empty")
+    if paper:
+        found = check(latex, symbols, paper, assume)
+        return ([found] if isinstance(found, Checked) else list(found)), {}
+    draft, results = _as_a_text(latex, symbols, assume)
+    inferred = {name: guess.spec for name, guess in draft.ingested.guesses.items() if not guess.free}
+    return [Checked(result) for result in results], inferred
+
+
+def _as_a_text(
+    latex: str, symbols: Mapping[str, str], assume: Sequence[str]
+) -> tuple[Draft, list[ClaimResult]]:
+    """Returns the draft of a text that has the formula only, and the verdicts on it.
+
+    A symbol whose kind is given may have any value of that kind: the formula does not say what it is."""
+    from workbench.app.checked import with_assumptions
+    from workbench.app.pipeline.judge_claims import judge_claims
+    from workbench.app.pipeline.verdict_keys import Memory
+    from workbench.language.naming.symbols import SymbolTable
+    from workbench.papers.drafting.draft_model import ingested
+    from workbench.papers.drafting.judged_draft import draft_from
+    from workbench.papers.drafting.typefaces import Guess
+    from workbench.runtime.store import standard
+    from workbench.source.documents import read_text
+
+    SymbolTable.build({name: {"kind": kind} for name, kind in symbols.items()})  # refuses an unknown kind
+    given = [Guess(name, kind, "the text says so", free=True) for name, kind in symbols.items()]
+    with TemporaryDirectory(prefix="workbench-") as folder, standard(Memory) as memory:
+        path = Path(folder) / "formula.tex"
+        path.write_text(f"\\[\n{latex}\n\\]\n", encoding="utf-8")
+        draft = draft_from(ingested(read_text(path), given=given))
+        claims = [with_assumptions(claim, assume) for claim in draft.paper.claims]
+        return draft, judge_claims(claims, memory=memory)
 
 
 def _symbol(text: str) -> tuple[str, str]:
@@ -85,20 +118,6 @@ def _symbol(text: str) -> tuple[str, str]:
     if not sign or not name or not kind:
         raise Unusable(f"-s: expected NAME=KIND, as in a=vector, got {text!r}")
     return name, kind
-
-
-def _inferred(latex: str) -> dict[str, dict[str, object]]:
-    """Returns the kinds that the formula and its typefaces suggest."""
-    from workbench.papers import PaperError
-    from workbench.papers.drafting import ingest
-
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "formula.tex"
-        path.write_text(f"\\[\n{latex}\n\\]\n", encoding="utf-8")
-        try:
-            return {name: guess.spec for name, guess in ingest(path).guesses.items()}
-        except PaperError:
-            return {}
 
 
 def _print(lines: Sequence[Checked], inferred: dict[str, dict[str, object]], proposals: bool) -> None:

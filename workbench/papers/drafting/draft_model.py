@@ -102,15 +102,20 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     return ingested(read_text(path, macros), macros)
 
 
-def ingested(text: Text, macros: Path | None = None) -> Ingested:
+def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()) -> Ingested:
     """Returns a draft of the model of a text that was read with these macros. Raises PaperError if it has no
-    display."""
+    display.
+
+    given: symbols whose kinds are known. They may have any value of their kinds.
+    """
     text, fences = _with_fences(text, macros)
-    inline, prose = _words(text)
+    inline, prose = _words(text, given)
     steps = _steps(text.displays, frozenset())
     inference = _inferred(text, steps, prose)
     facts = facts_of(MarkedText(text))
-    reading = _Reading.of(steps, [], _Start(_with_facts(guesses_of(inference, prose), facts), prose))
+    guessed = _with_facts(guesses_of(inference, prose), facts)
+    known = {name: guess for name in guessed if (guess := prose.given_for(name)) is not None}
+    reading = _Reading.of(steps, [], _Start(guessed | known, prose))
     spins = facts.spins
     for proposal in proposals_for(reading.formulas, prose.text, inference):
         if proposal.table == "frames":
@@ -140,7 +145,7 @@ def ingested(text: Text, macros: Path | None = None) -> Ingested:
     said = list(in_sentences(sentences, shown, {each.name for each in in_displays}))
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     written = [*rates, *columns(reader.guesses, lines), *(each for each, _ in parts), *in_displays, *said]
-    found = in_order_of_use(each_once(written))
+    found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)
     columns_of = {each.name: cells for each in found if (cells := components_of(each.body))}
     for jacobian, places in jacobians(made, columns_of, {each.name: each for each in found}):
@@ -199,10 +204,10 @@ def _inferred(text: Text, steps: Sequence[tuple[Display, Step]], prose: Prose) -
     return infer([*_sources(steps, False), *_sources(_steps(text.inline, frozenset()), True)], prose)
 
 
-def _words(text: Text) -> tuple[list[Display], Prose]:
+def _words(text: Text, given: Sequence[Guess] = ()) -> tuple[list[Display], Prose]:
     """Returns the short inline formulas, and the prose."""
     inline = [formula for formula in text.inline if formula.end - formula.start < _INLINE]
-    return inline, Prose("\n".join(source.text for source in text.sources[:1]), inline, text.displays)
+    return inline, Prose("\n".join(source.text for source in text.sources[:1]), inline, text.displays, given)
 
 
 def _with_fences(text: Text, macros: Path | None) -> tuple[Text, dict[str, str]]:

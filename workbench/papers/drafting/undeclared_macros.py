@@ -11,7 +11,7 @@ from workbench.source.documents import Display
 _PREFIXED = re.compile(r"\\(?:bf|bs|bm|bold|vect|vec|mat|vc|b|v|m)([A-Za-z]|[a-z]{2,7}|[A-Z][a-z]{1,6})")
 #: Names of fonts in macros.
 _FONTS = frozenset({"\\bf", "\\bm", "\\mit", "\\bfseries"})
-_COMMAND = re.compile(r"\\([A-Za-z]+)(?![A-Za-z])\s*(\{?)")
+_COMMAND = re.compile(r"\\([A-Za-z]+)(?![A-Za-z])\*?\s*(\{?)")
 
 
 def letters_in_bold(displays: Iterable[Display]) -> dict[str, str]:

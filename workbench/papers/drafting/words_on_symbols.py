@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from workbench.papers.drafting.typefaces import Guess, flat
 from workbench.source.documents import Display
@@ -70,11 +71,18 @@ def speaks_of_quaternions(text: str) -> bool:
 
 
 class Prose:
-    """The words of a text about its symbols."""
+    """The words of a text about its symbols. given: kinds that are stated elsewhere, which come first."""
 
-    def __init__(self, text: str, inline: Sequence[Display] = (), displays: Sequence[Display] = ()) -> None:
+    def __init__(
+        self,
+        text: str,
+        inline: Sequence[Display] = (),
+        displays: Sequence[Display] = (),
+        given: Sequence[Guess] = (),
+    ) -> None:
         self.text = text
-        self.has_quaternions = speaks_of_quaternions(text)
+        self.given = {flat(each.name): each for each in given}
+        self.has_quaternions = speaks_of_quaternions(" ".join([text, *(each.kind for each in given)]))
         self._numbers_parts = any(
             all(re.search(rf"q_\{{?{part}", text) for part in parts) for parts in ("0123", "1234")
         )
@@ -83,13 +91,21 @@ class Prose:
         self._alone: dict[str, list[tuple[str, str]]] | None = None
         self._guesses: dict[str, Guess | None] = {}
 
+    def given_for(self, name: str) -> Guess | None:
+        """Returns the kind of a symbol that is given; None if none is."""
+        known = self.given.get(flat(name))
+        return None if known is None else replace(known, name=name)
+
     def guess(self, name: str) -> Guess | None:
-        """Returns the kind that the text states of a symbol in words or by a set; None if none."""
+        """Returns the kind that is given, or that words of the text or a set state of a symbol; None if
+        none."""
         if name not in self._guesses:
             self._guesses[name] = self._guess(name)
         return self._guesses[name]
 
     def _guess(self, name: str) -> Guess | None:
+        if (known := self.given_for(name)) is not None:
+            return known
         if (kind := self._in_a_set(flat(name))) is not None:
             return Guess(name, kind, "the text says what set it is in")
         said = [each for near in self._near(flat(name)) if (each := _nearest(*near)) is not None]

@@ -31,6 +31,12 @@ _UNWRAPPED = frozenset((
     "mathclose", "mathinner", "boxed", "fbox", "underbrace", "overbrace", "smash", "cancel",
     "Aboxed", "bbox", "substack", "displaylines",
 ))  # fmt: skip
+#: Commands of packages (physics, mathtools' usual names) that put their argument between two signs.
+_DELIMITED = {"norm": "\\|", "abs": "|"}
+#: Bold letters, arrows and hats of the package physics; with a star they are slanted.
+_STARRED = frozenset({"vb", "va", "vu"})
+#: Functions with a command in the package physics.
+_FUNCTIONS = frozenset({"tr", "Tr"})
 _UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
 _LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
 _OPERATORS = frozenset({"operatorname", "symup"})
@@ -219,6 +225,8 @@ def _unwrapped(tokens: Sequence[Token], place: int) -> _Made | None:
         return [token.standing_for("\\quad")], argument(tokens, place)[1]
     if word in _OPERATORS and (differential := _differential(tokens, place)) is not None:
         return [token.standing_for("d")], differential
+    if word in _DELIMITED:
+        return _delimited(tokens, place)
     if word not in _UNWRAPPED | _UNWRAPPED_SECOND:
         return None
     if word == "bbox" and _opens(tokens, place):
@@ -229,16 +237,33 @@ def _unwrapped(tokens: Sequence[Token], place: int) -> _Made | None:
     return list(_respelled(inner)), _past_script(tokens, place) if word in _LIMITS_ARE_NOTES else place
 
 
+def _delimited(tokens: Sequence[Token], place: int) -> _Made | None:
+    """What \\norm{x}, \\norm*{x} or \\norm[\\big]{x} gives; None without an argument."""
+    token, place = tokens[place - 1], _past(tokens, _past(tokens, place, "*"), " ")
+    if place < len(tokens) and tokens[place].text == "[":
+        place = next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), len(tokens))
+    if not any(each.text == "{" or each.text.isalpha() or each.word for each in tokens[place : place + 1]):
+        return None
+    inner, behind = argument(tokens, place)
+    sign = _DELIMITED[token.word or ""]
+    first, last = ([token.standing_for(text) for text in (side, sign)] for side in ("\\left", "\\right"))
+    return [*first, *_respelled(inner), *last], behind
+
+
 def _renamed(tokens: Sequence[Token], place: int) -> _Made:
     """What any other command before `place` is called here; nothing for one that prints nothing."""
     token = tokens[place - 1]
     word = token.word or ""
+    if word in _STARRED:
+        place = _past(tokens, place, "*")
     if word in _DROPPED or (word == "qty" and _opens(tokens, place)):
         return [], place
     if word in _WIDE:
         return [token.standing_for("\\quad")], place
     if word in _BLACKBOARD:
         return [token.standing_for(text) for text in ("\\mathbb", "{", word, "}")], place
+    if word in _FUNCTIONS:
+        return [token.standing_for(text) for text in ("\\operatorname", "{", *word, "}")], place
     return [token.standing_for(_RENAMED.get(word, token.text))], place
 
 

@@ -59,7 +59,7 @@ class Forest:
         return known
 
     def symbol(self, name: str) -> Operation:
-        return self.make(SYMBOL, text=name)
+        return self.make("number" if name == "\\pi" else SYMBOL, text=name)
 
     def anything(self, *parts: Operation) -> Operation:
         """Returns a value of any kind that is made of these parts in an unknown way."""

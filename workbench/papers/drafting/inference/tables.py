@@ -98,7 +98,7 @@ class Costs:
         text = flat(tree.text)
         match tree.op:
             case "symbol":
-                return {SCALAR if text == "\\pi" else kinds[tree.text]: 0}
+                return {kinds[tree.text]: 0}
             case "number":
                 if re.fullmatch(r"0+\.?0*", tree.text):
                     return {None: 0}

@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -30,6 +30,7 @@ from workbench.drake.gate import (
     RpyFloatingJoint,
     SpatialInertia,
 )
+from workbench.drake.mjcf import Mjcf, read_mjcf
 from workbench.drake.urdf import kinematic_urdf
 
 ROBOT_DATA = "example-robot-data"
@@ -128,35 +129,83 @@ def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
     return plant
 
 
+class Models(NamedTuple):
+    """The plant of the models of a file; unweighed: why the masses or inertias of its bodies are not those
+    of the file, "" where they are; mjcf: what an MJCF file says beside."""
+
+    plant: MultibodyPlant
+    unweighed: str = ""
+    mjcf: Mjcf | None = None
+
+
 def load_models(
     path: str | Path, base: str = "fixed", packages: Mapping[str, str | Path] | None = None
-) -> tuple[MultibodyPlant, list[str]]:
-    """Returns the plant of all models of an SDF, MJCF, URDF or model-directives file, by Drake's parser, and
-    where in its files inertias are that no body can have: Drake replaces them by others.
+) -> Models:
+    """Returns the plant of all models of an SDF, MJCF, URDF or model-directives file, by Drake's parser.
 
     base: "fixed" welds the root of each model that has no parent to the world; "floating" lets it move.
-    packages: folders of the packages that the file names in package:// paths.
-
-    Raises PlantError, in one line, if the file is missing or Drake cannot read it.
+    packages: folders of the packages that the file names in package:// paths. Of an MJCF file whose meshes
+    Drake cannot read the geoms are left out. Raises PlantError, in one line, if the file is missing or Drake
+    cannot read it.
     """
     path = Path(path)
     if not path.is_file():
         raise PlantError(f"no file at {path}")
-    plant = MultibodyPlant(0.0)
-    parser = Parser(plant)
+    mjcf, doubt = _mjcf(path)
     try:
-        for name, folder in (packages or {}).items():
-            parser.package_map().Add(name, str(folder))
-        with _warnings() as said:
-            parser.AddModels(str(path))
-        if base == "fixed":
-            _weld_bases(plant)
-        plant.Finalize()
+        plant, said = _parsed_models(path, base, packages or {})
     except DRAKE_ERRORS as error:
-        raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
+        if mjcf is None:
+            raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
+        try:
+            plant, said = _parsed_models(path, base, packages or {}, mjcf.without_geoms())
+        except DRAKE_ERRORS:
+            raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
+        said = [*said, (str(path), f"geoms are ignored: {_first_line(error)}")]
     if plant.num_bodies() == 1:
         raise PlantError(f"{path} holds no body")
-    return plant, [place for place, text in said if text.startswith(REPLACING)]
+    return Models(plant, doubt or _unweighed(said, mjcf), mjcf)
+
+
+def _mjcf(path: Path) -> tuple[Mjcf | None, str]:
+    """Returns what is in an MJCF file, None of another; and why armatures in it are not known."""
+    try:
+        if path.suffix == ".xml":
+            return read_mjcf(path), ""
+        if path.suffix == ".urdf" or b".xml" not in path.read_bytes():
+            return None, ""
+    except (OSError, ValueError) as error:
+        return None, str(error)
+    return None, f"{path}: armatures of an MJCF file in it are not read: load that file itself"
+
+
+def _parsed_models(
+    path: Path, base: str, packages: Mapping[str, str | Path], text: str | None = None
+) -> tuple[MultibodyPlant, list[tuple[str, str]]]:
+    """Returns the plant and the warnings; text: of an MJCF file, instead of what is in it."""
+    plant = MultibodyPlant(0.0)
+    parser = Parser(plant)
+    for name, folder in packages.items():
+        parser.package_map().Add(name, str(folder))
+    with _warnings() as said:
+        if text is None:
+            parser.AddModels(str(path))
+        else:
+            parser.AddModelsFromString(text, "xml")
+    if base == "fixed":
+        _weld_bases(plant)
+    plant.Finalize()
+    return plant, said
+
+
+def _unweighed(said: Sequence[tuple[str, str]], mjcf: Mjcf | None) -> str:
+    """Returns why inertias are not those of the file, of what Drake's parser warned of."""
+    for place, text in said:
+        if text.startswith(REPLACING):
+            return f"{place}: an inertia that no body can have, which Drake replaces"
+        if mjcf is not None and mjcf.by_geoms is not None and "geom" in text and "ignored" in text:
+            return f"{place}: the mass of body {mjcf.by_geoms!r} is that of its geoms, and Drake says: {text}"
+    return ""
 
 
 @contextmanager

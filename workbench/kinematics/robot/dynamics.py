@@ -3,9 +3,11 @@
 A body of mass m and inertia I about its centre of mass c needs the force m (v̇_c − g) and the moment d/dt(R
 I Rᵀ ω). With these and their derivatives by Leibniz' rule and the derivatives of the Jacobian J of each c,
 
-    τ⁽ᵏ⁾ = Σ over bodies Σᵢ C(k,i) J⁽ⁱ⁾ᵀ (moment; force)⁽ᵏ⁻ⁱ⁾,
+    τ⁽ᵏ⁾ = A v⁽ᵏ⁺¹⁾ + Σ over bodies Σᵢ C(k,i) J⁽ⁱ⁾ᵀ (moment; force)⁽ᵏ⁻ⁱ⁾,
 
-d'Alembert's principle, differentiated. Friction, rotors and springs are left out.
+d'Alembert's principle, differentiated. A are the joints' armatures: a rotor that turns n times as fast as
+its joint has the energy n² I v²/2 (its gyroscopic moments are left out, as in Drake and MuJoCo). Friction and
+springs are left out.
 """
 
 from __future__ import annotations
@@ -47,7 +49,7 @@ def torques(
         raise ValueError(f"gravity: expected three numbers in m/s², got shape {g.shape}")
     if not inertias:
         raise ValueError(f"{motion.robot.name}: {why}")
-    found = np.zeros((order + 1, *motion.shape, len(motion.robot.velocities)))
+    found = motion.rates[1 : order + 2] * motion.robot.armatures
     for name, body in inertias.items():
         if body.mass == 0 and not body.inertia.any():
             continue

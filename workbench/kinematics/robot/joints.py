@@ -85,7 +85,9 @@ class Limits(NamedTuple):
 class TreeJoint:
     """A joint between two bodies of a robot, named; X_PF and X_MC are (4, 4) rigid transforms in m.
 
-    Raises ValueError for an unknown kind, a transform that is not rigid, or an axis of length zero.
+    armature: what the joint's rotors add to the inertia of each of its velocities, (rotor inertia) · (gear
+    ratio)², in kg m² (of shifts kg); see `Motion.torques`. Raises ValueError for an unknown kind, a transform
+    that is not rigid, an axis of length zero, or a negative armature.
     """
 
     name: str
@@ -98,6 +100,7 @@ class TreeJoint:
     pitch: float = 0.0
     limits: Limits = field(default_factory=Limits)
     mimic: Mimic | None = None
+    armature: float = 0.0
 
     def __post_init__(self):
         if self.kind not in COORDINATES:
@@ -107,6 +110,8 @@ class TreeJoint:
             object.__setattr__(self, name, rigid_matrix(getattr(self, name), f"joint {self.name!r}: {name}"))
         if self.mimic is not None and len(self.coordinates) != 1:
             raise ValueError(f"joint {self.name!r}: a {self.kind} joint has not one coordinate to mimic with")
+        if not 0 <= self.armature < np.inf:
+            raise ValueError(f"joint {self.name!r}: expected an armature >= 0, got {self.armature!r}")
         try:
             self.moves()
         except ValueError as error:

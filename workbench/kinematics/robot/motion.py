@@ -31,9 +31,9 @@ class Motion(States):
         """Returns the generalized forces τ that the motion needs and their derivatives to the `order`, (order
         + 1, ..., velocities): N or N m, per sᵏ, one for each velocity.
 
-        Inverse dynamics by Newton, Euler and d'Alembert with the robot's `inertias`; gravity (3,) in m/s², in
-        W's axes. Friction and rotors are left out. Needs a motion of order + 2. Raises ValueError for a robot
-        without inertias, or an order beyond the motion's.
+        Inverse dynamics by Newton, Euler and d'Alembert with the robot's `inertias` and `armatures`; gravity
+        (3,) in m/s², in W's axes. Friction and springs are left out. Needs a motion of order + 2. Raises
+        ValueError for a robot without inertias, or an order beyond the motion's.
         """
         return torques(self, self.robot.inertias, self.robot.no_inertias, order, gravity)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Mapping
-from math import pi
+from math import isclose, pi
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +15,8 @@ from workbench.kinematics.robot.leibniz import inverse_pose
 
 if TYPE_CHECKING:
     from workbench.drake.gate import Joint as PlantJoint
-    from workbench.drake.gate import MultibodyPlant
+    from workbench.drake.gate import JointIndex, MultibodyPlant
+    from workbench.drake.mjcf import Mjcf
 
 KINDS = {
     "weld": "fixed",
@@ -31,9 +32,12 @@ KINDS = {
 REVERSIBLE = ("fixed", "revolute", "prismatic", "helical")
 
 
-def tree_joints(plant: MultibodyPlant, mimics: Mapping[str, Mimic]) -> list[TreeJoint]:
+def tree_joints(
+    plant: MultibodyPlant, mimics: Mapping[str, Mimic], armatures: Mapping[JointIndex, float]
+) -> list[TreeJoint]:
     """Returns the plant's joints as a tree from its world, in the order of its coordinates.
 
+    armatures: see `plant_armatures`.
     A body is called model::body where another model has a body of that name, and a joint likewise. Raises
     ValueError for a plant not finalized, a joint of another kind, and one whose velocities do not follow its
     coordinates' order.
@@ -74,7 +78,17 @@ def tree_joints(plant: MultibodyPlant, mimics: Mapping[str, Mimic]) -> list[Tree
             (
                 joint.position_start() if joint.num_positions() else -1,
                 TreeJoint(
-                    name, kind, ends[0], ends[1], X_PF, X_MC, axis, pitch, _limits(joint), mimics.get(name)
+                    name,
+                    kind,
+                    ends[0],
+                    ends[1],
+                    X_PF,
+                    X_MC,
+                    axis,
+                    pitch,
+                    _limits(joint),
+                    mimics.get(name),
+                    armatures.get(joint.index(), 0.0),
                 ),
             )
         )
@@ -93,6 +107,40 @@ def inertias(plant: MultibodyPlant) -> dict[str, Inertia]:
         mass, com = float(M.get_mass()), np.array(M.get_com())
         about_com = M.CalcRotationalInertia().ShiftToCenterOfMass(mass, com).CopyToFullMatrix3()
         found[names[body.index()]] = Inertia(mass, com, about_com)
+    return found
+
+
+def plant_armatures(plant: MultibodyPlant, mjcf: Mjcf | None = None) -> dict[JointIndex, float]:
+    """Returns the inertia of the rotors of each joint that has some, (rotor inertia) · (gear ratio)², in kg
+    m² or kg: of a plant's actuators, and of the joints of its MJCF file, also of those without an actuator,
+    which Drake leaves out.
+
+    Raises ValueError where actuators of one joint differ, or where the joints of both are not the same.
+    """
+    found: dict[JointIndex, float] = {}
+    for index in plant.GetJointActuatorIndices():
+        actuator = plant.get_joint_actuator(index)
+        joint = actuator.joint()
+        inertia = actuator.default_rotor_inertia() * actuator.default_gear_ratio() ** 2
+        if not isclose(found.setdefault(joint.index(), inertia), inertia):
+            raise ValueError(
+                f"joint {joint.name()!r}: expected actuators of one inertia, got {found[joint.index()]:g} "
+                f"and {inertia:g} of rotor inertia times gear ratio squared"
+            )
+    if mjcf is None or not any(joint.armature for joint in mjcf.joints):
+        return found
+    joints = [plant.get_joint(index) for index in plant.GetJointIndices()]
+    floating = {j.child_body().name(): j for j in joints if j.type_name().endswith("floating")}
+    moving = [j for j in joints if j.type_name() != "weld" and not j.type_name().endswith("floating")]
+    written = [joint for joint in mjcf.joints if joint.type != "free"]
+    pairs = [(floating[j.body], j) for j in mjcf.joints if j.type == "free" and j.body in floating]
+    same = len(moving) == len(written) and all(
+        not w.name or w.name == j.name() for j, w in zip(moving, written, strict=True)
+    )
+    pairs += [*zip(moving, written, strict=False)]
+    for joint, one in pairs:
+        if not (same and isclose(found.setdefault(joint.index(), one.armature), one.armature)):
+            raise ValueError(f"joint {joint.name()!r}: its armature is not understood")
     return found
 
 

@@ -31,6 +31,7 @@ from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:
     from workbench.drake.gate import MultibodyPlant
+    from workbench.drake.mjcf import Mjcf
 
 BLOCK = 4096  # states that are worked on at a time, where a batch is streamed
 
@@ -81,10 +82,24 @@ class Robot(Structure):
 
         mimics: joints that follow others (a plant does not tell). Raises ValueError.
         """
-        from workbench.kinematics.robot.plant import inertias, tree_joints
+        return cls._of_plant(plant, "plant", mimics)
 
-        robot = cls("plant", tree_joints(plant, mimics or {}))
-        robot.inertias = inertias(plant)
+    @classmethod
+    def _of_plant(
+        cls, plant: MultibodyPlant, name: str, mimics: Mapping[str, Mimic] | None, mjcf: Mjcf | None = None
+    ) -> Robot:
+        from workbench.kinematics.robot.plant import inertias, plant_armatures, tree_joints
+
+        why, armatures = "", {}
+        try:
+            armatures = plant_armatures(plant, mjcf)
+        except ValueError as error:
+            why = f"{name}: {error}"
+        robot = cls(name, tree_joints(plant, mimics or {}, armatures))
+        if why:  # kinematics needs no armatures
+            robot.no_inertias = why
+        else:
+            robot.inertias = inertias(plant)
         return robot
 
     @classmethod
@@ -102,23 +117,22 @@ class Robot(Structure):
         packages: folders by the names that package:// paths start with. mimics: the joints that follow
         others; else these move freely, as in Drake, also where the file says otherwise (`from_urdf` follows
         the file). A body that several models have is model::body. A file with an inertia that no body can
-        have, which Drake would replace, gives a robot without inertias. Raises ValueError in one line.
+        have, which Drake would replace, or with masses or armatures that it does not read, gives a robot
+        without inertias. Raises ValueError in one line.
         """
         if base not in ("fixed", "floating"):
             raise ValueError(f"base: expected fixed or floating, got {base!r}")
         from workbench.drake.plants import PlantError, load_models
 
         try:
-            plant, replaced = load_models(path, base, packages)
-            robot = cls.from_plant(plant, mimics)
+            models = load_models(path, base, packages)
+            robot = cls._of_plant(models.plant, Path(path).stem, mimics, models.mjcf)
         except PlantError as error:
             raise ValueError(str(error)) from None
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from None
-        robot.name = Path(path).stem
-        if replaced:
-            robot.inertias = MappingProxyType({})
-            robot.no_inertias = f"{replaced[0]}: an inertia that no body can have, which Drake replaces"
+        if models.unweighed:
+            robot.inertias, robot.no_inertias = MappingProxyType({}), models.unweighed
         return robot
 
     def motion(self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None) -> Motion:

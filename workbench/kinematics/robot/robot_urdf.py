@@ -9,8 +9,8 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
-from math import pi
+from dataclasses import dataclass, replace
+from math import isclose, pi
 from pathlib import Path
 
 import numpy as np
@@ -102,7 +102,8 @@ def parse_urdf(text: bytes | str) -> Urdf:
         links = (WORLD, *links)
     _require_tree(links, joints)
     try:
-        inertias, why = _inertias(robot), NO_INERTIAS
+        inertias, armatures, why = _inertias(robot), _armatures(robot, elements), NO_INERTIAS
+        joints = tuple(replace(joint, armature=armatures.get(joint.name, 0.0)) for joint in joints)
     except UrdfError as error:  # kinematics needs none
         inertias, why = {}, str(error)
     return Urdf(robot.get("name") or "robot", links, joints, inertias, why)
@@ -209,6 +210,36 @@ def _inertias(robot: ET.Element) -> dict[str, Inertia]:
         about_com = R @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ R.T
         found[name] = Inertia(kilograms, X[:3, 3], about_com)
     return found
+
+
+def _armatures(robot: ET.Element, joints: list[ET.Element]) -> dict[str, float]:
+    """Returns (rotor inertia) · (gear ratio)² of the joints with an actuator for which Drake's elements tell
+    it. As in Drake a joint whose limit of effort is 0 has no actuator."""
+    idle = {
+        joint.get("name")
+        for joint in joints
+        for limit in joint.findall("limit")
+        if (limit.get("effort") or "").strip() and _bound(limit, "effort", "limit") == 0
+    }
+    found: dict[str, float] = {}
+    for transmission in robot.findall("transmission"):
+        for actuator in transmission.findall("actuator"):
+            rotor = actuator.find(f"{DRAKE}rotor_inertia")
+            if rotor is None:
+                continue
+            what = f"transmission {transmission.get('name', '')!r}"
+            named = [_attribute(joint, "name", f"{what}: joint") for joint in transmission.findall("joint")]
+            kind = transmission.get("type") or getattr(transmission.find("type"), "text", None) or ""
+            if len(named) != 1 or "SimpleTransmission" not in kind:
+                raise UrdfError(
+                    f"{what} with a rotor: expected a SimpleTransmission of one joint, "
+                    f"got {kind!r} of {len(named)}"
+                )
+            ratio = _numbers(actuator.find(f"{DRAKE}gear_ratio"), "value", (1.0,), f"{what}: gear_ratio")[0]
+            inertia = _numbers(rotor, "value", (0.0,), f"{what}: rotor_inertia")[0] * ratio**2
+            if inertia < 0 or not isclose(found.setdefault(named[0], inertia), inertia):
+                raise UrdfError(f"{what}: expected one rotor of inertia >= 0 for joint {named[0]!r}")
+    return {name: inertia for name, inertia in found.items() if name not in idle}
 
 
 def _origin(element: ET.Element | None, what: str) -> np.ndarray:

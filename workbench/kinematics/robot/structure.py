@@ -187,6 +187,18 @@ class Structure:
             names |= {joint.name + suffix for suffix in ANGLES.get(joint.kind, ())}
         return frozenset(names.intersection(self.positions))
 
+    @cached_property
+    def armatures(self) -> np.ndarray:
+        """What the rotors add to the inertia of each velocity, (velocities,) in kg m² or kg; those of joints
+        that follow others with the square of their factors."""
+        found = np.zeros(len(self.velocities))
+        for joint in self.joints:
+            for own in self._moves[joint.name]:
+                of_move = slice(own.velocity, own.velocity + own.move.sizes[1])
+                found[of_move] += joint.armature * own.factor**2
+        found.setflags(write=False)
+        return found
+
     @property
     def default_positions(self) -> np.ndarray:
         """All coordinates 0, quaternions (1, 0, 0, 0)."""

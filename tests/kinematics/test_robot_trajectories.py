@@ -152,8 +152,9 @@ def test_any_spline_of_scipy_is_a_path():
         assert not motion.rates[degree].any() and list(motion.path.breaks) == list(np.unique(spline.t)[1:-1])
     polynomial = interpolate.PPoly.from_spline(interpolate.splrep(t, q[:, 0]))
     for bad, message in (
-        (polynomial, "a vector of positions"),
-        (interpolate.UnivariateSpline(t, q[:, 0]), "a spline with knots"),
+        (polynomial, "expected 3 coordinates, got 1"),
+        (interpolate.KroghInterpolator(t, q), "a spline with knots"),
+        (interpolate.CubicSpline(t, q.reshape(9, 3, 1)), "a vector of positions"),
         (interpolate.CubicSpline(t, q[:, :2]), "expected 3 coordinates, got 2"),
     ):
         with pytest.raises(ValueError, match=message):
@@ -168,6 +169,25 @@ def test_any_spline_of_scipy_is_a_path():
     ):
         with pytest.raises(ValueError, match=message):
             waypoints(**{"t": t, "q": q} | bad)
+
+
+@pytest.mark.parametrize("kind", ["CubicSpline", "BSpline", "PchipInterpolator", "UnivariateSpline"])
+def test_a_spline_of_a_number_moves_a_robot_of_one_joint(kind):
+    t = np.linspace(0, 2, 9)
+    q, robot = np.sin(3 * t), Robot("r", [TreeJoint("j", "revolute", "world", "a")])
+    made = {
+        "BSpline": interpolate.make_interp_spline,
+        "UnivariateSpline": lambda t, q: interpolate.UnivariateSpline(t, q, k=5, s=0),
+    }.get(kind, getattr(interpolate, kind))
+    number, vector = made(t, q), interpolate.make_interp_spline(t, q[:, None], 5)
+    motion = robot.along(number, np.linspace(0, 2, 31), 3)
+    np.testing.assert_array_equal(motion.q[:, 0], number(motion.times))
+    np.testing.assert_array_equal(motion.rates[1, :, 0], number.derivative(2)(motion.times))
+    assert robot.along(number, 0.3).q.shape == robot.along(vector, 0.3).q.shape == (1,)
+    assert len(motion.path.breaks) and motion.peaks()[0].value > 0
+    if kind == "UnivariateSpline":
+        right = robot.along(vector, motion.times, 3)
+        np.testing.assert_allclose(motion.rates, right.rates, atol=1e-9)
 
 
 def test_bad_samples_and_trajectories():

@@ -12,28 +12,32 @@ from workbench.kinematics.robot.structure import reals
 
 
 class SplinePath(SampledPath):
-    """A path of a SciPy spline (`PPoly`, `CubicSpline`, `BPoly`, `BSpline`, ...) of the vector of positions.
+    """A path of a SciPy spline (`PPoly`, `CubicSpline`, `BPoly`, `BSpline`, `UnivariateSpline`, ...) of the
+    vector of positions.
 
     breaks: the inner knots in s, at which derivatives may jump. Derivatives beyond the degree are 0.
     """
 
     def __init__(self, spline: Any) -> None:
-        """spline: of one variable, t in s, and a vector of positions, in rad or m. Raises ValueError."""
+        """spline: of one variable, t in s, and a vector of positions, in rad or m, or one position as a
+        number. Raises ValueError."""
         self.spline = spline
         if hasattr(spline, "x"):
             knots, self._degree = np.asarray(spline.x, dtype=float), len(spline.c) - 1
         elif hasattr(spline, "t") and hasattr(spline, "k"):
             self._degree = int(spline.k)
             knots = np.unique(spline.t[self._degree : len(spline.t) - self._degree])
+        elif hasattr(spline, "get_knots"):  # a UnivariateSpline, which does not tell its degree
+            knots, self._degree = np.asarray(spline.get_knots(), dtype=float), _degree(spline)
         else:
             raise ValueError(
                 f"trajectory: expected a spline with knots, such as CubicSpline, got {type(spline).__name__}"
             )
         self.start, self.end, self.breaks = float(knots[0]), float(knots[-1]), knots[1:-1]
         shape = np.shape(spline(self.start))
-        if len(shape) != 1:
+        if len(shape) > 1:
             raise ValueError(f"trajectory: expected a spline of a vector of positions, got the shape {shape}")
-        (self.joints,) = shape
+        self.joints = shape[0] if shape else 1
         self._derivatives = {0: spline}
 
     def derivatives(self, t: ArrayLike, order: int) -> np.ndarray:
@@ -42,8 +46,19 @@ class SplinePath(SampledPath):
         for k in range(min(order, self._degree) + 1):
             if k not in self._derivatives:
                 self._derivatives[k] = self.spline.derivative(k)
-            values[k] = self._derivatives[k](t)
+            values[k] = np.reshape(self._derivatives[k](t), values[k].shape)
         return values
+
+
+def _degree(spline: Any) -> int:
+    """Returns how often a spline has a derivative."""
+    degree = 0
+    while True:
+        try:
+            spline.derivative(degree + 1)
+        except ValueError:
+            return degree
+        degree += 1
 
 
 def waypoints(

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 
 from workbench.kinematics.bound_calls import BoundCall
 from workbench.kinematics.chain_joints import Joint
+from workbench.kinematics.one_state import require_order
 from workbench.kinematics.tree_engine import TreeEngine, compute
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
 
@@ -61,24 +62,29 @@ class SerialChain:
         self._of_poses = TreeEngine(steps, {TIP: Frame(len(steps) - 1, X)}, self.dof, self.dof)
         self._plans: dict[tuple[tuple[int, int], bool], Plan] = {}  # by the shape of a state
 
-    def twist_derivatives(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
+    def twist_derivatives(
+        self, q: ArrayLike, out: np.ndarray | None = None, order: int | None = None
+    ) -> np.ndarray:
         """Returns the twist of the last body and its time derivatives, Eq. (119) differentiated.
 
         q: (n + 2, ..., dof), where q[k, ..., i] is the k-th time derivative of coordinate i, from
            the coordinate itself (k = 0) to order n + 1. The axes between are states.
         out: if given, the result is written there (spares large batches the fresh memory).
+        order: n; where it is given another number of rows is refused. Without it a table (rows, dof) of
+           more than 5 rows, or of rows that differ little, is taken for derivatives with a warning.
         Returns (n + 1, ..., 6): entry k is d^k/dt^k (ω; v) in rad/s^{k+1} and m/s^{k+1}.
 
         Raises ValueError for a wrong shape, a complex array, a NaN or an infinity, or n > 170 (whose
         factorials exceed the doubles: use `twist_taylor`).
         """
-        if out is None and type(q) is ndarray and q.dtype is DOUBLE and q.ndim == 2:
+        if out is None and order is None and type(q) is ndarray and q.dtype is DOUBLE and q.ndim == 2:
             plan, numbers = self._plans.get((q.shape, False)), q.ravel()
             if plan is not None and numbers.dot(numbers) < inf:  # a state as before: only its numbers are new
                 twists = empty((len(q) - 1, 6))
                 if plan.kernel(q[:, None], plan.address, twists[None, None], False):
                     return twists
         q = self._checked(q)
+        require_order(q, order, "(n + 2, states, dof)", extra=2)
         if len(q) - 2 > HIGHEST_DERIVATIVE_ORDER:
             raise ValueError(
                 f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {len(q) - 2}; "

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.drake.urdf import base_joint_name
+from workbench.kinematics.one_state import require_order
 from workbench.kinematics.robot.dynamics import NO_INERTIAS, Inertia
 from workbench.kinematics.robot.evaluator import Evaluator, evaluator_of
 from workbench.kinematics.robot.inverse import DampedInverse, Task, damped_inverse, inverse_kinematics
@@ -26,7 +27,7 @@ from workbench.kinematics.robot.paths import as_path, read_samples
 from workbench.kinematics.robot.robot_urdf import WORLD, UrdfError, read_urdf
 from workbench.kinematics.robot.scalars import autodiff_motion, casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
-from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
+from workbench.kinematics.robot.structure import Structure, reals, whole
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:
@@ -135,16 +136,22 @@ class Robot(Structure):
             robot.inertias, robot.no_inertias = MappingProxyType({}), models.unweighed
         return robot
 
-    def motion(self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None) -> Motion:
+    def motion(
+        self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None, order: int | None = None
+    ) -> Motion:
         """Returns the motion of all bodies to the order N, at one state or at many.
 
         q_derivatives (N + 1, ..., positions): the coordinates and their time derivatives, the order first; or
         q_derivatives (..., positions) and v_derivatives (N, ..., velocities): the coordinates, and the
-        velocities with their derivatives; they are copied. Raises ValueError for another shape, a table of
-        more than 21 rows of one state, or a NaN or infinity.
+        velocities with their derivatives; they are copied. order: N; where it is given another number of
+        rows is refused, so that a table (states, positions) cannot be taken for derivatives. Without it a
+        table of more than 5 rows, or of rows that differ little, is taken for derivatives with a warning,
+        and one of more than 21 is refused. Raises ValueError for another shape, and a NaN or infinity.
         """
         if v_derivatives is None:
-            return Motion(self, self.derivatives(q_derivatives, MOST_ROWS))
+            return Motion(self, self.derivatives(q_derivatives, order))
+        if order is not None and len(np.shape(v_derivatives)) and len(v_derivatives) != order:  # type: ignore[arg-type]
+            raise ValueError(f"order: expected that of v_derivatives, {len(v_derivatives)}, got {order!r}")  # type: ignore[arg-type]
         return Motion(self, *self.state(q_derivatives, v_derivatives))
 
     def evaluator(self, frame: str, order: int, jacobians: int = 0) -> Evaluator:
@@ -161,20 +168,24 @@ class Robot(Structure):
         plan = self.engine.plan(self.body(frame).name, order, jacobians)
         return evaluator_of(plan, order, len(self.positions), jacobians)
 
-    def on_objects(self, frame: str, q_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    def on_objects(
+        self, frame: str, q_derivatives: ArrayLike, order: int | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Returns the pose (4, 4) and the twists (N, 6) of a frame, of one state of Drake's Expression or
         AutoDiffXd or of SymPy's symbols, q_derivatives (N + 1, positions): arrays of these.
 
         Twists are V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. The gradients of
-        AutoDiffXd are the partial derivatives in closed form, see `RobotFrame.twist_partial`. Raises
-        ValueError for another shape, an unknown frame, gradients of several sizes, and a robot with ball
-        or floating joints."""
+        AutoDiffXd are the partial derivatives in closed form, see `RobotFrame.twist_partial`. order: N, as
+        of `motion`. Raises ValueError for another shape, an unknown frame, gradients of several sizes, and
+        a robot with ball or floating joints."""
         q = np.asarray(q_derivatives, dtype=object)
         if q.ndim != 2 or q.shape[1] != len(self.positions) or len(q) < 2:
             raise ValueError(
                 f"q_derivatives: expected shape (N + 1, {len(self.positions)}) with N >= 1, got {q.shape}"
             )
         self.require_rates("this arithmetic")
+        if order is not None:
+            require_order(q, order, "one call for each")
         if all(type(x).__name__.startswith("AutoDiff") for x in q.flat):
             return autodiff_motion(self, frame, q)
         return object_motion(self, frame, q)

@@ -147,7 +147,7 @@ def autodiff_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndar
     for at, x in np.ndenumerate(q):
         if x.derivatives().size:
             slopes[at] = x.derivatives()
-    values = robot.derivatives([[x.value() for x in row] for row in q])
+    values = robot.derivatives([[x.value() for x in row] for row in q], len(q) - 1)
     frame = States(robot, values).frame(body)
     J = frame.jacobian_derivatives(0)[0] @ slopes[0]  # of the frame's turning and of its origin
     of_pose = np.zeros((4, 4, size))

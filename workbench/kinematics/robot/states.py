@@ -372,6 +372,6 @@ class RelativeFrame(FrameMotion):
 
 def states_on_path(kind: type[S], robot: Structure, path: Path, times: np.ndarray, order: int) -> S:
     """Returns the states, of the class `kind`, of a robot on a path at the times (...) in s."""
-    motion = kind(robot, robot.derivatives(path.derivatives(times, order)))
+    motion = kind(robot, robot.derivatives(path.derivatives(times, order), order))
     motion.times, motion.path = times, path
     return motion

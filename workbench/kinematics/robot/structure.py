@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from workbench.kinematics.chain import SerialChain
 from workbench.kinematics.chain_joints import Joint
+from workbench.kinematics.one_state import require_order
 from workbench.kinematics.robot.balls import (
     angular_velocity_of_quaternion,
     angular_velocity_of_rpy,
@@ -88,7 +89,7 @@ class Structure:
         self.velocities = tuple(name for joint in free for name in joint.velocities)
         self._all_positions = tuple(name for joint in self.joints for name in joint.coordinates)
         self._quaternions = [i for i, name in enumerate(self.positions) if name.endswith("_qw")]
-        self._states: set[tuple[int, ...]] = set()  # shapes of q_derivatives that were found right
+        self._states: set[tuple] = set()  # shapes and orders of q_derivatives that were found right
         self._moves: dict[str, tuple[_Move, ...]] = {}
         position = velocity = channel = 0
         for joint in free:
@@ -239,14 +240,11 @@ class Structure:
                 f"of its coordinates; {self.name!r} has such joints"
             )
 
-    def derivatives(
-        self, q_derivatives: ArrayLike, most_rows: int = HIGHEST_DERIVATIVE_ORDER + 1
-    ) -> np.ndarray:
-        """Returns a copy of q_derivatives (N + 1, ..., positions), checked; of one state `most_rows` at
-        most."""
+    def derivatives(self, q_derivatives: ArrayLike, order: int | None = None) -> np.ndarray:
+        """Returns a copy of q_derivatives (N + 1, ..., positions), checked; order: N, where it is told."""
         if type(q_derivatives) is ndarray and q_derivatives.dtype is DOUBLE:
             numbers = q_derivatives.ravel()
-            if q_derivatives.shape in self._states and numbers.dot(numbers) < inf:  # a state as before
+            if (q_derivatives.shape, order) in self._states and numbers.dot(numbers) < inf:  # as before
                 return q_derivatives.copy()
         q = finite_copy_of(q_derivatives)
         if q is None:
@@ -257,15 +255,10 @@ class Structure:
                 f"q_derivatives: expected shape (N + 1, ..., {count}) with N >= 1, the order first and the "
                 f"{count} coordinates last, got {q.shape}"
             )
-        if q.ndim == 2 and len(q) > most_rows:
-            raise ValueError(
-                f"q_derivatives: expected at most {most_rows} rows, one an order of one state, "
-                f"got {len(q)}: for a table of states see `along((t, q))`; for one state to a higher "
-                "order give the shape (N + 1, 1, positions)"
-            )
+        require_order(q, order, "`along((t, q))` or with shape (N + 1, states, positions)", MOST_ROWS)
         self.check(q[0], len(q) - 1)
-        if q.ndim == 2 and len(q) <= MOST_ROWS and not self._quaternions:
-            self._states.add(q.shape)
+        if q.ndim == 2 and not self._quaternions:
+            self._states.add((q.shape, order))
         return q
 
     def state(self, q: ArrayLike, v_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray | None]:

@@ -1,0 +1,67 @@
+"""A table (rows, coordinates) of states that is given where derivatives of one state are expected."""
+
+import warnings
+
+import numpy as np
+import pytest
+from random_robots import tree
+
+from workbench.kinematics.chain import Joint, SerialChain
+from workbench.kinematics.robot import Robot
+
+ARM = tree(0, ["revolute", "prismatic", "revolute"])
+CHAIN = SerialChain([Joint.revolute([0, 0, 1]), Joint.prismatic([1, 0, 0]), Joint.revolute([0, 1, 0])])
+DOORS = {
+    "motion": lambda q, **order: ARM.motion(q, **order),
+    "on_objects": lambda q, **order: ARM.on_objects("b2", q, **order),
+    "chain": lambda q, **order: CHAIN.twist_derivatives(q, **{name: n - 1 for name, n in order.items()}),
+}
+
+
+@pytest.mark.parametrize("rows", [2, 3, 8, 30])
+@pytest.mark.parametrize("door", DOORS)
+def test_a_told_order_is_taken_at_its_word(door, rows):
+    q = np.random.default_rng(rows).normal(size=(rows, 3))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for _ in range(2):  # the second time the shape is known
+            DOORS[door](q, order=rows - 1)
+    for wrong in (rows, rows - 2):
+        with pytest.raises(
+            ValueError, match=r"order: expected \d+ for the shape .* a table of states is given"
+        ):
+            DOORS[door](q, order=wrong)
+
+
+@pytest.mark.parametrize("door", ["motion", "chain"])
+@pytest.mark.parametrize("rows", [3, 5, 6, 21])
+def test_a_table_of_neighbouring_states_is_said(door, rows):
+    """Samples of a path, and any table of more rows than derivatives have names."""
+    path = np.linspace(0.2, 0.3, rows)[:, None] * [1.0, -2.0, 0.5]
+    for table in (path, np.random.default_rng(0).normal(size=(rows, 3)))[: 2 if rows > 5 else 1]:
+        taken = {
+            "motion": Robot("arm", ARM.joints).motion,
+            "chain": SerialChain(CHAIN.joints).twist_derivatives,
+        }[door]
+        with pytest.warns(
+            UserWarning, match=rf"{rows} rows, taken for one state .*; if it is, say order=\d+; a"
+        ):
+            taken(table)
+
+
+@pytest.mark.parametrize("door", DOORS)
+def test_usual_derivatives_are_taken_without_a_word(door):
+    rng = np.random.default_rng(1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for rows in (2, 3, 4, 5):
+            for q in (np.zeros((rows, 3)), np.ones((rows, 3)), rng.normal(size=(rows, 3))):
+                DOORS[door](q)
+        DOORS[door](np.outer([0.0, 1, 2], [1.0, 1, 1]))
+
+
+def test_velocities_have_the_told_order():
+    q, v = np.zeros(3), np.zeros((2, 3))
+    assert ARM.motion(q, v, order=2).order == 2
+    with pytest.raises(ValueError, match="order: expected that of v_derivatives, 2, got 3"):
+        ARM.motion(q, v, order=3)

@@ -133,8 +133,10 @@ def test_a_base_far_away_changes_no_twist():
                 np.testing.assert_array_equal(*J)
         np.testing.assert_array_equal(a.point(point).derivatives[1:], b.point(point).derivatives[1:])
     relative = [m.frame("b4").relative_to(m.frame("b1")) for m in (ours, theirs)]
-    for k in range(5):  # from the distance of two points, each known to 1e-9 m
-        close(relative[0].twist(k).array, relative[1].twist(k).array, 8)
+    close(relative[0].pose, relative[1].pose, 14)  # where each of both points is known to 1e-9 m
+    for k in range(5):
+        close(relative[0].twist(k).array, relative[1].twist(k).array, 13)
+        close(relative[0].jacobian(k), relative[1].jacobian(k), 13)
 
 
 def _on(joints, root):

@@ -150,9 +150,10 @@ class Robot(Structure):
         """
         if v_derivatives is None:
             return Motion(self, self.derivatives(q_derivatives, order))
-        if order is not None and len(np.shape(v_derivatives)) and len(v_derivatives) != order:  # type: ignore[arg-type]
-            raise ValueError(f"order: expected that of v_derivatives, {len(v_derivatives)}, got {order!r}")  # type: ignore[arg-type]
-        return Motion(self, *self.state(q_derivatives, v_derivatives))
+        motion = Motion(self, *self.state(q_derivatives, v_derivatives))
+        if order not in (None, motion.order):
+            raise ValueError(f"order: expected that of v_derivatives, {motion.order}, got {order!r}")
+        return motion
 
     def evaluator(self, frame: str, order: int, jacobians: int = 0) -> Evaluator:
         """Returns a call for a control loop: reads its array `q` and writes its `pose`, `twists` and

@@ -299,9 +299,11 @@ class RobotFrame(FrameMotion):
         moves does not enter then."""
         if not (isinstance(other, RobotFrame) and other.motion is self.motion):
             return super().relative_to(other)
-        motion = self.motion
-        q, rates = without_common_base(motion.robot, self.name, other.name, motion.q, motion.rates)
-        alone = States(motion.robot, *motion.robot.state(q, rates))
+        motion, robot = self.motion, self.motion.robot
+        q, rates = without_common_base(robot, self.name, other.name, motion.q, motion.rates)
+        if robot.world not in (self.name, other.name):
+            robot = robot.near_origin
+        alone = States(robot, *robot.state(q, rates))
         return RelativeFrame(alone.frame(self.name), alone.frame(other.name))
 
     def velocity(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:

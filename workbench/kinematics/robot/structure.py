@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -89,7 +89,7 @@ class Structure:
         self.velocities = tuple(name for joint in free for name in joint.velocities)
         self._all_positions = tuple(name for joint in self.joints for name in joint.coordinates)
         self._quaternions = [i for i, name in enumerate(self.positions) if name.endswith("_qw")]
-        self._states: set[tuple] = set()  # shapes and orders of q_derivatives that were found right
+        self._states: dict[int | None, set[tuple[int, ...]]] = {}  # by the told order: shapes found right
         self._moves: dict[str, tuple[_Move, ...]] = {}
         position = velocity = channel = 0
         for joint in free:
@@ -189,6 +189,19 @@ class Structure:
         return frozenset(names.intersection(self.positions))
 
     @cached_property
+    def near_origin(self) -> Structure:
+        """The same tree, moved so that its first joint is at the world's origin: there the relative motion of
+        two bodies loses no digits to an offset of both."""
+        first = self.steps[0].before[:3, 3] if self.steps else np.zeros(3)
+        moved = np.eye(4)
+        moved[:3, 3] = -first
+        return Structure(
+            self.name,
+            [replace(j, X_PF=moved @ j.X_PF) if j.parent == self.world else j for j in self.joints],
+            self.world,
+        )
+
+    @cached_property
     def armatures(self) -> np.ndarray:
         """What the rotors add to the inertia of each velocity, (velocities,) in kg m² or kg; those of joints
         that follow others with the square of their factors."""
@@ -244,7 +257,8 @@ class Structure:
         """Returns a copy of q_derivatives (N + 1, ..., positions), checked; order: N, where it is told."""
         if type(q_derivatives) is ndarray and q_derivatives.dtype is DOUBLE:
             numbers = q_derivatives.ravel()
-            if (q_derivatives.shape, order) in self._states and numbers.dot(numbers) < inf:  # as before
+            known = self._states.get(order)
+            if known and q_derivatives.shape in known and numbers.dot(numbers) < inf:  # a state as before
                 return q_derivatives.copy()
         q = finite_copy_of(q_derivatives)
         if q is None:
@@ -258,7 +272,7 @@ class Structure:
         require_order(q, order, "`along((t, q))` or with shape (N + 1, states, positions)", MOST_ROWS)
         self.check(q[0], len(q) - 1)
         if q.ndim == 2 and not self._quaternions:
-            self._states.add((q.shape, order))
+            self._states.setdefault(order, set()).add(q.shape)
         return q
 
     def state(self, q: ArrayLike, v_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray | None]:

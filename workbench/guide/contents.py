@@ -39,8 +39,11 @@ PARTS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
         "robot",
         (
             "robot-conventions",
+            "robot-files",
+            "trajectories",
             "fast-evaluation",
             "partials",
+            "relative-motion",
             "torques",
             "closed-loops",
             "recordings",

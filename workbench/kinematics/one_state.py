@@ -14,11 +14,12 @@ NEAR = 0.25  # of the largest value of a coordinate: rows that differ less are n
 
 
 def require_order(
-    q: np.ndarray, order: int | None, others: str, most: int | None = None, extra: int = 1
+    q: np.ndarray, order: int | None, others: str, most: int | None = None, extra: int = 1, calls: int = 1
 ) -> None:
     """Warns, or raises ValueError, unless q (rows, ..., coordinates) are derivatives: order + extra rows.
 
-    others: how a table of states is given. most: rows of one state that are taken without `order`."""
+    others: how a table of states is given. most: rows of one state that are taken without `order`.
+    calls: from the user's to this one, for the place of the warning."""
     if order is not None:
         if type(order) is not int or len(q) != order + extra:
             raise ValueError(
@@ -38,7 +39,7 @@ def require_order(
         warnings.warn(
             f"q_derivatives: {read}; if it is, say order={len(q) - extra}; "
             f"a table of states is given as {others}",
-            stacklevel=4,
+            stacklevel=2 + calls,
         )
 
 

@@ -284,7 +284,7 @@ class ClosedLoops:
         raise SingularJacobian(
             f"singular position{state}, or too little is driven: with {len(held)} driven velocities "
             f"{int(loose[where])} more can move freely (such as {', '.join(names)}), got the singular values "
-            + ", ".join(f"{x:.3g}" for x in values[where]),
+            + ", ".join(f"{abs(x):.3g}" for x in values[where]),
             values,
         )
 

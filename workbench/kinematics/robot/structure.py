@@ -269,7 +269,8 @@ class Structure:
                 f"q_derivatives: expected shape (N + 1, ..., {count}) with N >= 1, the order first and the "
                 f"{count} coordinates last, got {q.shape}"
             )
-        require_order(q, order, "`along((t, q))` or with shape (N + 1, states, positions)", MOST_ROWS)
+        table = "`along((t, q))` or with shape (N + 1, states, positions)"
+        require_order(q, order, table, MOST_ROWS, calls=2)
         self.check(q[0], len(q) - 1)
         if q.ndim == 2 and not self._quaternions:
             self._states.setdefault(order, set()).add(q.shape)

@@ -67,6 +67,21 @@ def test_rotors_take_the_power_that_their_energy_gains():
         )
 
 
+def test_actuators_that_differ_on_one_joint_give_no_torques():
+    """Drake takes the last one's rotor."""
+    from pydrake.multibody.plant import MultibodyPlant
+    from pydrake.multibody.tree import RevoluteJoint, SpatialInertia
+
+    plant = MultibodyPlant(0.0)
+    body = plant.AddRigidBody("a", SpatialInertia.SolidSphereWithMass(1.0, 0.1))
+    joint = plant.AddJoint(RevoluteJoint("j", plant.world_frame(), body.body_frame(), [0, 0, 1]))
+    for number, inertia in enumerate((0.1, 0.2)):
+        plant.AddJointActuator(f"m{number}", joint).set_default_rotor_inertia(inertia)
+    plant.Finalize()
+    with pytest.raises(ValueError, match=r"joint 'j': expected actuators of one inertia, got 0\.1 and 0\.2"):
+        Robot.from_plant(plant).motion(np.zeros((3, 1))).torques()
+
+
 def test_a_rotor_of_a_joint_that_follows_counts_by_its_factor():
     joints = [
         TreeJoint("j", "revolute", "world", "a", armature=0.5),
@@ -97,9 +112,13 @@ def test_rotors_of_a_urdf_are_those_of_drake_s_parser(tmp_path):
 def test_a_rotor_that_is_not_understood_gives_no_torques(tmp_path):
     path = hand(tmp_path, "")
     path.write_text(path.read_text().replace("</robot>", TRANSMISSION.replace("KIND", "Differential")))
-    found = Robot.from_urdf(path).motion(np.zeros((3, 2)))
-    with pytest.raises(ValueError, match="transmission 't' with a rotor: expected a SimpleTransmission"):
-        found.torques()
+    for reader, message in (
+        (Robot.from_urdf, "transmission 't' with a rotor: expected a SimpleTransmission"),
+        (Robot.from_file, r"hand.urdf:\d+: a rotor on a transmission that Drake does not read"),
+    ):
+        found = reader(path).motion(np.zeros((3, 2)))
+        with pytest.raises(ValueError, match=message):
+            found.torques()
 
 
 INERTIAL = '<inertial pos="0.1 0 0" mass="1" diaginertia="0.01 0.01 0.01"/>'

@@ -12,7 +12,7 @@ from workbench.kinematics.robot import Robot
 ARM = tree(0, ["revolute", "prismatic", "revolute"])
 CHAIN = SerialChain([Joint.revolute([0, 0, 1]), Joint.prismatic([1, 0, 0]), Joint.revolute([0, 1, 0])])
 DOORS = {
-    "motion": lambda q, **order: ARM.motion(q, **order),
+    "motion": lambda q, **order: Robot("arm", ARM.joints).motion(q, **order),
     "on_objects": lambda q, **order: ARM.on_objects("b2", q, **order),
     "chain": lambda q, **order: CHAIN.twist_derivatives(q, **{name: n - 1 for name, n in order.items()}),
 }
@@ -24,13 +24,24 @@ def test_a_told_order_is_taken_at_its_word(door, rows):
     q = np.random.default_rng(rows).normal(size=(rows, 3))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
+        DOORS[door](q, order=rows - 1)
         for _ in range(2):  # the second time the shape is known
-            DOORS[door](q, order=rows - 1)
+            ARM.motion(q, order=rows - 1)
     for wrong in (rows, rows - 2):
         with pytest.raises(
             ValueError, match=r"order: expected \d+ for the shape .* a table of states is given"
         ):
             DOORS[door](q, order=wrong)
+
+
+@pytest.mark.parametrize("door", ["motion", "on_objects"])
+def test_more_rows_than_any_state_has_are_refused(door):
+    with pytest.raises(
+        ValueError, match="at most 21 rows, one an order of one state, got 22: a table of states"
+    ):
+        DOORS[door](np.random.default_rng(0).normal(size=(22, 3)))
+    with pytest.warns(UserWarning, match="21 rows, taken for one state"):
+        DOORS[door](np.random.default_rng(0).normal(size=(21, 3)))
 
 
 @pytest.mark.parametrize("door", ["motion", "chain"])

@@ -36,6 +36,7 @@ from workbench.drake.urdf import kinematic_urdf
 ROBOT_DATA = "example-robot-data"
 
 DRAKE_ERRORS = (RuntimeError, ValueError, SystemExit)  # SystemExit: a condition that Drake demands fails
+NO_ACTUATOR = "A <transmission> has a type that isn't"
 REPLACING = ("While parsing inertia matrix", "While re-expressing as central inertia")
 
 #: Coordinates, velocities or components: floats, or a plant's own scalars.
@@ -203,6 +204,9 @@ def _unweighed(said: Sequence[tuple[str, str]], mjcf: Mjcf | None) -> str:
     for place, text in said:
         if text.startswith(REPLACING):
             return f"{place}: an inertia that no body can have, which Drake replaces"
+        file = Path(place.rpartition(":")[0])
+        if text.startswith(NO_ACTUATOR) and file.is_file() and b"rotor_inertia" in file.read_bytes():
+            return f"{place}: a rotor on a transmission that Drake does not read"
         if mjcf is not None and mjcf.by_geoms is not None and "geom" in text and "ignored" in text:
             return f"{place}: the mass of body {mjcf.by_geoms!r} is that of its geoms, and Drake says: {text}"
     return ""

@@ -35,7 +35,7 @@ def require_order(
             f"q_derivatives: expected at most {most} rows, one an order of one state, got {len(q)}: "
             f"a table of states is given as {others}; for one state say order={len(q) - extra}"
         )
-    if len(q) > USUAL_ROWS or _neighbours(q):
+    if len(q) > USUAL_ROWS or (q.dtype != object and _neighbours(q)):
         warnings.warn(
             f"q_derivatives: {read}; if it is, say order={len(q) - extra}; "
             f"a table of states is given as {others}",

@@ -85,7 +85,7 @@ _YAW_PITCH_ROLL = (Joint.revolute([0, 0, 1]), Joint.revolute([0, 1, 0]), Joint.r
 def angular_velocity_of_rpy(rpy: np.ndarray) -> np.ndarray:
     """Returns ω and its derivatives (N, ..., 3), in the frame that is turned from, of (roll, pitch, yaw)
     (N + 1, ..., 3)."""
-    return SerialChain(_YAW_PITCH_ROLL).twist_derivatives(rpy[..., ::-1])[..., :3]
+    return SerialChain(_YAW_PITCH_ROLL).twist_derivatives(rpy[..., ::-1], order=len(rpy) - 2)[..., :3]
 
 
 def angular_velocity_of_quaternion(q: np.ndarray) -> np.ndarray:

@@ -32,6 +32,11 @@ KINDS = {
 REVERSIBLE = ("fixed", "revolute", "prismatic", "helical")
 
 
+def require_finalized(plant: MultibodyPlant) -> None:
+    if not getattr(plant, "is_finalized", bool)():
+        raise ValueError("expected a finalized plant: call plant.Finalize() first")
+
+
 def tree_joints(
     plant: MultibodyPlant, mimics: Mapping[str, Mimic], armatures: Mapping[JointIndex, float]
 ) -> list[TreeJoint]:
@@ -44,8 +49,7 @@ def tree_joints(
     """
     from workbench.drake.gate import BodyIndex
 
-    if not getattr(plant, "is_finalized", bool)():
-        raise ValueError("expected a finalized plant: call plant.Finalize() first")
+    require_finalized(plant)
     joints = [plant.get_joint(index) for index in plant.GetJointIndices()]
     bodies = [plant.get_body(BodyIndex(index)) for index in range(plant.num_bodies())]
     body_names = _names(plant, bodies)
@@ -117,6 +121,7 @@ def plant_armatures(plant: MultibodyPlant, mjcf: Mjcf | None = None) -> dict[Joi
 
     Raises ValueError where actuators of one joint differ, or where the joints of both are not the same.
     """
+    require_finalized(plant)
     found: dict[JointIndex, float] = {}
     for index in plant.GetJointActuatorIndices():
         actuator = plant.get_joint_actuator(index)

@@ -27,7 +27,7 @@ from workbench.kinematics.robot.paths import as_path, read_samples
 from workbench.kinematics.robot.robot_urdf import WORLD, UrdfError, read_urdf
 from workbench.kinematics.robot.scalars import autodiff_motion, casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
-from workbench.kinematics.robot.structure import Structure, reals, whole
+from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:
@@ -81,7 +81,8 @@ class Robot(Structure):
         """Returns the robot of a finalized Drake plant; its coordinates and velocities are the plant's, in
         its order.
 
-        mimics: joints that follow others (a plant does not tell). Raises ValueError.
+        mimics: joints that follow others (a plant does not tell). The armature of an MJCF joint without an
+        actuator is not in a plant: see `from_file`. Raises ValueError.
         """
         return cls._of_plant(plant, "plant", mimics)
 
@@ -185,8 +186,7 @@ class Robot(Structure):
                 f"q_derivatives: expected shape (N + 1, {len(self.positions)}) with N >= 1, got {q.shape}"
             )
         self.require_rates("this arithmetic")
-        if order is not None:
-            require_order(q, order, "one call for each")
+        require_order(q, order, "one call for each", MOST_ROWS)
         if all(type(x).__name__.startswith("AutoDiff") for x in q.flat):
             return autodiff_motion(self, frame, q)
         return object_motion(self, frame, q)

@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from workbench.app.api import judge, load, repair, report
+    from workbench.app.api import certify, draft, judge, load, repair, report
     from workbench.app.checked import Checked, CheckedLines
+    from workbench.certificates.certify import Certified
     from workbench.core.formula_errors import ReadError
     from workbench.core.verdict import Counterexample, Outcome, Verdict
     from workbench.kinematics import Robot
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from workbench.repair.propose.proposal import Repair
 
 __all__ = [
+    "Certified",
     "Checked",
     "CheckedLines",
     "Claim",
@@ -30,7 +32,9 @@ __all__ = [
     "Robot",
     "Verdict",
     "__version__",
+    "certify",
     "check",
+    "draft",
     "judge",
     "load",
     "repair",
@@ -40,6 +44,7 @@ __all__ = [
 #: Where each public name is defined; it is imported at its first use. repair and report are packages, too,
 #: and callable.
 _PLACES = {
+    "Certified": "workbench.certificates.certify",
     "Checked": "workbench.app.checked",
     "CheckedLines": "workbench.app.checked",
     "Claim": "workbench.context.claims",
@@ -52,6 +57,8 @@ _PLACES = {
     "Repair": "workbench.repair.propose.proposal",
     "Robot": "workbench.kinematics",
     "Verdict": "workbench.core.verdict",
+    "certify": "workbench.app.api",
+    "draft": "workbench.app.api",
     "judge": "workbench.app.api",
     "load": "workbench.app.api",
 }

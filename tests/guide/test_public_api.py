@@ -12,11 +12,11 @@ import pytest
 
 import workbench
 from workbench.app import api
-from workbench.guide.api_page import FUNCTIONS, MEMBERS, function_of, surface
+from workbench.guide.api_page import FUNCTIONS, MEMBERS, PACKAGES, function_of, numerical, surface
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "workbench/guide").rglob("*.md"))]
-PUBLIC = ("workbench", "workbench.kinematics")
+PUBLIC = ("workbench", *(f"workbench.{name}" for name in PACKAGES))
 RECORDED = (Path(__file__).parent / "public_api.txt").read_text(encoding="utf-8").splitlines()
 
 
@@ -56,9 +56,28 @@ def test_first_line_says_what_is_returned(name: str) -> None:
 
 @pytest.mark.slow
 def test_docstring_examples_are_right() -> None:
-    for module, least in ((api, 8), (workbench, 2)):
+    for module, least in ((api, 12), (workbench, 2)):
         done = doctest.testmod(module)
         assert done.attempted >= least and done.failed == 0
+
+
+NUMERICAL = {
+    f"{package}.{name}": noun
+    for package in PACKAGES
+    for name, noun in numerical(package).items()
+    if inspect.isroutine(noun)
+}
+
+
+@pytest.mark.parametrize("name", NUMERICAL)
+def test_numerical_function_has_a_right_example(name: str) -> None:
+    function = inspect.unwrap(NUMERICAL[name])
+    runner = doctest.DocTestRunner()
+    known = vars(inspect.getmodule(function))
+    for example in doctest.DocTestFinder(recurse=False).find(function, name, globs=known):
+        runner.run(example)
+    assert runner.tries and not runner.failures
+    assert (inspect.getdoc(function) or "").startswith("Returns ")
 
 
 def test_unknown_name_is_an_attribute_error() -> None:

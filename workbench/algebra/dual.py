@@ -24,6 +24,9 @@ class Dual:
 
     ``==`` is equality of both parts (for arrays: of all entries; for Drake Expressions: of the
     expanded polynomials, so it may miss an equality that needs sin² + cos² = 1).
+
+    >>> Dual(2, 3) * Dual(5, 7)
+    Dual(10, 29)
     """
 
     __slots__ = ("du", "re")

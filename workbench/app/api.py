@@ -1,4 +1,4 @@
-"""The functions of the Python API apart from `check`: load, judge, repair, report."""
+"""The functions of the Python API apart from `check`: load, draft, judge, repair, certify, report."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from workbench.certificates.certify import Certified
     from workbench.papers import Claim, Paper
     from workbench.prover.results.claim_results import ClaimResult
     from workbench.repair.propose.proposal import Repair
@@ -33,6 +34,32 @@ def load(source: Path | str | None = None) -> Paper:
 
     with standard(Memory) as memory:
         return find_paper(None if source is None else str(source), memory)
+
+
+def draft(text: Path | str) -> str:
+    r"""Returns the first model of a text, as `workbench draft` writes it beside the text: TOML.
+
+    It has the kinds of the symbols, each with its reason, proposed definitions, and questions to the author.
+
+    Args:
+        text: The path of a text: .tex, .md, .rst, .html, .ipynb.
+
+    Raises:
+        PaperError: The text cannot be read, or it has no display.
+
+    >>> import tempfile
+    >>> from workbench import draft
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     note = Path(folder, "note.md")
+    ...     _ = note.write_text(r"For vectors $a$, $b$: $$a \times b = -b \times a$$")
+    ...     model = draft(note)
+    >>> [line for line in model.splitlines() if line.startswith("'a'")]
+    ['\'a\' = { kind = "vector" }  # guessed: the text says "vectors" near it']
+    """
+    from workbench.papers.drafting import ingest, model_text
+
+    path = Path(text)
+    return model_text(ingest(path), path.with_suffix(".toml"))
 
 
 def judge(
@@ -103,6 +130,26 @@ def repair(claim: Claim | ClaimResult, seconds: float = 25.0) -> Repair:
     from workbench.repair.propose.search_limits import Limits
 
     return search(claim.claim if isinstance(claim, ClaimResult) else claim, Limits(seconds=seconds))
+
+
+def certify(result: ClaimResult) -> dict[str, Certified]:
+    """Returns the Coq theorems of the exact forms of a claim: printed, reading, corrected.
+
+    Coq is asked by `Certified.check`, not here.
+
+    Args:
+        result: A result of `judge`. A form has a theorem if it is proved or refuted by exact arithmetic.
+
+    >>> from workbench import certify, judge, load
+    >>> print(certify(judge(load(), ["58.det"])[0])["printed"].statement)
+    Theorem claim_58_det_printed (K : diff_ring) (omega : vector K) :
+      let Phi_1 := skew omega in
+      let Phi_2 := D Phi_1 + Phi_1 ∘ Phi_1 in
+      det Phi_2 ≡ - square (omega × D omega).
+    """
+    from workbench.certificates.certify import exact_forms, written
+
+    return {form.name: written(form, verdict) for form, _, verdict in exact_forms([result])}
 
 
 def report(paper: Paper, results: Sequence[ClaimResult], out: Path | str = "report") -> list[Path]:

@@ -22,6 +22,8 @@ from workbench.prover.results.claim_results import Certification, ClaimResult
 class Certified:
     """One exact form with its certificate, or the first obstacle to one, and Coq's answer if it was asked.
 
+    `statement` and `text` are the theorem and its file; `check` asks Coq.
+
     Attributes:
         outcome: The verdict on the form, which a certificate never changes.
         gap: Why no motion is known that meets the premises.
@@ -37,6 +39,32 @@ class Certified:
     gap: str = ""
     met: coqc.Checked | None = None
     misread: str = ""
+
+    @property
+    def statement(self) -> str:
+        """The statement of the theorem, in Coq's language; empty if there is none (`obstacle` says why)."""
+        return self.certificate.statement if self.certificate else ""
+
+    @property
+    def text(self) -> str:
+        """The file for Coq: the statement and its proof; empty if there is none."""
+        return self.certificate.text if self.certificate else ""
+
+    def check(self, text: str | None = None) -> coqc.Checked:
+        """Returns Coq's answer on the text: whether it is `accepted`, its `axioms`, and the `fault` found.
+
+        The first answer takes half a minute longer, for Coq then compiles the library.
+
+        Args:
+            text: Another text that uses the same library, such as a changed or a handwritten one.
+
+        Raises:
+            CoqFault: The library does not compile, or the text has no theorem.
+        """
+        asked = self.text if text is None else text
+        if coqc.version() is None:
+            return coqc.Checked(False, (), f"there is no coqc here; get it by {coqc.INSTALL}", 0.0)
+        return coqc.check(asked if "Print Assumptions" in asked else coqc.with_assumptions(asked))
 
     @property
     def texts(self) -> list[str]:

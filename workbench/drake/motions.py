@@ -115,7 +115,16 @@ def _chain_quantities(
 
 @expressions_are_not_nan
 def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) -> ReferenceMotion:
-    """Returns bodies A on W and B on A, each on a cylindrical joint; q = (d₁, θ₁, d₂, θ₂)."""
+    """Returns a motion of the bodies A on W and B on A, each on a cylindrical joint; q = (d₁, θ₁, d₂, θ₂).
+
+    axes: the two joints. path: four coordinates, in m and rad. Raises PlantError for another number of them.
+
+    >>> from workbench.drake import CylindricalAxis, JointPath
+    >>> axes = [CylindricalAxis((0, 0, 1), (0, 0, 0)), CylindricalAxis((1, 0, 0), (0, 0, 1))]
+    >>> turn = chain_motion("turn", axes, JointPath([[0, 0, 0, 0], [0, 2, 0, 0]]))
+    >>> turn.jet("w_WB", order=0, sample=0.5).tolist()
+    [[0.0, 0.0, 2.0]]
+    """
     t = Variable("t")
     motion = SymbolicMotion(cylindrical_chain(axes, ("A", "B")), path, t)
     second_path = JointPath(path.coefficients[:, 2:])
@@ -140,7 +149,14 @@ def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
 
 @lru_cache(maxsize=1)
 def reference_motions() -> tuple[ReferenceMotion, ...]:
-    """Returns the general motions: no derivative up to the fifth of a moving quantity vanishes."""
+    """Returns the general motions: no derivative up to the fifth of a moving quantity vanishes.
+
+    >>> for motion in reference_motions():
+    ...     print(motion.name)
+    two cylindrical joints, seed 1
+    two cylindrical joints, seed 2
+    free body, seed 3
+    """
     chains = (
         chain_motion(f"two cylindrical joints, seed {seed}", small_axes(seed), small_path(seed, joints=4))
         for seed in (1, 2)

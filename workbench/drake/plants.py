@@ -114,6 +114,10 @@ def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
     base_z, base_qz, base_qy, base_qx (in m; yaw, pitch, roll). Floating joints of the file get such positions
     of their own. A joint that mimics another has a position of its own. Raises PlantError, in one line, if
     the file is missing or Drake cannot read it.
+
+    >>> from importlib.resources import files
+    >>> load_urdf(str(files("workbench.guide") / "examples/arm.urdf")).num_positions()
+    2
     """
     path = Path(path)
     if not path.is_file():

@@ -68,6 +68,16 @@ def twist_derivatives(
     computed; "auto" uses Expression on small plants, Chebyshev on large ones. Raises PlantError for an
     unknown body, a path that does not fit the plant, or a plant with joints whose velocities are not the
     rates of their positions; ValueError for a bad order, time or method.
+
+    >>> from importlib.resources import files
+    >>> from workbench.drake import JointPath, load_urdf
+    >>> plant = load_urdf(str(files("workbench.guide") / "examples/arm.urdf"))
+    >>> path = JointPath([[0.0, 0.0], [1.0, 0.5]])
+    >>> for found in twist_derivatives(plant, "hand", path, t=0.0, order=3):
+    ...     print(found.method, found.value[:3].round(3))
+    double [0.  0.  1.5]
+    double [0. 0. 0.]
+    AutoDiffXd [0. 0. 0.]
     """
     if order < 1:
         raise ValueError(f"order: expected an integer >= 1, got {order}")
@@ -97,7 +107,14 @@ def point_derivatives(
 ) -> list[Reference]:
     """Returns p_WP and its time derivatives: ``order`` + 1 references, [n] for dⁿ p_WP / dtⁿ, Eq. (13).
 
-    Arguments and errors as for `twist_derivatives`; ``p_BoP_B``: the point P fixed in the body.
+    Arguments and errors as for `twist_derivatives`; ``p_BoP_B``: the point P fixed in the body, in m.
+
+    >>> from importlib.resources import files
+    >>> from workbench.drake import JointPath, load_urdf
+    >>> plant = load_urdf(str(files("workbench.guide") / "examples/arm.urdf"))
+    >>> path = JointPath([[0.0, 0.0], [1.0, 0.5]])
+    >>> point_derivatives(plant, "hand", (0, 0, 0), path, t=0.0, order=2)[2].value.round(3)
+    array([-1.,  0.,  0.])
     """
     rates = twist_derivatives(plant, body, path, t, order, p_BoP_B, method)
     motion = BodyPoint(plant, body, path, t, p_BoP_B)

@@ -29,6 +29,8 @@ axis passes through the point if the pitches are equal, as they are for three pu
 Twists are `Dual`s of shape (..., 3) over any ordered field: floats in batches, Fractions, fmpq.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
@@ -118,6 +120,10 @@ def three_axes(first: Dual, second: Dual, tolerance: float | None = None) -> Thr
     first, second: ω̲₁ and ω̲₂, (..., 3). ``tolerance``: what counts as zero, relative to the terms
     that cancel; exactly 0 for exact scalars unless given, `ROUNDING` for floats.
     Raises `ValueError` for another shape, `TypeError` for what is not a dual vector.
+
+    >>> found = three_axes(Dual([0, 0, 1], [0, 0, 0]), Dual([1, 0, 0], [0, 2, 0]))
+    >>> print(found.configuration)
+    three axes through one point
     """
     first, second = _twist(first, "first"), _twist(second, "second")
     if tolerance is None:
@@ -147,7 +153,7 @@ def three_axes(first: Dual, second: Dual, tolerance: float | None = None) -> Thr
 
 
 def relative_twists(
-    plant: "MultibodyPlant", context: "Context", bodies: tuple[str, str, str]
+    plant: MultibodyPlant, context: Context, bodies: tuple[str, str, str]
 ) -> tuple[Dual, Dual, Dual]:
     """Returns Drake's twists of three bodies: 1 relative to 0, 2 to 1, 2 to 0, as dual vectors (3,) in W.
 

@@ -69,6 +69,9 @@ def acceleration_centre(Phi, a, *, rtol=1e-9, Phi_scale=0.0, a_scale=0.0) -> Loc
 
     For n = 1 these are a line exactly if ω · v = 0 and ω ≠ 0 (a pure rotation's axis).
     Tolerance and errors: see `points_with_acceleration`.
+
+    >>> print(acceleration_centre([[-4, 0, 0], [0, -4, 0], [0, 0, 0]], [0, 2, 0]))
+    line through (0, 0.5, 0) m along (0, 0, 1)
     """
     a = as_vectors(a, "a")
     return points_with_acceleration(Phi, a, 0 * a, rtol=rtol, Phi_scale=Phi_scale, a_scale=a_scale)

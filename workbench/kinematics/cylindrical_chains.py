@@ -14,6 +14,8 @@ dᵏω̲ᵢ/dtᵏ, a dual number (a real one is a joint that only turns). Units:
 second to the power k + 1. Results are a tuple: entry k is dᵏω̲/dtᵏ, of shape (..., 3).
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from math import comb
 from typing import Any
@@ -38,7 +40,11 @@ Rates = Sequence[Sequence[Any]]
 def current_lines(lines: Sequence[Dual], angles: Sequence[Dual]) -> tuple[Dual, ...]:
     """Returns the positions of the joints' lines at the dual angles α̲ᵢ + ε dᵢ, Eqs. (139)–(140).
 
-    ``lines[i]``: line i in the base frame when all angles are zero.
+    ``lines[i]``: line i in the base frame when all angles are zero; angles in rad, their dual parts in m.
+
+    >>> x, z = Dual([1.0, 0, 0]), Dual([0, 0, 1.0])
+    >>> current_lines([z, x], [Dual(0.0, 1.0), Dual(0.0)])[1].du.tolist()  # x, lifted by 1 m
+    [0.0, 1.0, 0.0]
     """
     carried = list(lines)
     for i in reversed(range(len(lines))):
@@ -51,6 +57,10 @@ def twist_derivatives_2c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...
     """Returns ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 2C chain, Eqs. (143)–(146); ``rates[i]`` holds four entries.
 
     Raises `ValueError` for another number of lines or rates.
+
+    >>> x, z = Dual([1, 0, 0]), Dual([0, 0, 1])
+    >>> twist_derivatives_2c([z, x], [[1, 0, 0, 0], [2, 0, 0, 0]])[1].re.tolist()
+    [0, 2, 0]
     """
     _require(lines, rates, joints=2)
     u1, u2 = lines
@@ -75,6 +85,10 @@ def twist_derivatives_3c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...
     """Returns ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 3C chain, as `latex_3c` prints them; ``rates[i]`` holds four entries.
 
     Raises `ValueError` for another number of lines or rates.
+
+    >>> x, z = Dual([1, 0, 0]), Dual([0, 0, 1])
+    >>> twist_derivatives_3c([z, x, z], [[1, 0, 0, 0], [2, 0, 0, 0], [1, 0, 0, 0]])[0].re.tolist()
+    [2, 0, 2]
     """
     _require(lines, rates, joints=3)
     u1, u2, u3 = lines
@@ -131,6 +145,10 @@ def twist_derivatives(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
     ``rates[i]`` holds n + 1 entries. Eq. (133) with the joints nested: the twist of the bodies from
     joint i on has the derivatives ω̲ᵢ⁽ᵏ⁾ u̲ᵢ + Σⱼ C(k, j) Φ̲ⱼ(ω̲ᵢ u̲ᵢ) V̲⁽ᵏ⁻ʲ⁾, V̲ being that of the
     bodies after it, as seen from joint i's body. Raises `ValueError` for counts that do not fit.
+
+    >>> x, z = Dual([1, 0, 0]), Dual([0, 0, 1])
+    >>> [each.re.tolist() for each in twist_derivatives([z, x], [[1, 0], [2, 0]])]
+    [[2, 0, 1], [0, 2, 0]]
     """
     _require(lines, rates, joints=len(lines), entries=len(rates[0]) if rates else 1)
     order = len(rates[0]) - 1

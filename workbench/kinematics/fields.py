@@ -57,7 +57,11 @@ def acceleration_tensors(omega) -> np.ndarray:
 
     By Leibniz on Ṙ = ω̃ R, and so free of derivatives of Φ (equivalent to Eq. (20)):
         Φₙ₊₁ = Σₖ C(n,k) ω̃⁽ⁿ⁻ᵏ⁾ Φₖ,  k = 0..n,  Φ₀ = I.
-    Raises ValueError for a wrong shape.
+    Units: rad/s to the power of the derivative's order in, 1/sⁿ out. Raises ValueError for a wrong shape.
+
+    >>> Phi = acceleration_tensors([[0, 0, 2], [0, 0, 0]])  # a steady turn about z
+    >>> Phi[2].tolist()
+    [[-4.0, 0.0, 0.0], [0.0, -4.0, 0.0], [0.0, 0.0, 0.0]]
     """
     omega_tilde = skew(_derivatives(omega, "omega"))
     Phi = [identity_like(omega_tilde[0])]
@@ -72,7 +76,10 @@ def invariant_vectors(omega, v) -> np.ndarray:
 
     By Leibniz on ρ̇ = v + ω × ρ for the body point at the origin:
         aₙ₊₁ = v⁽ⁿ⁾ + Σₖ C(n,k) ω⁽ⁿ⁻ᵏ⁾ × aₖ,  k = 1..n,  a₀ = 0.
-    Raises ValueError for a wrong shape.
+    Units: rad/s and m/s and their derivatives in, m/sⁿ out. Raises ValueError for a wrong shape.
+
+    >>> invariant_vectors([[0, 0, 2], [0, 0, 0]], [[1, 0, 0], [0, 0, 0]]).tolist()
+    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
     """
     omega, v = paired_derivatives(omega, v, ("omega", "v"))
     a = [0 * (omega[0] + v[0])]
@@ -118,7 +125,11 @@ def acceleration(Phi, a, rho) -> np.ndarray:
     """Returns aₙ + Φₙ ρ, (..., 3), in m/sⁿ: the n-th order acceleration of the body point at rho; Eq. (19).
 
     Phi (..., 3, 3), a (..., 3) and rho (..., 3) in m broadcast: whole stacks of orders with one
-    point, or one order (Phi[n], a[n]) with many points.
+    point, or one order (Phi[n], a[n]) with many points. Raises ValueError for a wrong shape.
+
+    >>> Phi = acceleration_tensors([[0, 0, 2], [0, 0, 0]])
+    >>> acceleration(Phi[2], [0, 0, 0], [3, 0, 5]).tolist()  # towards the axis
+    [-12.0, 0.0, 0.0]
     """
     return as_vectors(a, "a") + apply(as_tensors(Phi, "Phi"), as_vectors(rho, "rho"))
 

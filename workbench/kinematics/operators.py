@@ -247,6 +247,9 @@ def P(n: int) -> OperatorPolynomial:
     The bracket is the tensor Φₙ as a factor, not the product of operators Pₙ * ω̃. Pₙ has degree
     n - 1 and about 2ⁿ terms. Raises ValueError unless n is an integer >= 1 (Eq. (37), which starts at
     P₀ = I, does not give Ψₙ = Pₙ Ψ₁).
+
+    >>> print(P(2)._repr_latex_())
+    $\\mathbf{D} + \\tilde{\\boldsymbol{\\omega}}$
     """
     if not isinstance(n, int) or n < 1:
         raise ValueError(f"n: expected an integer >= 1, got {n!r}")

@@ -1,16 +1,26 @@
 """The closed forms of the twists of 2C and 3C chains as LaTeX; `cylindrical_chains` evaluates them."""
 
+from __future__ import annotations
+
 import re
 
 
 def latex_2c(expanded: bool = False) -> tuple[str, ...]:
-    """Returns Eqs. (143)–(146) in the chapter's notation, marks restored; ``expanded``: with (147)."""
+    """Returns Eqs. (143)–(146) in the chapter's notation, marks restored; ``expanded``: with (147).
+
+    >>> len(latex_2c())
+    4
+    """
     return tuple(map(_in_the_chapters_letters, _EXPANDED_2C if expanded else _NESTED_2C))
 
 
 def latex_3c(expanded: bool = False) -> tuple[str, ...]:
     """Returns ω̲, ω̲̇, ω̲̈, ω̲⃛ of the 3C chain in the chapter's notation: in products nested to the
-    right, as in (146), or ``expanded`` in the u̲ᵢ and u̲ᵢ × u̲ⱼ alone, as in (147)."""
+    right, as in (146), or ``expanded`` in the u̲ᵢ and u̲ᵢ × u̲ⱼ alone, as in (147).
+
+    >>> len(latex_3c())
+    4
+    """
     return tuple(map(_in_the_chapters_letters, _EXPANDED_3C if expanded else _NESTED_3C))
 
 

@@ -70,6 +70,10 @@ def waypoints(
     v, a (points, joints): velocities and accelerations there: with both the pieces are quintic, with v alone
     cubic. Without v it is the cubic spline that starts and ends at rest; its acceleration is continuous.
     Raises ValueError for other shapes, or for a without v.
+
+    >>> path = waypoints([0.0, 1.0], [[0.0], [1.0]])
+    >>> path.derivatives(0.5, 1).tolist()  # halfway: position and rate
+    [[0.5], [1.5]]
     """
     from scipy.interpolate import BPoly, CubicSpline
 

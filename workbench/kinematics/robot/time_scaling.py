@@ -90,7 +90,12 @@ def _need(peak: Peak) -> float:
 
 def slowed(path: Path, factor: float) -> Path:
     """Returns the path in times that are `factor` as long, from the same start: q(t₀ + (t − t₀)/factor); of a
-    recording the recording with those times. Raises ValueError for a factor that is not positive."""
+    recording the recording with those times. Raises ValueError for a factor that is not positive.
+
+    >>> from workbench.kinematics import waypoints
+    >>> slowed(waypoints([0.0, 1.0], [[0.0], [1.0]]), 2).end
+    2.0
+    """
     if not (np.isreal(factor) and 0 < factor < np.inf):
         raise ValueError(f"factor: expected a positive number, got {factor!r}")
     start = path.start if np.isfinite(path.start) else 0.0

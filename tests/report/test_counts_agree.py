@@ -30,6 +30,28 @@ Let $a$, $b$, $c$ be vectors, and $s$, $p$ scalars.
 \begin{align*} s + s &= s + s \\ &= 2 s \end{align*}
 """
 MODEL = "source = 'x.tex'\n[symbols]\na = 'vector'\nb = 'vector'\nc = 'vector'\ns = 'scalar'\np = 'scalar'\n"
+#: Rows with and without numbers and labels.
+ROWS = r"""
+Let $a$, $b$, $c$ be vectors, and $s$, $p$ scalars.
+\begin{align}
+ a \times b &= b \times a \label{eq:first} \\
+ a \times c &= c \times a \\
+ b \times c &= c \times b \label{eq:third} \\
+ b \cdot c &= - c \cdot b \notag
+\end{align}
+\begin{align*}
+ a \times b &= b \times a \label{eq:star} \\
+ a \times c &= c \times a
+\end{align*}
+\begin{equation}\label{eq:one}\begin{aligned} s p &= p s + s \\
+ s - p &= p - s \end{aligned}\end{equation}
+\begin{equation} a \cdot b = -b \cdot a \tag{*} \end{equation}
+\[ a \times b = b \times a \]
+"""
+NAMES = [
+    "(1) eq:first", "(2)", "(3) eq:third", "line 7", "eq:star", "eq:star", "(4) eq:one", "(4) eq:one", "(*)",
+    "line 16",
+]  # fmt: skip
 #: The first sentence of a report: what it says of a number of equations, and the state.
 SAID = {
     "error": r"(\d+) of \d+ equations? (?:is|are) wrong",
@@ -82,6 +104,25 @@ def test_each_equation_is_in_one_class(judged):
         found = listing(paper, results)
         rows = {row.name: row.word for row in found.rows}
         assert {rows[name] for group in found.open for name in group.names} <= {"not judged", "not settled"}
+
+
+def test_terminal_and_report_name_rows_alike(tmp_path):
+    """By number and label, by label, or by line; rows of one equation are told apart by their lines."""
+    (tmp_path / "x.tex").write_text(ROWS, encoding="utf-8")
+    (tmp_path / "x.toml").write_text(MODEL, encoding="utf-8")
+    paper = load_paper(tmp_path / "x.toml")
+    results = judge_paper(paper, motions=False, jobs=1)
+    items = listing(paper, results).items
+    assert [item.name for item in items] == NAMES
+    assert len({(item.name, item.span.line) for item in items}) == len(items)
+    corrections = document_of(paper, results).errata.corrections
+    told = [(each.heading.removeprefix("Eq. "), each.place) for each in corrections]
+    assert len(set(told)) == len(told) == len(items)
+    by_line = sorted(zip(items, corrections, strict=True), key=lambda pair: pair[0].span.line)
+    for item, each in by_line:
+        name = each.heading.removeprefix("Eq. ")
+        assert item.name.lower().startswith(name.lower())
+        assert each.place in (None, f"line {item.span.line}")
 
 
 def test_a_step_that_says_nothing_decides_no_state():

@@ -24,6 +24,7 @@ class ClaimSource:
 
     Attributes:
         equation: The number of the equation.
+        label: The label of its row, or of a display without numbers; not that of another numbered row.
         section: The number of the section.
         line: The line in the file, from 1.
         statement: The claim in words.
@@ -35,6 +36,7 @@ class ClaimSource:
     line: int = 0
     statement: str | None = None
     note: str = ""
+    label: str | None = None
 
 
 @dataclass(frozen=True)

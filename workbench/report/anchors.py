@@ -20,14 +20,25 @@ def is_number(equation: str | None) -> bool:
 
 
 def heading(claim: Claim) -> str:
-    if not claim.equation and claim.context.span is not None:
-        return f"Line {claim.context.span.line}"
-    return f"Eq. ({claim.equation})" if is_number(claim.equation) else claim.equation or claim.id
+    """Returns the name of a claim's equation: its number or name; in a text without a number the label of its
+    own row, else its line."""
+    span = claim.context.span
+    if claim.equation:
+        return f"Eq. ({claim.equation})" if span or is_number(claim.equation) else claim.equation
+    return claim.id if span is None else claim.source.label or f"Line {span.line}"
 
 
 def label(claim: Claim) -> str:
-    """Returns the heading in a table: (70), Theorem 2, Line 12."""
+    """Returns the heading in a table: (70), Theorem 2, eq:turn, Line 12."""
     return heading(claim).removeprefix("Eq. ")
+
+
+def display_name(claim: Claim) -> str:
+    """Returns the name for the author of a text: the number with the label of the row, the label, or the
+    line."""
+    own = claim.source.label if claim.equation else None
+    name = label(claim)
+    return f"{name} {own}" if own else name[:1].lower() + name[1:] if name.startswith("Line ") else name
 
 
 def is_counted(claim: Claim) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -112,8 +113,9 @@ class Errata:
 
 def errata_of(results: Sequence[ClaimResult], places: Mapping[str, Place], heirs: Heirs) -> Errata:
     """Returns the errata. places: of the claims. A claim that another claim's edits correct has no entry."""
+    of_name = Counter(places[result.claim.id][0] for result in results)
     corrections = [
-        _correction(result, fault, places)
+        _correction(result, fault, places, of_name[places[result.claim.id][0]] > 1)
         for result in results
         if (fault := fault_of(result)) and not result.claim.mend.by
     ]
@@ -156,14 +158,18 @@ def _row(same: Sequence[Correction]) -> Row:
     return Row(joined(headings), same[0], tuple(same))
 
 
-def _correction(result: ClaimResult, fault: str, places: Mapping[str, Place]) -> Correction:
+def _correction(
+    result: ClaimResult, fault: str, places: Mapping[str, Place], is_one_of_several: bool
+) -> Correction:
+    """is_one_of_several: whether other claims have its name, so that its line in the text tells it apart."""
     claim, mend = result.claim, result.claim.mend
     heading, anchor = places[claim.id]
+    span = claim.context.span
     return Correction(
         id=claim.id,
         anchor=anchor,
         heading=heading,
-        place=mend.place,
+        place=mend.place or (f"line {span.line}" if span and is_one_of_several else None),
         fault=fault,
         cause=mend.cause,
         changes=tuple(_changes(result)),

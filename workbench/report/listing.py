@@ -13,12 +13,12 @@ from workbench.core.spans import Span
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
+from workbench.report.anchors import display_name
 from workbench.report.counterexamples import Against, told
-from workbench.report.equation_groups import Group, states_of
+from workbench.report.equation_groups import states_of
 from workbench.report.findings import place_of
 from workbench.report.mixed_prose import condition_as_prose
 from workbench.report.shown_kinds import Kind
-from workbench.source.documents import Display
 from workbench.source.documents.source_edits import SourceEdit
 from workbench.source.typeset.plain_text import in_plain_text
 
@@ -78,7 +78,7 @@ class Row:
     @property
     def items(self) -> list[Item]:
         """What is wrong in it."""
-        return list(_items(self.name, self.results))
+        return list(_items(self.results))
 
 
 @dataclass(frozen=True)
@@ -139,16 +139,16 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
     """Returns the results on a text by display."""
     rows: list[Row] = []
     items: list[Item] = []
-    open_parts: list[tuple[Group, list[ClaimResult]]] = []
+    open_parts: list[ClaimResult] = []
     notes: list[str] = []
     for group, states, state in states_of(paper, results):
         own = group.results
-        name = display_name(group.display, own[0])
+        name = display_name(own[0].claim)
         rows.append(replace(_row(name, own, state), results=tuple(own)))
         items += rows[-1].items
         left = [r for r, each in zip(own, states, strict=True) if each.name in ("unjudged", "open")]
         if rows[-1].grade is Grade.NOT_JUDGED:
-            open_parts.append((group, left))
+            open_parts += left
         elif rows[-1].grade in (Grade.ERROR, Grade.WARNING):
             notes += [
                 f"{name}: another formula is not judged: {in_plain_text(str(r.verdict.reason))}" for r in left
@@ -161,18 +161,6 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
         if result.passed and result.claim.unread is not None and result.verdict.outcome in HOLDS
     )
     return Listing(file, tuple(rows), tuple(items), tuple(_open(open_parts)), tuple(notes))
-
-
-def display_name(display: Display | None, result: ClaimResult) -> str:
-    """Returns the printed number and the label, or the line."""
-    claim = result.claim
-    number = f"({claim.equation})" if claim.equation else ""
-    labels = display.labels if display else ()
-    own = next(
-        (label for label in labels if label.replace(":", "-") in claim.id), labels[0] if labels else ""
-    )
-    name = " ".join(part for part in (number, own) if part)
-    return name or f"line {place_of(result).line}"
 
 
 def _row(name: str, results: Sequence[ClaimResult], state: Kind) -> Row:
@@ -205,7 +193,7 @@ def _condition(results: Sequence[ClaimResult]) -> str:
     return next((f"for {result.verdict.scope}" for result in results if result.verdict.scope), "")
 
 
-def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
+def _items(results: Sequence[ClaimResult]) -> Iterator[Item]:
     """Yields the faults of a display; formulas that one edit corrects make one item."""
     found: list[Item] = []
     for result in results:
@@ -217,7 +205,7 @@ def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
         proposed = result.proposed[0] if result.proposed else None
         item = Item(
             grade=result.shown,
-            name=name,
+            name=display_name(result.claim),
             span=place_of(result),
             what=proposed.edit if proposed else _what(result),
             edits=own,
@@ -247,13 +235,12 @@ def _what(result: ClaimResult) -> str:
     return result.why_not or str(verdict.reason or verdict.outcome)
 
 
-def _open(groups: Sequence[tuple[Group, list[ClaimResult]]]) -> Iterator[Open]:
+def _open(results: Sequence[ClaimResult]) -> Iterator[Open]:
     """Yields the unjudged displays by reason, the most frequent reason first."""
     found: dict[str, dict[str, Span | None]] = {}
-    for group, own in groups:
-        for result in own:
-            why = result.verdict.reason
-            reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
-            found.setdefault(reason, {})[display_name(group.display, result)] = result.claim.printed.at
+    for result in results:
+        why = result.verdict.reason
+        reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
+        found.setdefault(reason, {})[display_name(result.claim)] = result.claim.printed.at
     for reason, names in sorted(found.items(), key=lambda each: -len(each[1])):
         yield Open(tuple(names), reason, tuple(place for place in names.values() if place is not None))

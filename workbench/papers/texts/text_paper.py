@@ -212,6 +212,12 @@ def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Not
                 before.append(name)
 
 
+def _own_label(display: Display, step: Step) -> str | None:
+    """Returns the label of the row in which the step ends; that of the display, if it has no numbers and so
+    is one equation."""
+    return next(iter(step.labels if display.numbers else display.labels), None)
+
+
 def _base(display: Display, step: Step) -> str:
     """Returns the label, the number or the line."""
     name = next(iter(step.labels), None) or step.number or next(iter(display.labels), None)
@@ -258,6 +264,7 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
             section=f"{display.section} {display.heading}".strip() or None,
             file=display.source.path,
             line=span.line,
+            label=_own_label(display, step),
         ),
         context=ClaimContext(
             span=span,

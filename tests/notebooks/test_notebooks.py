@@ -221,16 +221,6 @@ def test_slider_has_a_static_picture_before_it(path):
 
 
 @each_notebook
-def test_imports_only_what_is_public(path):
-    names = []
-    for cell in cells(path, "code"):
-        for node in ast.walk(ast.parse(cell.source)):
-            if isinstance(node, ast.ImportFrom):
-                names += [*node.module.split("."), *(alias.name for alias in node.names)]
-    assert names and not [name for name in names if name.startswith("_") and name != "__future__"]
-
-
-@each_notebook
 def test_verifies_what_it_shows(path):
     code = "\n".join(cell.source for cell in cells(path, "code"))
     assert re.search(r"^\s*assert ", code, flags=re.MULTILINE)

@@ -4,20 +4,28 @@ from __future__ import annotations
 
 import json
 import re
+import warnings
+from collections import Counter
 from importlib.resources import files
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from sample_report import claim
 
 from workbench.app.pipeline.judge_claims import judge_paper
-from workbench.papers import load_paper
+from workbench.app.pytest_plugin import ClaimItem, NotAsExpected
+from workbench.core.verdict import Grade
+from workbench.papers import find_paper, load_paper
+from workbench.papers.installed_papers import installed_names
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.report import render
 from workbench.report.claim_states import state_of_equation
 from workbench.report.document import document_of
+from workbench.report.equation_groups import states_of
 from workbench.report.listing import listing
 from workbench.report.shown_kinds import STATES
+from workbench.report.to_json import report_json
 
 FOLDERS = Path(__file__).parents[1]
 PAPERS = [FOLDERS / "papers" / "vector_identities.toml", FOLDERS / "papers" / "every_verdict.toml"]
@@ -63,10 +71,19 @@ SAID = {
 }
 _FIRST = re.compile(r'role="status">(.*?)</p>')
 WORDS = {"condition missing": "hypothesis", "not judged": "unjudged", "definition": "defines"}
+#: The terminal tells apart what the model of a text leaves out, and the errors that it records already.
+FINER = {"left out": {"unjudged"}, "known": {"error", "warning"}, "not settled": {"open"}}
 
 
-@pytest.fixture(params=["platform", "text", *(path.stem for path in PAPERS)])
+#: The chapter takes two minutes, the other texts two seconds each.
+INSTALLED = [pytest.param(name, marks=[pytest.mark.slow] * (name == "chapter")) for name in installed_names()]
+
+
+@pytest.fixture(params=["platform", "text", *(path.stem for path in PAPERS), *INSTALLED])
 def judged(request, tmp_path):
+    if request.param in installed_names():
+        paper = find_paper(request.param)
+        return paper, judge_paper(paper, motions=False, jobs=1)
     if request.param == "platform":
         path = Path(str(files("workbench.guide").joinpath("examples/platform.toml")))
     elif request.param == "text":
@@ -88,8 +105,42 @@ def test_counts_of_terminal_json_and_page_are_equal(judged):
     said = {state: int(found[1]) for state, words in SAID.items() if (found := re.search(words, first))}
     assert said == {state: counts[state] for state in SAID if state in counts}
     if isinstance(paper, TextPaper):
-        told = listing(paper, results).counts
-        assert {WORDS.get(word, word): count for word, count in told.items()} == counts
+        states = [state.name for *_, state in states_of(paper, results)]
+        assert Counter(states) == counts
+        for state, row in zip(states, listing(paper, results).rows, strict=True):
+            assert state in FINER.get(row.word, {WORDS.get(row.word, row.word)})
+
+
+def outcome_of_item(result):
+    """How the pytest item of a claim ends."""
+    item = SimpleNamespace(claim=result.claim, judge=SimpleNamespace(result=lambda claim: result))
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        try:
+            ClaimItem.runtest(item)
+        except NotAsExpected:
+            return "failed"
+        except pytest.skip.Exception:
+            return "skipped"
+    return "warned" if told else "passed"
+
+
+def test_pytest_items_end_as_the_equations_are_counted(judged):
+    """The equations with a failed item are the errors of the listing, those with a warning its warnings."""
+    paper, results = judged
+    ends = {result.claim.id: outcome_of_item(result) for result in results}
+    assert len(ends) == len(report_json(paper, results)["claims"])
+    if not isinstance(paper, TextPaper):
+        assert {name for name, end in ends.items() if end != "passed"} == {
+            result.claim.id for result in results if not result.passed
+        }
+        return
+    rows = listing(paper, results).rows
+    assert sorted(ends) == sorted(result.claim.id for row in rows for result in row.results)
+    for row in rows:
+        own = {ends[result.claim.id] for result in row.results}
+        assert ("failed" in own) is (row.grade is Grade.ERROR)
+        assert ("warned" in own - {"failed"}) is (row.grade is Grade.WARNING) or "failed" in own
 
 
 def test_each_equation_is_in_one_class(judged):

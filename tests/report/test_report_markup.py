@@ -3,11 +3,14 @@
 import re
 import shutil
 import subprocess
+import zlib
 
 import pytest
+from sample_report import sample
 
 from workbench.report import ReportError, erratum_note, markdown_text
 from workbench.report.mixed_prose import formula, text
+from workbench.report.render import write_report
 
 
 def test_nothing_from_the_input_becomes_markup(nasty):
@@ -113,3 +116,27 @@ def test_erratum_note_compiles(name, request, tmp_path):
     assert run.returncode == 0, log[-2000:]
     assert name == "nasty" or "Overfull" not in log
     assert (tmp_path / "erratum.pdf").stat().st_size > 10_000
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_pdf_has_title_author_and_links(tmp_path):
+    paper, results = sample(authors="A. Author")
+    written = write_report(paper, results, tmp_path, has_pdf=True)
+    assert tmp_path / "erratum.pdf" in written
+    streams = re.findall(rb"stream\r?\n(.*?)endstream", (tmp_path / "erratum.pdf").read_bytes(), re.DOTALL)
+    inflated = [zlib.decompressobj().decompress(each) for each in streams if each[:1] == b"x"]
+    pdf = b"".join([*inflated, (tmp_path / "erratum.pdf").read_bytes()])
+    assert all(key in pdf for key in (b"/Title", b"/Author", b"/URI(https://doi.org/", b"/Outlines"))
+    assert '<a href="erratum.pdf">' in (tmp_path / "report.html").read_text("utf-8")
+    note = (tmp_path / "erratum.tex").read_text("utf-8")
+    asked, given = (set(re.findall(rf"\\{name}{{([^}}]+)}}", note)) for name in ("hyperlink", "hypertarget"))
+    assert asked and asked <= given
+    assert tmp_path / "erratum.pdf" not in write_report(paper, results, tmp_path)
+    assert not (tmp_path / "erratum.pdf").exists()  # it would be the list of other results
+
+
+def test_pdf_without_latex_is_one_error(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(ReportError, match="the PDF needs pdflatex, which is not installed"):
+        write_report(*sample(), tmp_path / "out", has_pdf=True)
+    assert not (tmp_path / "out").exists()

@@ -4,7 +4,7 @@ corrections."""
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -139,7 +139,7 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
     """Returns the results on a text by display."""
     rows: list[Row] = []
     items: list[Item] = []
-    open_parts: list[ClaimResult] = []
+    open_parts: dict[str, list[ClaimResult]] = {}
     notes: list[str] = []
     for group, states, state in states_of(paper, results):
         own = group.results
@@ -148,7 +148,7 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
         items += rows[-1].items
         left = [r for r, each in zip(own, states, strict=True) if each.name in ("unjudged", "open")]
         if rows[-1].grade is Grade.NOT_JUDGED:
-            open_parts += left
+            open_parts.setdefault(name, []).extend(left)
         elif rows[-1].grade in (Grade.ERROR, Grade.WARNING):
             notes += [
                 f"{name}: another formula is not judged: {in_plain_text(str(r.verdict.reason))}" for r in left
@@ -167,7 +167,7 @@ def _row(name: str, results: Sequence[ClaimResult], state: Kind) -> Row:
     """Returns the row of a display. A verdict that its model does not expect is an error of the model."""
     shown = [result.shown for result in results]
     wrong = next((grade for grade in (Grade.ERROR, Grade.WARNING) if grade in shown), None)
-    if all(result.claim.skip is not None for result in results):
+    if state.name == "unjudged" and all(result.claim.skip is not None for result in results):
         return Row(name, Grade.NOTE, "left out", results[0].claim.skip or "")
     if wrong is not None:
         what = next(_what(result) for result in results if result.shown is wrong)
@@ -235,12 +235,13 @@ def _what(result: ClaimResult) -> str:
     return result.why_not or str(verdict.reason or verdict.outcome)
 
 
-def _open(results: Sequence[ClaimResult]) -> Iterator[Open]:
+def _open(equations: Mapping[str, Sequence[ClaimResult]]) -> Iterator[Open]:
     """Yields the unjudged displays by reason, the most frequent reason first."""
     found: dict[str, dict[str, Span | None]] = {}
-    for result in results:
-        why = result.verdict.reason
-        reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
-        found.setdefault(reason, {})[display_name(result.claim)] = result.claim.printed.at
+    for name, results in equations.items():
+        for result in results:
+            why = result.verdict.reason
+            reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
+            found.setdefault(reason, {})[name] = result.claim.printed.at
     for reason, names in sorted(found.items(), key=lambda each: -len(each[1])):
         yield Open(tuple(names), reason, tuple(place for place in names.values() if place is not None))

@@ -21,41 +21,49 @@ from workbench.report import ReportError, erratum_note, html_page, markdown_text
 from workbench.report.corrected_text import errata_diff
 from workbench.report.document import Document, document_of
 from workbench.report.errata_json import errata_json
+from workbench.report.note_pdf import pdf_of
 from workbench.report.pictures import all_errors
 from workbench.report.shown_kinds import SHOWN
 from workbench.report.to_json import report_json
 
+_PDF = "erratum.pdf"
+
 
 def write_report(
-    paper: Paper, results: Sequence[ClaimResult], out: Path, source: Path | None = None
+    paper: Paper, results: Sequence[ClaimResult], out: Path, source: Path | None = None, has_pdf: bool = False
 ) -> list[Path]:
     """Writes the files of `render` to the directory `out`, and returns their paths.
 
     All files are written before the first is moved into place. Raises ReportError for characters that cannot
     be typeset, or if `out` cannot be a directory or has no space.
 
-    source: the text that was read, if the paper is not a text itself.
+    source: the text that was read, if the paper is not a text itself. has_pdf: write erratum.pdf, too.
     """
-    texts = render(paper, results, source)
+    texts = render(paper, results, source, has_pdf)
+    contents = {name: text.encode("utf-8") for name, text in texts.items()}
+    if has_pdf:
+        contents[_PDF] = pdf_of(texts["erratum.tex"])
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=out, prefix=".unfinished-") as staging:
-            for name, content in texts.items():
-                (Path(staging) / name).write_bytes(content.encode("utf-8"))
-            for name in texts:
+            for name, content in contents.items():
+                (Path(staging) / name).write_bytes(content)
+            for name in contents:
                 os.replace(Path(staging) / name, out / name)
-            if "errata.diff" not in texts:
-                (out / "errata.diff").unlink(missing_ok=True)
+            for name in {"errata.diff", _PDF} - contents.keys():
+                (out / name).unlink(missing_ok=True)
     except (FileExistsError, NotADirectoryError):
         raise ReportError(f"{out}: expected a directory for the report, got a file") from None
     except OSError as error:
         raise ReportError(f"{out}: the report cannot be written: {error.strerror or error}") from None
-    return [out / name for name in texts]
+    return [out / name for name in contents]
 
 
-def render(paper: Paper, results: Sequence[ClaimResult], source: Path | None = None) -> dict[str, str]:
+def render(
+    paper: Paper, results: Sequence[ClaimResult], source: Path | None = None, has_pdf: bool = False
+) -> dict[str, str]:
     """Returns file name → content: report.json, .html and .md, erratum.tex, errata.json, and errata.diff if
-    the text is available.
+    the text is available. has_pdf: the page links to erratum.pdf.
 
     Raises:
         ReportError: A character cannot be typeset, or a file cannot be read.
@@ -66,7 +74,7 @@ def render(paper: Paper, results: Sequence[ClaimResult], source: Path | None = N
     read = source or _own_text(paper)
     if read is not None and (patch := errata_diff(_content(read), read.name, results)):
         texts["errata.diff"] = patch
-    sent = ["erratum.tex", *(n for n in texts if n.startswith("errata"))]
+    sent = [*([_PDF] if has_pdf else []), "erratum.tex", *(n for n in texts if n.startswith("errata"))]
     for name, environment in (
         ("report.md", _environment(markdown_text.FILTERS)),
         ("report.html", _environment(html_page.FILTERS, is_html=True)),

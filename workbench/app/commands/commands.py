@@ -130,6 +130,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     type=click.Path(path_type=Path),
     help="The text that the paper file was made from: errata.diff corrects it. A text corrects itself.",
 )
+@click.option("--pdf", is_flag=True, help="Typeset erratum.tex by pdflatex, and link to erratum.pdf.")
 @json_flag
 @engine_options
 @click.option(
@@ -144,6 +145,7 @@ def report(
     paper_name: str | None,
     out: Path,
     source: Path | None,
+    pdf: bool,
     as_json: bool,
     proposals: bool,
     **engines: Any,
@@ -164,7 +166,7 @@ def report(
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})
     told = with_proposals(results, True, engines["cache"], paper=paper) if proposals else results
     told = with_certificates(told, paper)
-    written = write_report(cited, told, out, source)
+    written = write_report(cited, told, out, source, pdf)
     if as_json:
         print_json(report_json(cited, told))
     else:

@@ -8,6 +8,9 @@ from formulas import TYPICAL, formulas
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from workbench.language.printing.printer import to_latex
+from workbench.papers import find_paper
+from workbench.papers.installed_papers import installed_names
 from workbench.report import mathml as adapter
 from workbench.report.mathml import mathml
 from workbench.source.typeset import glyphs
@@ -134,3 +137,42 @@ def test_a_converter_that_errs_is_caught(monkeypatch, right, wrong):
         assert mathml(r"\omega^2 - \rho") is None
     finally:
         adapter.mathml.cache_clear()
+
+
+@pytest.mark.parametrize(
+    ("latex", "spaces"),
+    [
+        (r"\det \Phi = \det S", [("0", "0.17em"), ("0", "0.17em")]),
+        (r"2 \det T", [("0.17em", "0.17em")]),
+        (r"(\operatorname{trace} T) a", [("0", "0.17em")]),
+        (r"\operatorname{sym}(T)", [("0", "0")]),
+    ],
+)
+def test_function_name_has_space_beside_operands_only(latex, spaces):
+    names = [e for e in shown(latex).iter(f"{NAMESPACE}mo") if (e.text or "").isalpha()]
+    assert [(name.get("lspace"), name.get("rspace")) for name in names] == spaces
+
+
+#: Heads of terms that no installed text has: what the printer makes of them is typeset, too.
+RARE = (
+    *(rf"{name} x" for name in glyphs.FUNCTION_NAMES),
+    r"\log x",
+    r"\sqrt[3]{x}",
+    r"\frac{\partial f}{\partial x}",
+    r"\frac{d f}{d x}",
+)
+
+
+@pytest.mark.parametrize("name", installed_names())
+def test_terms_of_installed_texts_are_typeset(name):
+    """Each form of each claim, printed from its term, becomes MathML with just the characters of the print. So a
+    printer from terms to MathML could show nothing more; and corrections keep the author's spelling, which terms
+    do not have."""
+    forms = [form for claim in find_paper(name).claims for form in claim.forms.values() if form.statement]
+    assert forms
+    assert [latex for form in forms if mathml(latex := to_latex(form.statement)) is None] == []
+
+
+@pytest.mark.parametrize("latex", RARE)
+def test_rare_construct_is_typeset(latex):
+    assert mathml(latex) is not None

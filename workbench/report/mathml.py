@@ -1,5 +1,8 @@
 """LaTeX to MathML that browsers show without scripts; None if the result is not certain.
 
+The LaTeX is that of the author, or what `language.printing` makes of a term. MathML needs no printer of terms
+of its own: nothing that this printer prints is lost here (tests/report/test_report_mathml.py).
+
 latex2mathml does the conversion. This adapter corrects what browsers render badly or MathML Core dropped
 (accents, bold italic letters, `aligned`), and compares every character of the result with those that the
 formula must have (`glyphs`). A formula that fails the comparison is never shown as MathML.
@@ -28,6 +31,7 @@ _ACCENT_MADE_BY_CONVERTER = {
 _LINES = frozenset((r"\overline", r"\bar"))
 _STRETCHING = frozenset((r"\tilde", r"\hat", r"\vec"))
 _SIGNS_ENDING_AN_OPERAND = frozenset(")]}|⟩‖!…⋯⌋⌉")
+_THIN = "0.17em"
 _BRACKETS = frozenset("⟨⟩⌊⌋⌈⌉")
 _BARE_FUNCTIONS = frozenset(glyphs.FUNCTION_NAMES.values())
 
@@ -104,7 +108,22 @@ def _mend(tree: ElementTree.Element, mark: str) -> None:
             parent.attrib.update({"lspace": "0", "rspace": "0"})
         if parent.tag in ("mi", "mo") and (parent.text in _BARE_FUNCTIONS or _is_word(parent)):
             parent.tag = "mo"
-            parent.attrib.update({"form": "prefix", "lspace": "0.17em", "rspace": "0.17em"})
+            parent.attrib.update({"form": "prefix", "lspace": _THIN, "rspace": _THIN})
+    for parent in tree.iter("mrow"):
+        _space_function_names(parent)
+
+
+def _space_function_names(parent: ElementTree.Element) -> None:
+    """Keeps the thin space of a function's name beside operands only, as TeX sets it: none by an operator,
+    before a bracket, and at the beginning of a formula."""
+    row = [None, *parent, None]
+    for before, name, after in zip(row, row[1:], row[2:], strict=False):
+        if name is None or name.get("lspace") != _THIN:
+            continue
+        if before is None or (before.tag == "mo" and before.text not in _SIGNS_ENDING_AN_OPERAND):
+            name.set("lspace", "0")
+        if after is not None and after.tag == "mo" and after.text in ("(", "["):
+            name.set("rspace", "0")
 
 
 def _tell_signs_from_operators(parent: ElementTree.Element) -> None:

@@ -48,7 +48,25 @@ ORDINARY = {
 }  # fmt: skip
 
 FUNCTION_NAMES = {
-    "\\" + name: name for name in ("sin", "cos", "tan", "exp", "log", "ln", "det", "min", "max", "dim", "ker")
+    "\\" + name: name
+    for name in (
+        *(
+            "sin",
+            "cos",
+            "tan",
+            "cot",
+            "sec",
+            "csc",
+            "arcsin",
+            "arccos",
+            "arctan",
+            "sinh",
+            "cosh",
+            "tanh",
+            "coth",
+        ),
+        *("exp", "log", "ln", "det", "min", "max", "inf", "sup", "lim", "deg", "dim", "ker", "gcd"),
+    )
 }
 
 SYMBOLS = GREEK | BINARY_OPERATORS | RELATIONS | ORDINARY | FUNCTION_NAMES

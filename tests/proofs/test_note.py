@@ -62,7 +62,7 @@ def test_errors_begin_on_page_1_and_all_but_the_appendix_fill_6(report, tmp_path
     """The sections are told by the pages on which they begin."""
     note = render.render(*report)["erratum.tex"]
     for name in ("Errors", "Misprints", "Appendix"):
-        note = note.replace(rf"\Part{{{name}", rf"\typeout{{{name} on \thepage}}\Part{{{name}", 1)
+        note = note.replace(rf"\section*{{{name}", rf"\typeout{{{name} on \thepage}}\section*{{{name}", 1)
     (tmp_path / "erratum.tex").write_text(note, "utf-8")
     for _ in range(2):
         run = subprocess.run(

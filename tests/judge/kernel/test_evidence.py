@@ -264,7 +264,7 @@ WHY = {
     r"\delta \approx f": "to first order the sides differ; to order 0 is open",
     r"S = \{ a \in V_3 \mid a \cdot a = -1 \}": "the set is empty: nothing satisfies its conditions",
     r"h : V_3 \to \mathbb{R}, h(a) = \frac{1}{\|a\|}": r"\frac{1}{\left\|a\right\|} is not seen to be defined for all of "
-    "these: a denominator can vanish, and nothing that the claim assumes excludes it",
+    r"these: the denominator \left\|a\right\| can vanish, and nothing that the claim assumes excludes it",
 }
 
 

@@ -39,7 +39,7 @@ TOLD = {
     (r"\frac{f g}{f} = g", (), None): (
         (
             "conditional",
-            "a denominator can vanish, and nothing that the claim assumes excludes it",
+            "the denominator f can vanish, and nothing that the claim assumes excludes it",
             None,
             None,
         ),
@@ -61,7 +61,7 @@ TOLD = {
     (r"\frac{f g}{f^2 + f g + g^2} = \frac{g f}{f^2 + f g + g^2}", (), None): (
         (
             "conditional",
-            "a denominator can vanish, and nothing that the claim assumes excludes it",
+            "the denominator f^{2} + f g + g^{2} can vanish, and nothing that the claim assumes excludes it",
             None,
             None,
         ),
@@ -70,7 +70,7 @@ TOLD = {
     (r"\frac{f g}{f^2 - f + 1} = \frac{g f}{f^2 - f + 1}", (), None): (
         (
             "unchecked",
-            "a denominator is not seen to be non-zero, and no point was found where it vanishes",
+            "the denominator f^{2} - f + 1 is not seen to be non-zero, and no point was found where it vanishes",
             None,
             None,
         ),
@@ -79,7 +79,7 @@ TOLD = {
     (r"\frac{f^2 + f + 7}{f^2 + f + 7} = 1", (), None): (
         (
             "unchecked",
-            "a denominator is not seen to be non-zero, and no point was found where it vanishes",
+            "the denominator f^{2} + f + 7 is not seen to be non-zero, and no point was found where it vanishes",
             None,
             None,
         ),
@@ -133,7 +133,7 @@ TOLD = {
         None,
     ),
     (r"\frac{f + 1}{g} \neq \frac{f}{g}", (), None): (
-        ("unchecked", "a denominator can vanish", None, None),
+        ("unchecked", "the denominator g can vanish", None, None),
         None,
     ),
     (r"\frac{f g + g}{g} \neq f", (), None): (

@@ -6,6 +6,7 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.terms import Relation, Statement
 from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.prover.decide.case import Case, Setting
+from workbench.prover.decide.denominators import denominators_named
 from workbench.prover.decide.inference import agreement
 
 
@@ -18,8 +19,10 @@ def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Stateme
     residuals = case.exact.residuals(relation)
     if not any(p.is_constant() and p for p in residuals):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NO_ZERO_FOUND())
-    if case.solved.gaps():
-        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DENOMINATOR_CAN_VANISH())
+    if gaps := case.solved.gaps():
+        denominator = denominators_named(case.exact, case.sides, case.definitions, gaps)
+        reason = VerdictCode.DENOMINATOR_CAN_VANISH(denominator=denominator)
+        return Verdict(Outcome.UNCHECKED, reason=reason)
     evidence = [Evidence("exact ring over ℚ (FLINT)", "the sides differ by a number that is not 0")]
     if not setting.second_engine:
         return Verdict(

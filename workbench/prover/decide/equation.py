@@ -18,6 +18,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import Trial
 from workbench.prover.counterexamples.real_angles import surely_differ
 from workbench.prover.decide.case import Case, Setting
+from workbench.prover.decide.denominators import denominators_named
 from workbench.prover.decide.frame_change import in_rotated_frame
 from workbench.prover.decide.inference import agreement
 from workbench.prover.decide.law_statements import law_for
@@ -177,15 +178,16 @@ class Equation(Case):
         relation = self.relation
         trial = self.find(lambda t: t.differences(relation) is None)
         gap = Evidence("denominators", "not excluded by the assumptions", {"factors": len(gaps)})
+        denominator = denominators_named(self.exact, self.sides, self.definitions, gaps)
         if trial is None:
-            reason = VerdictCode.DENOMINATOR_OPEN()
+            reason = VerdictCode.DENOMINATOR_OPEN(denominator=denominator)
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=(*evidence, gap))
         if self.assumptions.equations and self.find(lambda t: t.holds(relation)) is None:
             reason = VerdictCode.NO_POINT_FOUND()
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=(*evidence, gap))
         return Verdict(
             Outcome.CONDITIONAL,
-            reason=VerdictCode.DENOMINATOR_NOT_EXCLUDED(),
+            reason=VerdictCode.DENOMINATOR_NOT_EXCLUDED(denominator=denominator),
             counterexample=self.counterexample(trial, relation),
             evidence=(*evidence, gap),
             basis=Strength.HINTED,

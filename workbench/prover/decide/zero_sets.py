@@ -13,7 +13,7 @@ from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.prover.decide.ideals import Ideal, has_even_powers, is_nowhere_zero
 
 
-def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
+def factors_of(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
     """Returns irreducible polynomials without reciprocals, one of which vanishes where p does and p is
     defined.
 
@@ -22,7 +22,7 @@ def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
     factors = []
     for factor, _ in engine.ring.reduce(engine.ring.clear(p)).factor()[1]:
         square = engine.ring.square_of(factor)
-        factors += [factor] if square == factor else _factors(engine, square)
+        factors += [factor] if square == factor else factors_of(engine, square)
     return factors
 
 
@@ -91,7 +91,7 @@ class Equations:
         gaps = [
             factor
             for denominator in denominators
-            for factor in _factors(engine, denominator)
+            for factor in factors_of(engine, denominator)
             if factor not in self._apart
             and not any(is_nowhere_zero(p, engine.norm_places, apart) for p in self._by_sines(factor))
         ]
@@ -117,7 +117,7 @@ class Equations:
     @cached_property
     def _apart(self) -> list[Polynomial]:
         """The irreducible factors of the non-vanishing polynomials."""
-        return [factor for p in self._nonzero for factor in _factors(self._engine, p)]
+        return [factor for p in self._nonzero for factor in factors_of(self._engine, p)]
 
     def imply(self, residuals: Sequence[Polynomial]) -> bool:
         """True if all residuals vanish where the equations hold; components of a vector vanish where its

@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Protocol
 
+from workbench.core.codes.input_codes import InputCode
+from workbench.core.reasons import Reason
+
 
 class SourceFile(Protocol):
     """A file whose entries can be left out."""
@@ -15,7 +18,7 @@ class SourceFile(Protocol):
 
 class PaperError(ValueError):
     """A paper that cannot be used. It has the file and, if known, the line and column from 1. For a TOML file
-    it also has the entry; `latex` is the formula that cannot be parsed."""
+    it also has the entry. latex: the formula that cannot be parsed.   reason: the message with its code."""
 
     def __init__(
         self,
@@ -30,6 +33,7 @@ class PaperError(ValueError):
         place = ":".join(str(part) for part in (file, line, column) if part is not None)
         super().__init__(f"{place}: {message}" if place else message)
         self.file, self.line, self.column, self.message = file, line, column, message
+        self.reason = _reason(message, is_of_entry=bool(path))
         self.toml, self.path, self.latex = toml, path, latex
 
     @property
@@ -38,14 +42,22 @@ class PaperError(ValueError):
 
     def __reduce__(self) -> tuple:
         """Makes the error picklable, so that it can be sent between processes."""
-        return PaperError, (self.file, self.line, self.column, self.message)
+        return PaperError, (self.file, self.line, self.column, self.reason)
+
+
+def _reason(message: str, is_of_entry: bool) -> Reason:
+    if isinstance(message, Reason):
+        return message
+    if is_of_entry:
+        return InputCode.ENTRY_UNUSABLE(complaint=message)
+    return InputCode.FILE_UNUSABLE(message=message)
 
 
 class NoDisplay(PaperError):
     """A text without a displayed formula."""
 
     def __init__(self, file: Path) -> None:
-        super().__init__(file, None, None, "no displayed equation in it")
+        super().__init__(file, None, None, InputCode.NO_DISPLAY())
 
     def __reduce__(self) -> tuple:
         return NoDisplay, (self.file,)

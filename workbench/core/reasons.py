@@ -101,10 +101,10 @@ def code_of(reason: str | None) -> Code | None:
     return reason.code if isinstance(reason, Reason) else None
 
 
-def reason_of(error: Exception) -> Reason:
-    """Returns the reason that an error carries, or a reason made of its message."""
+def reason_of(error: Exception, otherwise: Code | None = None) -> Reason:
+    """Returns the reason that an error carries, or a reason with the code `otherwise` made of its message."""
     carried = error.args[0] if error.args else None
-    return carried if isinstance(carried, Reason) else ErrorCode.ERROR(what=error)
+    return carried if isinstance(carried, Reason) else (otherwise or ErrorCode.ERROR)(what=error)
 
 
 def code_named(slug: str) -> Code:

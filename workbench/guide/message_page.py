@@ -47,6 +47,10 @@ _BY_TABLE = {
         "meaning": "A table of a paper file or a model lacks something.",
         "way_out": "Add the key; `workbench help model-keys` explains it.",
     },
+    "InputCode": {
+        "meaning": "A file or a command line cannot be used; nothing is judged or written.",
+        "way_out": "Correct what the message names; `workbench help model-keys` lists the keys of a file.",
+    },
     "ErrorCode": {
         "meaning": "The message is that of an error without a code of its own.",
         "way_out": "Follow the message.",
@@ -76,8 +80,8 @@ def known_codes() -> list[str]:
 
 @cache
 def entries() -> Mapping[str, Mapping[str, Any]]:
-    """Returns the entries of messages.toml by label: meaning, example, way_out, and what the example is read
-    with: symbols, definitions, or notation, the text of a notation file."""
+    """Returns the entries of messages.toml by label: meaning, way_out, and an example: a formula, a text with
+    its model, a paper file or a command."""
     with _DATA.open("rb") as file:
         return {f"WB-{slug.upper()}": entry for slug, entry in tomllib.load(file).items()}
 
@@ -122,11 +126,23 @@ def _entry(code: Code, level: str) -> str:
     lines = [f"{level} {label(code)}", "", f"> {_template(code)}", ""]
     if meaning := said.get("meaning"):
         lines += [meaning, ""]
-    if example := said.get("example"):
-        lines += [f"Example: `{example}`{_where(said)}", ""]
+    lines += _example(said)
     if way_out := said.get("way_out"):
         lines += [f"What to do: {way_out}", ""]
     return "\n".join(lines)
+
+
+def _example(said: Mapping[str, Any]) -> list[str]:
+    """Returns the lines of the example: a formula and what it is read with, files, or a command."""
+    lines = [f"Example: `{said['example']}`{_where(said)}", ""] if "example" in said else []
+    for key, name, language in (
+        ("text", "paper.md", ""),
+        ("model", "paper.toml", "toml"),
+        ("paper", "paper.toml", "toml"),
+    ):
+        if key in said:
+            lines += [f"Example, `{name}`:", "", f"```{language}", said[key].strip("\n\ufeff"), "```", ""]
+    return lines + ([f"Example: `{said['command']}`", ""] if "command" in said else [])
 
 
 def _where(said: Mapping[str, Any]) -> str:
@@ -136,6 +152,7 @@ def _where(said: Mapping[str, Any]) -> str:
         for name, kind in said.get("symbols", {}).items()
     ]
     given += [f"the definition `{name} = {body}`" for name, body in said.get("definitions", {}).items()]
+    given += [f"`{line}` assumed" for line in said.get("assume", ())]
     given += [f"`{line}`" for line in said.get("notation", "").splitlines()[1:]]
     return f" with {', '.join(given)}" if given else ""
 

@@ -8,6 +8,7 @@ from fnmatch import fnmatchcase
 
 from workbench.context.claims import Claim
 from workbench.core.close_names import did_you_mean
+from workbench.core.codes.input_codes import InputCode
 
 _RANGE = re.compile(r"(\d{1,6})\s*[-–]\s*(\d{1,6})")
 _LEADING_NUMBER = re.compile(r"\d+")
@@ -32,10 +33,7 @@ def select_claims(claims: Sequence[Claim], select: Sequence[str]) -> list[Claim]
             hint = did_you_mean(
                 item, {name for claim in claims for name in (claim.id, claim.equation) if name}
             )
-            raise SelectError(
-                f"{item!r} selects no claim; expected an equation (58), a range (45-70), an id (58.det), "
-                f"a section (4.1) or a pattern (58.*). {hint}".rstrip()
-            )
+            raise SelectError(InputCode.NO_CLAIM_SELECTED(item=repr(item), hint=hint and f" {hint}"))
         chosen |= found
     return [claim for claim in claims if claim.id in chosen]
 

@@ -143,7 +143,7 @@ def fault_finding(error: PaperError, file: Path) -> Finding:
     """Returns the finding of an error. file: used if the error has no file."""
     line, column = error.line or 1, error.column or 1
     span = Span(Path(error.file or file), line, column, line, column + 1)
-    return Finding("error", "model", error.message, span)
+    return Finding("error", "model", f"{error.message}{suffix(error.reason)}", span)
 
 
 def github(found: Sequence[Finding]) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from rich.text import Text
 
+from workbench.core.code_labels import suffix
 from workbench.core.paper_errors import PaperError
 from workbench.core.spans import Span
 from workbench.report.findings import fault_finding
@@ -32,7 +33,7 @@ def faults_text(faults: Sequence[PaperError]) -> str:
     """Returns each fault with its position and a caret."""
     shown = []
     for fault in faults:
-        shown.append(f"Error: {printable(str(fault))}")
+        shown.append(f"Error: {printable(str(fault))}{suffix(fault.reason)}")
         if fault.file is not None and fault.column is not None:
             span = fault_finding(fault, Path(fault.file)).span
             shown += [line.plain for line in marked_lines(span, lines_of(span.file), "")]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
 from importlib import import_module
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import click
 
@@ -30,11 +32,31 @@ class CommandGroups(click.Group):
             _refuse(ctx, args[0], self.list_commands(ctx))
         return super().resolve_command(ctx, args)
 
+    def make_context(self, *args: Any, **extra: Any) -> click.Context:
+        with _coded():
+            return super().make_context(*args, **extra)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with _coded():
+            return super().invoke(ctx)
+
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         shown = [entry for entry in COMMANDS if not entry.hidden]
         for group in dict.fromkeys(entry.group for entry in shown):
             with formatter.section(group):
                 formatter.write_dl([(each.name, each.summary) for each in shown if each.group == group])
+
+
+@contextmanager
+def _coded() -> Iterator[None]:
+    """Lets the message of an error of usage end with its code."""
+    try:
+        yield
+    except click.UsageError as error:
+        from workbench.app.commands.options import coded_message
+
+        error.format_message = partial(coded_message, error.format_message())  # type: ignore[method-assign]
+        raise
 
 
 def _loaded(entry: Entry) -> click.Command:

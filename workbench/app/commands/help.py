@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from workbench.app.commands.options import Unusable
+from workbench.core.codes.input_codes import InputCode
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -78,7 +79,7 @@ def _text(topic: str, pages: Sequence[Page], root: click.Group, ctx: click.Conte
         return command.get_help(click.Context(command, ctx.find_root(), topic)) + "\n"
     known = known_codes() if topic.upper().startswith("WB-") else [page.topic for page in pages]
     hint = did_you_mean(topic, known) or f"`workbench help --search {topic}` looks into all pages."
-    raise Unusable(f"no page on {topic!r}. {hint}")
+    raise Unusable(InputCode.NO_PAGE(topic=repr(topic), hint=hint))
 
 
 def _print_found(words: Sequence[str], pages: Sequence[Page]) -> None:

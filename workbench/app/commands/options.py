@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from workbench.app.pipeline.verdict_memory import memory_of_verdicts
+from workbench.core.code_labels import suffix
+from workbench.core.codes.input_codes import InputCode
+from workbench.core.reasons import Reason, reason_of
 
 if TYPE_CHECKING:
     from workbench.papers import Paper
@@ -18,10 +21,26 @@ if TYPE_CHECKING:
 INTERRUPTED = 130
 
 
+def coded_message(message: str) -> str:
+    """Returns the message with its code at the end: its own, or that of an unusable command line."""
+    reason = message if isinstance(message, Reason) else InputCode.COMMAND_LINE(what=message)
+    return f"{message}{suffix(reason)}"
+
+
 class Unusable(click.ClickException):
-    """Unusable input: one message on standard error, exit status 2."""
+    """Unusable input: one message with its code on standard error, exit status 2."""
 
     exit_code = 2
+
+    def format_message(self) -> str:
+        return coded_message(self.message)
+
+
+class UnusableFile(Unusable):
+    """Files that cannot be used; the message has the code of each fault."""
+
+    def format_message(self) -> str:
+        return self.message
 
 
 class Defect(click.ClickException):
@@ -45,9 +64,9 @@ def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
         except PaperError as error:
             from workbench.app.commands.carets import faults_text
 
-            raise Unusable(faults_text(error.faults).removeprefix("Error: ")) from None
+            raise UnusableFile(faults_text(error.faults).removeprefix("Error: ")) from None
         except (SelectError, ReportError) as error:
-            raise Unusable(str(error)) from None
+            raise Unusable(reason_of(error, InputCode.COMMAND_LINE)) from None
         except (KeyboardInterrupt, ImportError) as error:
             if not _is_interruption(error):
                 raise

@@ -13,6 +13,8 @@ from rich.text import Text
 
 from workbench.app.commands.options import Unusable, json_flag, print_json, reports_faults
 from workbench.core.code_labels import suffix
+from workbench.core.codes.input_codes import InputCode
+from workbench.core.reasons import reason_of
 from workbench.core.verdict import Outcome, Verdict
 
 if TYPE_CHECKING:
@@ -51,7 +53,7 @@ def try_formula(
     try:
         lines, inferred = judged_formula(formula, dict(_symbol(each) for each in given), assume, paper)
     except ValueError as error:
-        raise Unusable(str(error)) from None
+        raise Unusable(reason_of(error, InputCode.COMMAND_LINE)) from None
     if as_json:
         from workbench.report.to_json import claim_json
 

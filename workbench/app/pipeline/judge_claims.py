@@ -17,6 +17,7 @@ from workbench.app.pipeline.verdict_keys import Keys, Memory
 from workbench.context.circular_conditions import without_circular
 from workbench.context.claim_parts import ClaimForm
 from workbench.context.claims import Claim, Formula, Notation, Paper
+from workbench.core.codes.input_codes import InputCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.paper_errors import PaperError
 from workbench.core.reasons import reason_of
@@ -286,8 +287,10 @@ def _placed(error: PaperError, claim: Claim) -> PaperError:
         return error
     if error.path:  # an entry of another table of the file
         table = ".".join(map(str, error.path))
-        return PaperError(claim.source.file, None, None, f"{table}: {claim.id}: {error.message}")
-    return PaperError(claim.source.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
+        reason = InputCode.OF_CLAIM(claim=f"{table}: {claim.id}", message=error.reason)
+        return PaperError(claim.source.file, None, None, reason)
+    reason = InputCode.OF_CLAIM(claim=f"claim {claim.id}", message=error.reason)
+    return PaperError(claim.source.file, claim.line or None, None, reason)
 
 
 def _as_given(verdict: Verdict, claim: Claim) -> Verdict:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
+from workbench.core.codes.input_codes import InputCode
 from workbench.core.paper_errors import PaperError
 from workbench.source.documents.list_items import with_item_marks
 from workbench.source.toml.file_bytes import file_bytes
@@ -42,12 +43,14 @@ class Source:
             text = raw.decode(encoding)
         except UnicodeDecodeError as error:
             if b"\0" in raw:
-                raise PaperError(path, None, None, "holds NUL bytes; expected a text") from None
+                reason = InputCode.NOT_A_TEXT(fault="holds NUL bytes; expected a text")
+                raise PaperError(path, None, None, reason) from None
             line = raw.count(b"\n", 0, error.start) + 1
             warnings.append(f"line {line}: byte 0x{raw[error.start]:02x} is not UTF-8; read as Latin-1")
             text = raw.decode("latin-1")
         if "\0" in text:
-            raise PaperError(path, None, None, "holds NUL characters; expected a text")
+            reason = InputCode.NOT_A_TEXT(fault="holds NUL characters; expected a text")
+            raise PaperError(path, None, None, reason)
         return Source(path, text.replace("\r\n", "\n").replace("\r", "\n"), warnings)
 
     def place(self, offset: int) -> tuple[int, int]:

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
+from workbench.core.codes.input_codes import InputCode
 from workbench.core.paper_errors import PaperError
 
 _unsaved: ContextVar[Mapping[Path, bytes]] = ContextVar("unsaved", default={})  # noqa: B039
@@ -54,7 +55,7 @@ def file_bytes(path: Path, expected: str, most: int) -> bytes:
                 return raw
             fault = f"is larger than {most:,} bytes"
     except FileNotFoundError:
-        fault = "no such file"
+        fault = InputCode.FILE_NOT_FOUND()
     except (OSError, ValueError) as error:  # ValueError: a NUL in the name
         fault = f"cannot be read: {getattr(error, 'strerror', None) or error}"
     raise PaperError(path, None, None, fault)

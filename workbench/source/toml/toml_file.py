@@ -10,6 +10,7 @@ from copy import copy
 from pathlib import Path
 from typing import Any, Protocol
 
+from workbench.core.codes.input_codes import InputCode
 from workbench.core.formula_errors import place
 from workbench.core.paper_errors import KeyPath, PaperError
 from workbench.source.toml.file_bytes import file_bytes
@@ -80,7 +81,7 @@ class TomlFile:
         except RecursionError:
             raise self._too_deep(text, deep_place(text) or 0) from None
         except ValueError as error:  # such as an integer of more digits than Python converts
-            raise PaperError(path, 1, 1, f"not TOML: {error}") from None
+            raise PaperError(path, 1, 1, InputCode.NOT_TOML(why=error)) from None
 
     def value(self, path: KeyPath, expected: type, default: Any = None) -> Any:
         """Returns the value at `path`, which must have the expected type; `default` if the key is missing."""
@@ -100,13 +101,15 @@ class TomlFile:
 
     def _wrong_kind(self, path: KeyPath, expected: type, node: Any) -> PaperError:
         got = _TYPE_NAMES.get(type(node), f"a {type(node).__name__}")
-        return self.error_at_value(path, f"{path[-1]}: expected {_TYPE_NAMES[expected]}, got {got}")
+        reason = InputCode.VALUE_TYPE(key=path[-1], expected=_TYPE_NAMES[expected], got=got)
+        return self.error_at_value(path, reason)
 
     def text(self, path: KeyPath) -> str | None:
         """Returns a string that is not blank, or None if the key is missing."""
         text = self.value(path, str)
         if text is not None and not text.strip():
-            raise self.error_at_value(path, f"{path[-1]}: expected some text, got an empty string")
+            reason = InputCode.VALUE_TYPE(key=path[-1], expected="some text", got="an empty string")
+            raise self.error_at_value(path, reason)
         return text
 
     def texts(self, path: KeyPath) -> tuple[str, ...]:
@@ -134,7 +137,7 @@ class TomlFile:
             if key not in allowed:
                 near = difflib.get_close_matches(key, allowed, 1)
                 hint = f"did you mean {near[0]}?" if near else f"expected one of {', '.join(allowed)}"
-                raise self.error_at_key((*path, key), f"unknown key {key!r}; {hint}")
+                raise self.error_at_key((*path, key), InputCode.UNKNOWN_KEY(key=repr(key), hint=hint))
 
     @property
     def origin(self) -> TomlFile:
@@ -178,9 +181,11 @@ class TomlFile:
             line = raw.count(b"\n", 0, error.start) + 1
             column = error.start - (raw.rfind(b"\n", 0, error.start) + 1) + 1
             byte = raw[error.start]
-            raise PaperError(self.path, line, column, f"byte 0x{byte:02x} is not UTF-8") from None
+            reason = InputCode.NOT_A_TEXT(fault=f"byte 0x{byte:02x} is not UTF-8")
+            raise PaperError(self.path, line, column, reason) from None
         if text.startswith("\ufeff"):
-            raise PaperError(self.path, 1, 1, "begins with a byte-order mark; save it as plain UTF-8")
+            reason = InputCode.NOT_A_TEXT(fault="begins with a byte-order mark; save it as plain UTF-8")
+            raise PaperError(self.path, 1, 1, reason)
         if not text.strip():
             raise PaperError(self.path, 1, 1, "is empty; expected a paper file with [[claim]] tables")
         return text
@@ -195,7 +200,7 @@ class TomlFile:
             message = match[1]
             line = int(match[2]) if match[2] else text.count("\n") + 1
             column = int(match[3]) if match[3] else len(text) - text.rfind("\n")
-        return PaperError(self.path, line or 1, column or 1, f"not TOML: {message}")
+        return PaperError(self.path, line or 1, column or 1, InputCode.NOT_TOML(why=message))
 
 
 def _removed(node: Any, path: KeyPath) -> Any:

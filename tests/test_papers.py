@@ -386,6 +386,14 @@ def test_orders_must_stay_in_the_stated_range(paper_of):
         paper_of(FAMILY % r"n \geq 1" + "orders = 'n = 0..3'\n")
 
 
+def test_range_that_holds_no_value_is_refused():
+    from workbench.core.integer_expressions import Linear
+    from workbench.language.reader import Range
+
+    with pytest.raises(ValueError, match="no values lie within the ranges"):
+        orders_within(None, [Range("n", Linear(3), Linear(1))])
+
+
 def test_orders_of_one_variable_bounded_by_another():
     from workbench.core.integer_expressions import Linear
     from workbench.language.reader import Range

@@ -110,6 +110,8 @@ def orders_within(orders: Orders | None, stated: Sequence[Range]) -> Orders | No
             raise ValueError(f"orders: expected values for {name} too")
     for each in stated:
         values = kept.ranges[each.variable]
+        if not values:
+            break
         below = each.lower.is_number and values[0] < int(each.lower)
         above = each.upper is not None and each.upper.is_number and values[-1] > int(each.upper)
         if below or above:

@@ -10,6 +10,7 @@ import json
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -63,8 +64,14 @@ def judged(source: str, paper: Paper, jobs: int | None = None) -> list[Entry]:
     return entries_of(source, judge_paper(paper, jobs=jobs))
 
 
+@cache
+def chapter_results() -> tuple[Paper, list[ClaimResult]]:
+    paper = load_installed("chapter")
+    return paper, judge_paper(paper)
+
+
 def chapter() -> list[Entry]:
-    return judged("chapter", load_installed("chapter"))
+    return entries_of("chapter", chapter_results()[1])
 
 
 def installed_texts() -> list[Entry]:

@@ -153,9 +153,9 @@ def test_keys_are_the_same_in_every_process() -> None:
 from workbench.papers import find_paper
 from workbench.app.pipeline import result_proposals as proposals
 from workbench.app.pipeline.verdict_keys import Keys
-paper = find_paper(None)
-keys = Keys(paper.theorems, {})
-print([(claim.id, keys.of(claim, "printed")) for claim in paper.claims])
+for paper in map(find_paper, (None, "vectors")):
+    keys = Keys(paper.theorems, {})
+    print([(claim.id, keys.of(claim, "printed")) for claim in paper.claims])
 """
     seen = {
         subprocess.run(

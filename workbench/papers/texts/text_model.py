@@ -134,7 +134,7 @@ class TextModel:
         since: dict[Name, tuple[Path, int]] = {}
         for _, table, place in self.scopes[:count]:
             keys = [key for part in ("symbols", "definitions") for key in table.value((part,), dict, {})]
-            names = {read_key(key, letters)[0] for key in keys for letters in (INDEX_LETTERS, frozenset())}
+            names = [read_key(key, letters)[0] for key in keys for letters in (INDEX_LETTERS, frozenset())]
             since |= dict.fromkeys(names, place)
         return replace(notation, since=since)
 

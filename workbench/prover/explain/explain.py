@@ -173,11 +173,14 @@ class _Explanation:
             self.subject = subject_of(self.claim, said)
             self.act, self.own = self.subject.act
         statement, definitions = self.claim.printed.statement, self.claim.notation.definitions
-        if self.act is Act.POSTULATE and self.own is not None and isinstance(statement, Relation):
-            given = [f for f in self.known if is_given_by(statement, self.own, f, definitions)]
-            self.act = Act.ASSERT if given else Act.POSTULATE
-            order = _order(statement, self.own)
-            if given and all(_order(fact.content, self.own) == order for fact in given):
+        own = self.claim.context.act[1]
+        is_law = self.act is Act.POSTULATE or self.claim.context.repeats
+        if own is not None and is_law and isinstance(statement, Relation):
+            given = [f for f in self.known if is_given_by(statement, own, f, definitions)]
+            if self.act is Act.POSTULATE:
+                self.act = Act.ASSERT if given else Act.POSTULATE
+            order = _order(statement, own)
+            if given and all(_order(fact.content, own) == order for fact in given):
                 self.doubts.append(f"it is another case than {given[0]}")
 
     def _definitions(self) -> list[Definition]:

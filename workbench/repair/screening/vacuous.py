@@ -98,7 +98,7 @@ def is_trivial(statement: Statement) -> bool:
 def _multiples(term: Term, factor: Fraction) -> Iterator[tuple[Fraction, Term]]:
     """Yields the addends with the numbers before them, without (Xᵀ)ᵀ and the like."""
     match term:
-        case Apply(head="mul", arguments=(Number(value=value), inner)):
+        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))):
             yield from _multiples(inner, factor * value)
         case Apply(head="transpose" | "conjugate" as head, arguments=(inner,)):
             for own, part in _multiples(inner, factor):

@@ -72,6 +72,7 @@ def test_correction_of_a_kind(latex: str, right: str) -> None:
         (r"(R^{-1})^{-1} = R", True),
         (r"(q^*)^* = q", True),
         (r"3 a = a + 2 a", True),
+        (r"a = a 1", True),
         (r"M^T = -(M - 2 M)", False),
         (r"(M^T)^T = M^T", False),
         (r"R^{-1} = R^T", False),

@@ -272,14 +272,19 @@ FIELDS = {
     ],
 )  # fmt: skip
 def test_a_premise_that_must_hold_everywhere_asks_its_author(tmp_path, premise, true, false):
-    r"""\partial f/\partial q = p where f = q p: f is that function there, and not of that value at one place."""
+    r"""\partial f/\partial q = p if f = q p: f may have that value at one place only. Where f = q p, f is that
+    function."""
     (tmp_path / "n.toml").write_text('[conventions]\ngradient = "column"\n[symbols]\n')
-    asked, refuted = (
-        check(rf"{said} \text{{ where }} {premise}", FIELDS, notation=tmp_path / "n.toml")
-        for said in (true, false)
-    )
-    assert asked.outcome == Outcome.UNCHECKED and "at one place only" in asked.verdict.reason
-    assert refuted.outcome == Outcome.REFUTED
+    for word in ("if", "where"):
+        found, refuted = (
+            check(rf"{said} \text{{ {word} }} {premise}", FIELDS, notation=tmp_path / "n.toml")
+            for said in (true, false)
+        )
+        if word == "if" or premise == "F = 0":
+            assert found.outcome == Outcome.UNCHECKED and "at one place only" in found.verdict.reason
+        else:
+            assert found.outcome == Outcome.PROVED
+        assert refuted.outcome in (Outcome.REFUTED, Outcome.UNCHECKED)
 
 
 class TestMembersOfTwoDigits:

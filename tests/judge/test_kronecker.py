@@ -17,7 +17,6 @@ SYMBOLS: dict[str, Any] = {
     "T": "tensor",
     "R": "rotation",
     "v": "vector",
-    "q": "hamilton quaternion",
 }
 LAWS = [
     (r"\operatorname{vec}(A X B) = %s", r"(B^T \otimes A) \operatorname{vec} X", r"(B \otimes A) \operatorname{vec} X"),
@@ -51,10 +50,14 @@ def test_sign_between_vectors_is_the_dyad() -> None:
     [
         (r"v \otimes T = T", "of vectors it is the dyad"),
         (r"\mathbf{I} \otimes A = A", "how large is the 0 or I"),
-        (r"\operatorname{vec}(q) = v", "it stacks the columns of a matrix"),
         (r"\operatorname{vec} v = v", "it stacks the columns of a matrix"),
     ],
 )
 def test_open_meaning_of_the_signs_is_asked_about(formula: str, asked: str) -> None:
     with pytest.raises(ReadError, match=asked):
         check(formula, SYMBOLS)
+
+
+def test_vec_of_a_quaternion_is_asked_about() -> None:
+    with pytest.raises(ReadError, match="it stacks the columns of a matrix"):
+        check(r"\operatorname{vec}(q) = v", {**SYMBOLS, "q": "hamilton quaternion"})

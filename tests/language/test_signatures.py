@@ -27,6 +27,7 @@ SIZES = {
 KINDS = {letter: Type(*size) for letter, size in SIZES.items()} | {"o": OPERATOR, "q": QUATERNION}
 TWICE = Linear(2)
 SAME = {letter: letter for letter in KINDS}
+MATRICES = "tfrhw"
 
 
 def of(letter: str, weight: Weight = TWICE, dual: bool = False) -> Symbol:
@@ -44,6 +45,7 @@ ONE = {
     "vect": ({"t": "v"}, 1),
     "transpose": ({"v": "c", "c": "v", "t": "t", "f": "r", "r": "f", "h": "h", "w": (3, 2), "q": "r"}, 1),
     "inverse": ({letter: letter for letter in "sthq"}, -1),
+    "vec": ({"t": (9, 1), "f": "f", "r": "f", "h": (16, 1), "w": (6, 1)}, 1),
     "adjugate": ({"t": "t"}, 2),
     "conjugate": ({"q": "q"}, 1),
     "re": (SAME, 1),
@@ -154,12 +156,29 @@ def two(head: str, left: str, right: str) -> Type | None:
             return QUATERNION if left + right == "sv" else None
         case "atan2":
             return KINDS["s"] if left == right == "s" else None
+        case "kronecker":
+            rows, columns = (SIZES.get(left, (0, 0))[i] * SIZES.get(right, (0, 0))[i] for i in (0, 1))
+            return Type(rows, columns) if {left, right} <= set(MATRICES) else None
+    if left == "s" and right in "tcrhw":
+        return KINDS[right]
     is_by_column = right in "vf" and left in "svf"
     slope = Type(SIZES[left][0], SIZES[right][0]) if is_by_column else None
     return KINDS[left] if right == "s" and left != "o" else slope
 
 
-TWO = ("mul", "div", "compose", "dot", "cross", "outer", "quaternion", "atan2", "partial", "total")
+TWO = (
+    "mul",
+    "div",
+    "compose",
+    "dot",
+    "cross",
+    "outer",
+    "kronecker",
+    "quaternion",
+    "atan2",
+    "partial",
+    "total",
+)
 
 
 @pytest.mark.parametrize("head", TWO)

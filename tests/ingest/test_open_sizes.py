@@ -72,3 +72,24 @@ def test_what_a_text_gives_anew_is_no_warning(tmp_path: Path, text: str) -> None
         text + "\nFor all vectors $\\mathbf{a}$:\n\n$$ \\mathbf{a} \\times \\mathbf{a} = \\mathbf{a} $$\n"
     )
     assert results(tmp_path, falsehood)[-1].shown is Grade.WARNING
+
+
+TURNS = r"""The rotation matrix $R$ turns the vector $\mathbf{a}$ into the vector $\mathbf{b}$.
+
+$$ \mathbf{b} = R \mathbf{a} $$
+
+$$ R^T R = I $$
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("latex", "shown"),
+    [
+        (r"\operatorname{Ad}_{T} \mathbf{a} + R = R \mathbf{a}", Grade.WARNING),
+        (r"\operatorname{vech}(R) + \mathbf{a} = R", Grade.NOT_JUDGED),
+    ],
+)
+def test_misfit_of_an_unknown_word_is_no_warning(tmp_path: Path, latex: str, shown: Grade) -> None:
+    """The word Ad is known: it is a map of twists."""
+    assert results(tmp_path, f"{TURNS}$$ {latex} $$\n")[-1].shown is shown

@@ -16,6 +16,7 @@ from workbench.core.terms import Relation, Symbol, sides_of
 from workbench.core.verdict import Outcome, Strength, Verdict
 from workbench.papers.drafting.draft_model import Ingested, ingest, ingested
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
+from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
 from workbench.papers.drafting.redefinitions import given_in
@@ -31,8 +32,6 @@ from workbench.source.documents.titles import own_title
 
 #: The words for one of several cases, before a display.
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
-#: The words for maps of twists, whose kinds are known.
-_OF_TWISTS = ("Ad", "ad")
 #: The libraries whose versions a draft depends on, beside the files of its text.
 DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
 
@@ -130,9 +129,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
 
 def _has_unknown_word(misfit: TypeMismatch) -> bool:
     """True if the operation has a word whose values the draft can only guess, as vech(A)."""
-    return any(
-        name.startswith(r"\operatorname") and flat(name)[14:16] not in _OF_TWISTS for name in misfit.names
-    )
+    words = [name for name in misfit.names if name.startswith(r"\operatorname")]
+    return not all(map(MAP_OF_TWISTS.match, words))
 
 
 def _of_the_text(doubt: str) -> str:

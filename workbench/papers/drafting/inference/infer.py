@@ -17,7 +17,7 @@ from workbench.papers.drafting.inference.notation_marks import (
     skew_marks,
 )
 from workbench.papers.drafting.inference.pieces import operations_of
-from workbench.papers.drafting.inference.priors import Priors
+from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS, Priors
 from workbench.papers.drafting.inference.walker import Walker, counted_letters
 from workbench.papers.drafting.words_on_symbols import Prose
 
@@ -247,7 +247,7 @@ def _sizes(trees: Iterable[Operation], prose: Prose, has_joints: bool) -> list[K
     if _OF_TWISTS.search(prose.text):
         extents.add(6)
     for tree in trees:
-        if tree.op == SYMBOL and re.search(r"\\operatorname\{[aA]d\b", tree.text):
+        if tree.op == SYMBOL and MAP_OF_TWISTS.search(tree.text):
             extents.add(6)
         if tree.op == "matrix":
             own = [*map(int, tree.text.split())]

@@ -63,7 +63,8 @@ _NO_QUATERNIONS, _ROW = 60, 14
 #: The cost of a scalar s in a × (s a).
 _NOT_PARALLEL = 30
 
-_ADJOINT = re.compile(r"\\operatorname\{[aA]d\b")
+#: A word for a map of twists.
+MAP_OF_TWISTS = re.compile(r"\\operatorname\{[aA]d\b")
 _LEFT = re.compile(r"^\{\}(?:[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
 _PREFIX = re.compile(r"^\\[Dd]elta[\s{]")
 _COMPONENT = re.compile(
@@ -153,7 +154,7 @@ class Priors:
         by_shape, said = list(FACES[written]), self.prose.guess(name)
         if name in self.functions and written in ("capital", "energy"):
             by_shape[0], by_shape[1] = by_shape[0] + 12, by_shape[1] + 8
-        sure: Kind | None = (6, 6) if _ADJOINT.match(name) else None
+        sure: Kind | None = (6, 6) if MAP_OF_TWISTS.match(name) else None
         if said is not None and (said.is_said or said.why.endswith("quaternions")):
             words = _words(said)
             if words in SAID:

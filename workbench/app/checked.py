@@ -186,8 +186,8 @@ def with_assumptions(claim: Claim, conditions: Sequence[str]) -> Claim:
     Raises:
         ValueError: A condition cannot be read, does not fit, or is the claim itself.
     """
-    line_of = map(whole_line, conditions)
-    supposed = [_formula(line, claim.notation, claim.orders, "assume")[0] for line in line_of]
+    lines = map(whole_line, conditions)
+    supposed = [_formula(line, claim.notation, claim.orders, "assume")[0] for line in lines]
     claimed = claim.printed.statement
     for condition in supposed:
         if condition.ill_formed:

@@ -12,7 +12,8 @@ from workbench.context.free_symbols import free_in
 from workbench.core.terms import Definition, Relation, Symbol, Term
 from workbench.language.definitions import Definitions
 
-_GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
+#: What a formula does that gives its symbol.
+GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
 
 
 def rate_in(said: object, own: Symbol) -> tuple[int, Term] | None:
@@ -45,14 +46,12 @@ def is_repeated(claim: Claim, facts: Iterable[Fact]) -> bool:
     """True if the earlier formulas of a text give the symbol that the claim says something of."""
     act, own = claim.context.act
     statement = claim.printed.statement
-    if act not in _GIVES or own is None or not isinstance(statement, Relation):
+    if act not in GIVES or own is None or not isinstance(statement, Relation):
         return False
     said = [
         fact
         for fact in facts
-        if fact.origin.provider is Provider.FORMULA
-        and fact.strength is Strength.STATED
-        and fact.act in _GIVES
+        if fact.origin.provider is Provider.FORMULA and fact.strength is Strength.STATED and fact.act in GIVES
     ]
     if any(is_given_by(statement, own, fact, claim.notation.definitions) for fact in said):
         definitions = definitions_in(said)

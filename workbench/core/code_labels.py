@@ -18,10 +18,16 @@ def telling_code(reason: str | None) -> Code | None:
     return telling_code(inner[0]) if len(inner) == 1 else reason.code
 
 
+def label_of(reason: str | None) -> str:
+    """Returns the label of the code that a reason tells, or "" for plain text."""
+    code = telling_code(reason)
+    return "" if code is None else label(code)
+
+
 def suffix(reason: str | None) -> str:
     """Returns the suffix of a message with this reason: " [WB-…]", or "" for plain text."""
-    code = telling_code(reason)
-    return "" if code is None else f" [{label(code)}]"
+    own = label_of(reason)
+    return f" [{own}]" if own else ""
 
 
 def coded(reason: str | None) -> str | None:

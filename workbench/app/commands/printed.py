@@ -12,7 +12,7 @@ import click
 from workbench.app.commands.ask import print_questions
 from workbench.app.commands.judging_options import print_faults, print_results, write_atomically
 from workbench.app.commands.options import json_text, print_json
-from workbench.core.code_labels import suffix
+from workbench.core.code_labels import label_of
 from workbench.report.counts import versions
 from workbench.report.to_json import report_json
 
@@ -149,6 +149,5 @@ def _faults_json(paper: Paper) -> dict[str, Any]:
 
 
 def _fault_json(error: PaperError) -> dict[str, Any]:
-    code = suffix(error.reason).strip(" []")
     place = {"file": str(error.file), "line": error.line, "column": error.column}
-    return {**place, "message": error.message, "code": code}
+    return {**place, "message": error.message, "code": label_of(error.reason)}

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from workbench.papers.drafting.judged_draft import Draft
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
+    from workbench.runtime import Budget
 
 #: Seconds for the search for a correction of one claim in interactive use.
 SEARCH_SECONDS = 5.0
@@ -28,14 +29,18 @@ class Loaded:
     paper: Paper
     draft: Draft | None = None
 
-    def judged(self, results: Sequence[ClaimResult]) -> Judged:
-        """Returns the results with the basis that the kinds of the draft have."""
+    def judged(
+        self, results: Sequence[ClaimResult], budget: Budget | None = None, memory: Memory | None = None
+    ) -> Judged:
+        """Returns the results with the basis that the kinds of the draft have.
+
+        budget, memory: of judgements at other sizes."""
         from workbench.app.pipeline.open_sizes import at_other_sizes
         from workbench.papers.drafting.judged_draft import on_drafted_kinds
 
         if self.draft is None:
             return Judged(self.paper, list(results))
-        own = at_other_sizes(self.draft, on_drafted_kinds(self.draft, results))
+        own = at_other_sizes(self.draft, on_drafted_kinds(self.draft, results), budget, memory)
         return Judged(self.paper, own, self.draft)
 
 
@@ -84,7 +89,8 @@ def judged_file(
 
     with unsaved(buffers or {}), within(folder), memory_of_verdicts(True) as memory:
         loaded = loaded_file(path, memory, answers)
-        return loaded.judged(judge_paper(loaded.paper, (), progress, 1, memory=memory, motions=motions))
+        results = judge_paper(loaded.paper, (), progress, 1, memory=memory, motions=motions)
+        return loaded.judged(results, memory=memory)
 
 
 def with_corrections(
@@ -101,5 +107,7 @@ def with_corrections(
     text = judged.paper.text if isinstance(judged.paper, TextPaper) else None
     with memory_of_verdicts(True) as memory:
         limits = Limits(seconds=seconds)
-        results = with_proposals(judged.results, limits, lambda _: found(), memory, False, text)
+        results = with_proposals(
+            judged.results, limits, lambda _: found(), memory, beside_right=False, text=text
+        )
     return replace(judged, results=results)

@@ -47,20 +47,25 @@ def judge_papers(
                 pool = PaperOnCluster(cluster, judge, name) if cluster else None
                 waiting.append((loaded, judge, judge.results(loaded.paper.claims, jobs, pool)))
                 if len(waiting) > (AHEAD if cluster else 0):
-                    yield _collected(*waiting.popleft(), progress)
+                    yield _collected(*waiting.popleft(), progress, budget, memory)
             while waiting:
-                yield _collected(*waiting.popleft(), progress)
+                yield _collected(*waiting.popleft(), progress, budget, memory)
         finally:
             for _, judge, _ in waiting:
                 judge.close()
 
 
 def _collected(
-    loaded: Loaded, judge: PaperJudge, results: Iterator[ClaimResult], progress: Progress
+    loaded: Loaded,
+    judge: PaperJudge,
+    results: Iterator[ClaimResult],
+    progress: Progress,
+    budget: Budget | None,
+    memory: Memory | None,
 ) -> Judged:
     claims = loaded.paper.claims
     try:
         with progress(len(claims)) as advance:
-            return loaded.judged(in_order(results, claims, advance))
+            return loaded.judged(in_order(results, claims, advance), budget, memory)
     finally:
         judge.close()

@@ -6,6 +6,7 @@ from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import replace
 
 from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.app.pipeline.verdict_keys import Memory
 from workbench.context.free_symbols import terms_of
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.paper_errors import PaperError
@@ -15,6 +16,7 @@ from workbench.papers.drafting.inference.kind_signatures import Kind
 from workbench.papers.drafting.judged_draft import Draft, draft_from
 from workbench.papers.drafting.symbol_guesses import kind_of_model, open_kinds
 from workbench.prover.results.claim_results import ClaimResult
+from workbench.runtime import Budget
 
 #: The sizes at which claims are judged again; the draft has the size 2, and twists have the size 6.
 _OTHERS, _OF_TWISTS = "3", "6"
@@ -22,7 +24,9 @@ _FIT = frozenset({Outcome.ILL_FORMED})
 _DECIDED = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.REFUTED}) | _FIT
 
 
-def at_other_sizes(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:
+def at_other_sizes(
+    draft: Draft, results: Sequence[ClaimResult], budget: Budget | None = None, memory: Memory | None = None
+) -> list[ClaimResult]:
     """Returns the results of a draft; what holds, fails or fits at one size n only is not judged."""
     kinds = open_kinds(draft.ingested.inference, draft.ingested.guesses)
     found = list(results)
@@ -32,13 +36,18 @@ def at_other_sizes(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimRe
             for each in found
             if each.verdict.outcome in (_FIT if size == _OF_TWISTS else _DECIDED) and _uses(each, kinds)
         }
-        again = _judged_at(size, draft, kinds, concerned) if concerned else {}
+        again = _judged_at(size, draft, kinds, concerned, budget, memory) if concerned else {}
         found = [_agreed(each, again.get(each.claim.id), size) for each in found]
     return found
 
 
 def _judged_at(
-    size: str, draft: Draft, kinds: Mapping[str, Kind], concerned: Collection[str]
+    size: str,
+    draft: Draft,
+    kinds: Mapping[str, Kind],
+    concerned: Collection[str],
+    budget: Budget | None,
+    memory: Memory | None,
 ) -> dict[str, Verdict]:
     """Returns the verdicts on these claims at another size; none if the draft has no such size."""
     guesses = draft.ingested.guesses
@@ -48,7 +57,7 @@ def _judged_at(
     except PaperError:
         return {}
     ids = sorted({each.id for each in paper.claims} & {*concerned})
-    again = judge_paper(paper, ids, jobs=1, motions=False) if ids else []
+    again = judge_paper(paper, ids, jobs=1, motions=False, budget=budget, memory=memory) if ids else []
     return {each.claim.id: each.verdict for each in again}
 
 

@@ -88,9 +88,8 @@ def _judged(
     start = monotonic()
     try:
         loaded = loaded_file(file, memory)
-        judged = loaded.judged(
-            judge_paper(loaded.paper, (), lambda _: None, jobs, budget=budget, memory=memory, **engines)
-        )
+        results = judge_paper(loaded.paper, (), lambda _: None, jobs, budget=budget, memory=memory, **engines)
+        judged = loaded.judged(results, budget, memory)
     except PaperError as error:
         print_faults(error.faults)
         return before or [file, file.with_suffix(".toml")]

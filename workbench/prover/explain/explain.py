@@ -17,7 +17,7 @@ from workbench.context.facts import Act, Context, Fact, Provider, Strength, Supp
 from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
 from workbench.context.formula_subject import Subject
 from workbench.context.free_symbols import names_in, terms_of
-from workbench.context.repeated_laws import is_given_by, rate_in
+from workbench.context.repeated_laws import GIVES, is_given_by, rate_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.reasons import Reason
@@ -37,8 +37,7 @@ from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.runtime.limits import within
 
 _SURE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
-_GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
-_TESTED = frozenset({Act.DEFINE, Act.POSTULATE, Act.CONSTRAIN})
+_TESTED = GIVES | {Act.CONSTRAIN}
 #: Number of unusable facts that a message names.
 _NAMED = 2
 
@@ -117,10 +116,10 @@ class _Explanation:
         if self.base.outcome is not Outcome.REFUTED:
             is_claim = self.act is Act.ASSERT and (was is Act.POSTULATE or bool(self._definitions()))
             if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
-                is_given = was in _GIVES
+                is_given = was in GIVES
                 return self._said_or_held(was if is_given else Act.POSTULATE, own if is_given else None)
             self.base = self.against
-        if self.act in _GIVES:
+        if self.act in GIVES:
             return self._said_or_held(self.act, self.own)
         context = self._context()
         if (held := self._by_hints(context)) is not None:
@@ -175,13 +174,14 @@ class _Explanation:
         statement, definitions = self.claim.printed.statement, self.claim.notation.definitions
         own = self.claim.context.act[1]
         is_law = self.act is Act.POSTULATE or self.claim.context.repeats
-        if own is not None and is_law and isinstance(statement, Relation):
-            given = [f for f in self.known if is_given_by(statement, own, f, definitions)]
-            if self.act is Act.POSTULATE:
-                self.act = Act.ASSERT if given else Act.POSTULATE
-            order = _order(statement, own)
-            if given and all(_order(fact.content, own) == order for fact in given):
-                self.doubts.append(f"it is another case than {given[0]}")
+        if own is None or not is_law or not isinstance(statement, Relation):
+            return
+        given = [fact for fact in self.known if is_given_by(statement, own, fact, definitions)]
+        if given and self.act is Act.POSTULATE:
+            self.act = Act.ASSERT
+        order = _order(statement, own)
+        if given and all(_order(fact.content, own) == order for fact in given):
+            self.doubts.append(f"it is another case than {given[0]}")
 
     def _definitions(self) -> list[Definition]:
         return [fact.content for fact in self.known if isinstance(fact.content, Definition)]
@@ -296,7 +296,7 @@ class _Explanation:
         _, own = self.claim.context.act
         if own is None:
             return None
-        given = [fact for fact in self.known if fact.act in _GIVES and rate_in(fact.content, own) is not None]
+        given = [fact for fact in self.known if fact.act in GIVES and rate_in(fact.content, own) is not None]
         facts = ", ".join(map(str, given))
         return ContextCode.GIVEN_OTHERWISE(symbol=f"${to_latex(own)}$", facts=facts) if given else None
 

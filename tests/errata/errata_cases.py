@@ -19,8 +19,7 @@ from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.paper_errors import PaperError
 from workbench.core.terms import Conjunction, Relation, Statement, Term, Zero
 from workbench.core.verdict import Grade, Outcome
-from workbench.engines.inventory import NoDefinitions
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NoDefinitions, NotExact
 from workbench.engines.jet.rings import PRIME
 from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
 from workbench.papers.load import load_paper

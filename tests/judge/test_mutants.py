@@ -16,8 +16,9 @@ import pytest
 from workbench.core.integer_instances import instantiate
 from workbench.core.terms import Conjunction, IllFormed, Relation
 from workbench.core.verdict import Outcome
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.papers import find_paper
 from workbench.prover.decide.decide import Judge
 from workbench.prover.results.claim_results import HOLDS

@@ -9,8 +9,8 @@ import pytest
 from judge.test_judge import judged
 
 from workbench.core.verdict import Outcome
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.inventory import NotExact
 from workbench.engines.jet.number_field import Algebraic, NumberField, NumberFieldRing
 
 SATISFIABLE = [

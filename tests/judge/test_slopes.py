@@ -9,7 +9,7 @@ import pytest
 from workbench import check
 from workbench.core.formula_errors import ReadError, SpecError
 from workbench.core.verdict import Outcome
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.reading_conventions import Conventions, Gradient

@@ -23,8 +23,8 @@ from workbench.core.integer_instances import instantiate
 from workbench.core.names import Name
 from workbench.core.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
 from workbench.core.verdict import Outcome, Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read

@@ -10,7 +10,7 @@ from workbench.context.claims import Correction
 from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.terms import Statement
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Accented, Group, Infix, Product

@@ -6,7 +6,7 @@ import pytest
 from repair.damage import read_or_fault, right_claims
 
 from workbench.core.terms import Apply, IllFormed
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.papers import find_paper
 from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.screen import Screen

@@ -157,7 +157,7 @@ def _are_proportional(one: Relation, other: Relation, definitions: Definitions, 
     hold: whether constants keep their values over all points, so that the ratio may depend on them. Some
     other symbol must then vary.
     """
-    from workbench.engines.inventory.inventory import NotExact
+    from workbench.engines.inventory import NotExact
 
     with suppress(NotExact, IllFormed, ZeroDivisionError):
         points = _differences(one, other, definitions, hold)
@@ -185,7 +185,8 @@ def _differences(
     Raises:
         NotExact: A side cannot be evaluated.
     """
-    from workbench.engines.inventory.inventory import NotExact, take_inventory
+    from workbench.engines.inventory import NotExact
+    from workbench.engines.inventory.inventory import take_inventory
     from workbench.engines.inventory.parameters import Parameter
     from workbench.engines.jet.jets import JetEngine
     from workbench.engines.jet.rings import FloatRing, PointSource, RationalRing, sample

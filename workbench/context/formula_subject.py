@@ -28,7 +28,8 @@ from workbench.core.terms import (
     sides_of,
 )
 from workbench.core.types import SCALAR, VECTOR, Declaration, Type
-from workbench.engines.inventory.inventory import Inventory, NotExact, take_inventory
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 

@@ -22,7 +22,7 @@ class ReadError(ValueError):
     def code(self) -> Code:
         return self.message.code
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[object, ...]:
         """Makes the error picklable, so that it can be sent between processes."""
         return ReadError, (self.message, self.line, self.column)
 
@@ -36,7 +36,7 @@ class IllFormedAt(IllFormed):
         self.line = line
         self.column = column
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[object, ...]:
         return IllFormedAt, (IllFormed(self.message, self.intent), self.line, self.column)
 
 
@@ -53,7 +53,7 @@ class SpecError(ValueError):
     def code(self) -> Code:
         return self.message.code
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[object, ...]:
         return SpecError, (self.message, self.key)
 
 

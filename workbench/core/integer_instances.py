@@ -53,7 +53,7 @@ _FRESH = "klmnijpqrsabcdefgh"
 def instantiate(formula: Term, values: Mapping[str, Linear | int]) -> Term: ...
 @overload
 def instantiate(formula: Statement, values: Mapping[str, Linear | int]) -> Statement: ...
-def instantiate(formula, values):
+def instantiate(formula: Term | Statement, values: Mapping[str, Linear | int]) -> Term | Statement:
     """Returns the formula with integer variables replaced by numbers or by linear expressions in other
     variables.
 

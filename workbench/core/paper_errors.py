@@ -40,7 +40,7 @@ class PaperError(ValueError):
     def faults(self) -> Sequence[PaperError]:
         return (self,)
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[object, ...]:
         """Makes the error picklable, so that it can be sent between processes."""
         return PaperError, (self.file, self.line, self.column, self.reason)
 
@@ -59,7 +59,7 @@ class NoDisplay(PaperError):
     def __init__(self, file: Path) -> None:
         super().__init__(file, None, None, InputCode.NO_DISPLAY())
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[object, ...]:
         return NoDisplay, (self.file,)
 
 
@@ -75,7 +75,7 @@ class PaperErrors(PaperError):
     def faults(self) -> Sequence[PaperError]:
         return self._faults
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[object, ...]:
         return PaperErrors, (self._faults,)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import Any, Literal
+from typing import Literal
 
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.integer_expressions import Linear
@@ -66,7 +66,7 @@ def sizes(types: Iterable[Type]) -> str:
     return " and ".join(dict.fromkeys(f"{each.rows}×{each.columns}" for each in types))
 
 
-def shaped(term: Any, type_: Type) -> Any:
+def shaped(term: Term, type_: Type) -> Term:
     """Returns a multiple of zero or of the unit tensor with this type; a dual term stays dual. Raises
     IllFormed."""
     if term.type.with_dual(False) == type_.with_dual(False):
@@ -89,6 +89,7 @@ def shaped(term: Any, type_: Type) -> Any:
             arguments = tuple(shaped(argument, type_) for argument in term.arguments)
         case Apply():
             arguments = (shaped(term.arguments[0], type_), *term.arguments[1:])
+    assert isinstance(term, Apply)
     return replace(term, type=type_.with_dual(term.type.dual), arguments=arguments)
 
 

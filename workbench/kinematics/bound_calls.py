@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from workbench.kinematics.compiled_kernels import BoundKernel
 
 
-class BoundCall(partial):
+class BoundCall(partial[Any]):
     """A call without arguments. It keeps alive what the compiled code has the addresses of: the plan, q
     (orders, states, coordinates) and out (frames, states, orders, parts), whose memory must not move."""
 

@@ -11,11 +11,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import comb
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from workbench.algebra.dual import divide
 from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, dot, outer, skew, transpose
-from workbench.kinematics.tensors import as_tensors, as_vectors, divide, scalar_kind
+from workbench.kinematics.tensors import as_tensors, as_vectors, scalar_kind
 
 from .fields import paired_derivatives, solve
 
@@ -42,7 +45,7 @@ class Locus:
     residual: np.ndarray
 
     @property
-    def kind(self):
+    def kind(self) -> Any:
         """'none', 'point', 'line', 'plane' or 'space'; an array of these for a batch."""
         kinds = np.vectorize(KINDS.get, otypes=[object])(self.dimension)
         return kinds.item() if kinds.ndim == 0 else kinds
@@ -64,7 +67,9 @@ def _triple(x: np.ndarray) -> str:
     return "(" + ", ".join(f"{c:.6g}" if isinstance(c, float) else str(c) for c in x) + ")"
 
 
-def acceleration_centre(Phi, a, *, rtol=1e-9, Phi_scale=0.0, a_scale=0.0) -> Locus:
+def acceleration_centre(
+    Phi: ArrayLike, a: ArrayLike, *, rtol: float = 1e-9, Phi_scale: ArrayLike = 0.0, a_scale: ArrayLike = 0.0
+) -> Locus:
     """Returns Gₙ, the points of zero n-th order acceleration, of Φₙ (..., 3, 3) and aₙ (..., 3); Eq. (50).
 
     For n = 1 these are a line exactly if ω · v = 0 and ω ≠ 0 (a pure rotation's axis).
@@ -77,7 +82,15 @@ def acceleration_centre(Phi, a, *, rtol=1e-9, Phi_scale=0.0, a_scale=0.0) -> Loc
     return points_with_acceleration(Phi, a, 0 * a, rtol=rtol, Phi_scale=Phi_scale, a_scale=a_scale)
 
 
-def points_with_acceleration(Phi, a, prescribed, *, rtol=1e-9, Phi_scale=0.0, a_scale=0.0) -> Locus:
+def points_with_acceleration(
+    Phi: ArrayLike,
+    a: ArrayLike,
+    prescribed: ArrayLike,
+    *,
+    rtol: float = 1e-9,
+    Phi_scale: ArrayLike = 0.0,
+    a_scale: ArrayLike = 0.0,
+) -> Locus:
     """Returns the points with n-th order acceleration `prescribed` (..., 3) in m/sⁿ; Eqs. (11), (49).
 
     Phi (..., 3, 3) in 1/sⁿ and a (..., 3) in m/sⁿ are Φₙ and aₙ.
@@ -108,7 +121,7 @@ def points_with_acceleration(Phi, a, prescribed, *, rtol=1e-9, Phi_scale=0.0, a_
     return _float_locus(Phi, wanted - a, rtol, Phi_scale, np.maximum(size, a_scale))
 
 
-def regular_point(Phi, a, prescribed=0) -> np.ndarray:
+def regular_point(Phi: ArrayLike, a: ArrayLike, prescribed: ArrayLike = 0) -> np.ndarray:
     """Returns ρ = Φₙ⁻¹ (a* - aₙ), (..., 3) in m, for a regular Φₙ and any scalars, symbolic too; Eqs. (49),
     (50).
 
@@ -117,7 +130,7 @@ def regular_point(Phi, a, prescribed=0) -> np.ndarray:
     return solve(Phi, np.asarray(prescribed) - as_vectors(a, "a"))
 
 
-def field_scales(omega, v) -> tuple[np.ndarray, np.ndarray]:
+def field_scales(omega: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns the sizes of the terms of Φₙ and aₙ, each (N+1, ...), of float omega, v (N, ..., 3).
 
     The norms' own recurrence: s₀ = 1, sₙ₊₁ = Σₖ C(n,k) |ω⁽ⁿ⁻ᵏ⁾| sₖ; b₀ = 0, bₙ₊₁ = |v⁽ⁿ⁾| + Σₖ C(n,k)
@@ -132,7 +145,9 @@ def field_scales(omega, v) -> tuple[np.ndarray, np.ndarray]:
     return np.stack(s), np.stack(b)
 
 
-def _float_locus(Phi, target, rtol, Phi_scale, a_scale) -> Locus:
+def _float_locus(
+    Phi: np.ndarray, target: np.ndarray, rtol: float, Phi_scale: ArrayLike, a_scale: np.ndarray
+) -> Locus:
     U, s, Vt = np.linalg.svd(Phi)
     zero = s <= rtol * np.maximum(s[..., 0], Phi_scale)[..., None]
     components = apply(transpose(U), target)
@@ -165,7 +180,7 @@ def _exact_locus(Phi: np.ndarray, target: np.ndarray) -> Locus:
     return Locus(dimension, rank, point, directions, residual=apply(Phi, point) - target)
 
 
-def _exact_solution(Phi, b) -> tuple[int, list[np.ndarray], np.ndarray]:
+def _exact_solution(Phi: np.ndarray, b: np.ndarray) -> tuple[int, list[np.ndarray], np.ndarray]:
     """Returns (rank, basis of the null space, shortest least-squares solution ρ of Φ ρ = b) in rationals
     only."""
     cofactors = adjugate(Phi)

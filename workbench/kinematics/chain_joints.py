@@ -23,7 +23,7 @@ class Joint:
     pitch: float
     transform: np.ndarray
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.kind not in KINDS:
             raise ValueError(f"joint: expected one of {', '.join(KINDS)}, got {self.kind!r}")
         is_fixed = self.kind == "fixed"

@@ -188,7 +188,7 @@ def _fixed_axis_coefficients(w: Sequence[Any]) -> tuple[list[Any], list[Any]]:
     return a, b
 
 
-def _require(lines: Sequence[Dual], rates: Rates, joints: int, entries: int = 4):
+def _require(lines: Sequence[Dual], rates: Rates, joints: int, entries: int = 4) -> None:
     if joints == 0 or len(lines) != joints:
         raise ValueError(f"expected {joints or 'at least 1'} lines, got {len(lines)}")
     if len(rates) != joints:

@@ -29,12 +29,14 @@ from __future__ import annotations
 from math import comb
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from workbench.algebra.dual import divide
 from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, skew, trace, vect
-from workbench.kinematics.tensors import as_tensors, as_vectors, divide, identity_like, scalar_kind, sym
+from workbench.kinematics.tensors import as_tensors, as_vectors, identity_like, scalar_kind, sym
 
 
-def paired_derivatives(x, y, names: tuple[str, str]) -> tuple[np.ndarray, np.ndarray]:
+def paired_derivatives(x: ArrayLike, y: ArrayLike, names: tuple[str, str]) -> tuple[np.ndarray, np.ndarray]:
     """Returns two vectors, each (N, ..., 3). Raises ValueError unless both have equally many derivatives."""
     x, y = _derivatives(x, names[0]), _derivatives(y, names[1])
     if len(x) != len(y):
@@ -45,14 +47,14 @@ def paired_derivatives(x, y, names: tuple[str, str]) -> tuple[np.ndarray, np.nda
     return x, y
 
 
-def _derivatives(x, name: str) -> np.ndarray:
+def _derivatives(x: ArrayLike, name: str) -> np.ndarray:
     x = as_vectors(x, name)
     if x.ndim < 2 or x.shape[0] == 0:
         raise ValueError(f"{name}: expected shape (N, ..., 3) with N >= 1, derivative first, got {x.shape}")
     return x
 
 
-def acceleration_tensors(omega) -> np.ndarray:
+def acceleration_tensors(omega: ArrayLike) -> np.ndarray:
     """Returns Φ₀ ... Φ_N of omega (N, ..., 3), as (N+1, ..., 3, 3): Φₙ = R⁽ⁿ⁾ Rᵀ, Eq. (15).
 
     By Leibniz on Ṙ = ω̃ R, and so free of derivatives of Φ (equivalent to Eq. (20)):
@@ -71,7 +73,7 @@ def acceleration_tensors(omega) -> np.ndarray:
     return np.stack(Phi)
 
 
-def invariant_vectors(omega, v) -> np.ndarray:
+def invariant_vectors(omega: ArrayLike, v: ArrayLike) -> np.ndarray:
     """Returns a₀ ... a_N of omega, v (N, ..., 3), as (N+1, ..., 3): the aₙ of Eqs. (16), (20).
 
     By Leibniz on ρ̇ = v + ω × ρ for the body point at the origin:
@@ -89,7 +91,7 @@ def invariant_vectors(omega, v) -> np.ndarray:
     return np.stack(a)
 
 
-def homogeneous_tensors(Phi, a) -> np.ndarray:
+def homogeneous_tensors(Phi: ArrayLike, a: ArrayLike) -> np.ndarray:
     """Returns Ψₙ = [Φₙ aₙ; 0 0], (..., 4, 4), of Phi (..., 3, 3) and a (..., 3); Eq. (29)."""
     Phi, a = as_tensors(Phi, "Phi"), as_vectors(a, "a")
     Phi, a = np.broadcast_arrays(Phi, a[..., None])
@@ -97,7 +99,7 @@ def homogeneous_tensors(Phi, a) -> np.ndarray:
     return np.concatenate([upper, 0 * upper[..., :1, :]], axis=-2)
 
 
-def twist_from_field(Phi, a) -> tuple[np.ndarray, np.ndarray]:
+def twist_from_field(Phi: ArrayLike, a: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns (omega, v), each (N, ..., 3), of Phi (N+1, ..., 3, 3) and a (N+1, ..., 3): the way back.
 
     The inverse of `acceleration_tensors` and `invariant_vectors`, order by order (cf. Eq. (22)):
@@ -121,7 +123,7 @@ def twist_from_field(Phi, a) -> tuple[np.ndarray, np.ndarray]:
     return np.stack(omega), np.stack(v)
 
 
-def acceleration(Phi, a, rho) -> np.ndarray:
+def acceleration(Phi: ArrayLike, a: ArrayLike, rho: ArrayLike) -> np.ndarray:
     """Returns aₙ + Φₙ ρ, (..., 3), in m/sⁿ: the n-th order acceleration of the body point at rho; Eq. (19).
 
     Phi (..., 3, 3), a (..., 3) and rho (..., 3) in m broadcast: whole stacks of orders with one
@@ -134,27 +136,27 @@ def acceleration(Phi, a, rho) -> np.ndarray:
     return as_vectors(a, "a") + apply(as_tensors(Phi, "Phi"), as_vectors(rho, "rho"))
 
 
-def t(Phi) -> np.ndarray:
+def t(Phi: ArrayLike) -> np.ndarray:
     """Returns tₙ = vect Φₙ, (..., 3); recurrence Eq. (54)."""
     return vect(as_tensors(Phi, "Phi"))
 
 
-def S(Phi) -> np.ndarray:
+def S(Phi: ArrayLike) -> np.ndarray:
     """Returns Sₙ = sym Φₙ, (..., 3, 3); recurrence Eq. (55)."""
     return sym(as_tensors(Phi, "Phi"))
 
 
-def divergence(Phi) -> np.ndarray:
+def divergence(Phi: ArrayLike) -> np.ndarray:
     """Returns div of the n-th order acceleration field, (...): tr Φₙ; Eq. (52)."""
     return trace(as_tensors(Phi, "Phi"))
 
 
-def curl(Phi) -> np.ndarray:
+def curl(Phi: ArrayLike) -> np.ndarray:
     """Returns curl of the n-th order acceleration field, (..., 3): 2 vect Φₙ; Eq. (52)."""
     return 2 * t(Phi)
 
 
-def invariant_I(Phi, a_rho, rho) -> np.ndarray:
+def invariant_I(Phi: ArrayLike, a_rho: ArrayLike, rho: ArrayLike) -> np.ndarray:
     """Returns Iₙ = a_ρ⁽ⁿ⁾ - Φₙ ρ, (..., 3), the same at every point (and equal to aₙ); Eq. (46).
 
     a_rho (..., 3): the n-th order acceleration of the body point at rho (..., 3).
@@ -162,13 +164,13 @@ def invariant_I(Phi, a_rho, rho) -> np.ndarray:
     return as_vectors(a_rho, "a_rho") - apply(as_tensors(Phi, "Phi"), as_vectors(rho, "rho"))
 
 
-def invariant_J(Phi, a_rho, rho) -> np.ndarray:
+def invariant_J(Phi: ArrayLike, a_rho: ArrayLike, rho: ArrayLike) -> np.ndarray:
     """Returns Jₙ = Φₙ* a_ρ⁽ⁿ⁾ - (det Φₙ) ρ, (..., 3), the same at every point (Φₙ* aₙ); Eq. (48)."""
     Phi, rho = as_tensors(Phi, "Phi"), as_vectors(rho, "rho")
     return apply(adjugate(Phi), as_vectors(a_rho, "a_rho")) - np.asarray(determinant(Phi))[..., None] * rho
 
 
-def invariant_K(Phi_m, a_rho_m, Phi_n, a_rho_n) -> np.ndarray:
+def invariant_K(Phi_m: ArrayLike, a_rho_m: ArrayLike, Phi_n: ArrayLike, a_rho_n: ArrayLike) -> np.ndarray:
     """Returns K_{m,n} = a_ρ⁽ᵐ⁾ - Φₘ Φₙ⁻¹ a_ρ⁽ⁿ⁾, (..., 3), the same at every point; Eq. (51).
 
     Equal to aₘ - Φₘ Φₙ⁻¹ aₙ, the m-th order acceleration of the n-th order centre.
@@ -179,7 +181,7 @@ def invariant_K(Phi_m, a_rho_m, Phi_n, a_rho_n) -> np.ndarray:
     return a_rho_m - apply(Phi_m, solve(Phi_n, a_rho_n))
 
 
-def solve(T, x) -> np.ndarray:
+def solve(T: ArrayLike, x: ArrayLike) -> np.ndarray:
     """Returns T⁻¹ x = T* x / det T, (..., 3), of a regular tensor T (..., 3, 3) and x (..., 3).
 
     Floats go through LU. Raises ValueError where an exact or float T is singular; symbolic scalars are

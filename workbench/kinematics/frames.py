@@ -11,6 +11,7 @@ from __future__ import annotations
 from math import comb
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from workbench.algebra.dual_tensors import apply, cross, transpose
 from workbench.kinematics.tensors import as_tensors, as_vectors
@@ -18,7 +19,7 @@ from workbench.kinematics.tensors import as_tensors, as_vectors
 from .fields import paired_derivatives
 
 
-def chapter_twist(w_WB, v_WBo, p_WBo) -> tuple[np.ndarray, np.ndarray]:
+def chapter_twist(w_WB: ArrayLike, v_WBo: ArrayLike, p_WBo: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns the chapter's (omega, v), each (N, ..., 3), of a body B moving in W, all expressed in W.
 
     w_WB (N, ..., 3): angular velocity and its derivatives, rad/s¹⁺ᵏ; v_WBo (N, ..., 3): velocity of Bo
@@ -32,7 +33,7 @@ def chapter_twist(w_WB, v_WBo, p_WBo) -> tuple[np.ndarray, np.ndarray]:
     return omega, np.stack(v)
 
 
-def drake_twist(omega, v, p_WBo) -> tuple[np.ndarray, np.ndarray]:
+def drake_twist(omega: ArrayLike, v: ArrayLike, p_WBo: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns (w_WB, v_WBo), each (N, ..., 3), of the chapter's (omega, v): the inverse of `chapter_twist`.
 
     p⁽ⁿ⁺¹⁾ = v⁽ⁿ⁾ + Σₖ C(n,k) ω⁽ⁿ⁻ᵏ⁾ × p⁽ᵏ⁾,  k = 0..n,  p = p_WBo (..., 3) in m. As p is any body point,
@@ -53,7 +54,7 @@ def _transport(omega: np.ndarray, p: list[np.ndarray], n: int) -> np.ndarray:
     )
 
 
-def about_origin(Phi, a, p_WO) -> tuple[np.ndarray, np.ndarray]:
+def about_origin(Phi: ArrayLike, a: ArrayLike, p_WO: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns (Phi, a) about another fixed origin O at the constant p_WO (..., 3): Φ stays, a becomes a + Φ
     p_WO.
 
@@ -64,7 +65,7 @@ def about_origin(Phi, a, p_WO) -> tuple[np.ndarray, np.ndarray]:
     return Phi, a + apply(Phi, as_vectors(p_WO, "p_WO"))
 
 
-def expressed_in(Phi, a, R_FW) -> tuple[np.ndarray, np.ndarray]:
+def expressed_in(Phi: ArrayLike, a: ArrayLike, R_FW: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns (R Phi Rᵀ, R a): the field of Phi (..., 3, 3), a (..., 3) expressed in F, R_FW (..., 3, 3)
     constant."""
     Phi, a, R = as_tensors(Phi, "Phi"), as_vectors(a, "a"), as_tensors(R_FW, "R_FW")

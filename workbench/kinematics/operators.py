@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 from numpy import matmul
+from numpy.typing import ArrayLike
 
 from workbench.algebra.dual_tensors import apply, skew
 from workbench.kinematics.tensors import as_tensors, as_vectors
@@ -123,7 +124,7 @@ class OperatorPolynomial:
 
     coefficients: tuple[TensorPolynomial, ...]
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         coefficients = list(self.coefficients)
         while coefficients and not coefficients[-1]:
             coefficients.pop()
@@ -171,7 +172,7 @@ class OperatorPolynomial:
         terms = (A * X.derivative(k) for k, A in enumerate(self.coefficients))
         return sum(terms, start=TensorPolynomial())
 
-    def apply(self, omega, x) -> np.ndarray:
+    def apply(self, omega: ArrayLike, x: ArrayLike) -> np.ndarray:
         """Returns the operator applied to the vector or tensor x of one motion (or of a batch of them).
 
         omega (N, ..., 3): ω and its derivatives; x (M, ..., 3) or a tensor x (M, ..., 3, 3) (taken

@@ -10,9 +10,11 @@ from __future__ import annotations
 from math import comb
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from workbench.algebra.dual import divide
 from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, dot, outer, skew, transpose
-from workbench.kinematics.tensors import as_vectors, divide, identity_like, scalar_kind
+from workbench.kinematics.tensors import as_vectors, identity_like, scalar_kind
 
 from .fields import solve
 
@@ -21,7 +23,7 @@ RELATIVE_FLATNESS = 1e-9
 or below the rounding of their coordinates. Exact points are so only when they are exactly."""
 
 
-def field_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
+def field_from_points(points: ArrayLike, accelerations: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns (Φₙ, aₙ), (..., 3, 3) and (..., 3), from the n-th order accelerations of at least 4 points.
 
     points, accelerations (..., P, 3). Any affine field fits 4 points; whether it is that of a rigid body
@@ -41,7 +43,7 @@ def field_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
     return Phi, mean - apply(Phi, centroid)
 
 
-def twist_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
+def twist_from_points(points: ArrayLike, accelerations: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Returns (omega, v), each (N, ..., 3), from the accelerations of orders 1..N of at least 3 points.
 
     points (..., P, 3); accelerations (N, ..., P, 3), accelerations[n-1] in m/sⁿ. Because the body is
@@ -88,7 +90,9 @@ def _turn(arms: np.ndarray, displacements: np.ndarray) -> np.ndarray:
     return solve((squares - dyads).sum(axis=-3), cross(arms, displacements).sum(axis=-2))
 
 
-def _measurements(points, accelerations, name: str, least: int) -> tuple[np.ndarray, np.ndarray]:
+def _measurements(
+    points: ArrayLike, accelerations: ArrayLike, name: str, least: int
+) -> tuple[np.ndarray, np.ndarray]:
     points, accelerations = as_vectors(points, "points"), as_vectors(accelerations, name)
     if points.ndim < 2 or points.shape[-2] < least:
         count = points.shape[-2] if points.ndim > 1 else 1

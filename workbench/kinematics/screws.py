@@ -240,7 +240,7 @@ def _is_symbolic(a: Dual) -> bool:
     return a.re.dtype == object or a.du.dtype == object
 
 
-def _require_orthogonal(R: Dual):
+def _require_orthogonal(R: Dual) -> None:
     if not _is_symbolic(R) and R.re.shape[-2:] != (3, 3):
         raise ValueError(f"expected a dual tensor, shape (..., 3, 3), got {R.re.shape}")
     if not _is_symbolic(R) and not is_orthogonal(R, TOLERANCE):

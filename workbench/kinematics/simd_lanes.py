@@ -187,7 +187,7 @@ def load_states(typing_context, source, stride, factors, memory, index, step):
         source, stride, factors, memory, index, step = args
         rows = [builder.load(piece, align=8, typ=PIECE) for piece in _pieces(builder, source, stride)]
         if PIECES == 2:
-            rows = [_shuffle(builder, *rows[i::CHUNK], list(range(WIDTH))) for i in range(CHUNK)]
+            rows = [_shuffle(builder, rows[i], rows[i + CHUNK], list(range(WIDTH))) for i in range(CHUNK)]
         _transpose_pieces(builder, rows)
         factor = builder.inttoptr(factors, DOUBLE.as_pointer())
         for row in rows:

@@ -12,12 +12,13 @@ from __future__ import annotations
 from numbers import Rational
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from workbench.algebra.dual import divide
 from workbench.algebra.dual_tensors import transpose
 
 
-def as_vectors(x, name: str) -> np.ndarray:
+def as_vectors(x: ArrayLike, name: str) -> np.ndarray:
     """Returns `x` as an array (..., 3): float64, or object where its scalars are exact or symbolic.
 
     Raises ValueError if the last axis is not 3 long or a float is not finite.
@@ -25,12 +26,12 @@ def as_vectors(x, name: str) -> np.ndarray:
     return _as_array(x, (3,), name)
 
 
-def as_tensors(x, name: str) -> np.ndarray:
+def as_tensors(x: ArrayLike, name: str) -> np.ndarray:
     """Returns `x` as an array (..., 3, 3), by the rules of `as_vectors`."""
     return _as_array(x, (3, 3), name)
 
 
-def _as_array(x, core: tuple[int, ...], name: str) -> np.ndarray:
+def _as_array(x: ArrayLike, core: tuple[int, ...], name: str) -> np.ndarray:
     try:
         array = np.asarray(x)
     except ValueError as error:
@@ -51,7 +52,7 @@ def _shape_text(core: tuple[int, ...]) -> str:
     return f"(..., {', '.join(map(str, core))})"
 
 
-def _is_exact_scalar(x) -> bool:
+def _is_exact_scalar(x: ArrayLike) -> bool:
     if isinstance(x, Rational):
         return True
     return type(x).__module__.startswith("flint") and type(x).__name__ in ("fmpq", "fmpz")

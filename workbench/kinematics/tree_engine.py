@@ -34,7 +34,7 @@ class TreeEngine:
     ):
         self._steps, self._frames = tuple(steps), frames
         self._channels, self._velocities = channels, velocities
-        self._plans: dict[tuple, Plan] = {}
+        self._plans: dict[tuple[object, ...], Plan] = {}
 
     def plan(self, names: str | tuple[str, ...], order: int, jacobians: int = 0, turning: int = 0) -> Plan:
         """Returns the plan for one frame or more, inputs with `order` derivatives, and so many orders of

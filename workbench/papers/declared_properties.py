@@ -61,7 +61,7 @@ def require_kept(
 def unseen(statement: Statement, definitions: Definitions) -> str | None:
     """Returns why the statement is not proved wherever it is defined; None if it is."""
     from workbench.core.verdict import Outcome
-    from workbench.engines.inventory.inventory import NotExact
+    from workbench.engines.inventory import NotExact
     from workbench.prover.decide.decide import Judge
 
     try:

@@ -9,7 +9,8 @@ from judge.random_terms import random_term
 
 from workbench import check
 from workbench.core.construct import apply, derivative, relation
-from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.engines.inventory.parameters import parameters
 from workbench.engines.jet.components import Value, beside
 from workbench.engines.jet.jets import JetEngine

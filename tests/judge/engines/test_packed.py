@@ -4,7 +4,7 @@ from random import Random
 
 import pytest
 
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.engines.jet.packed_polynomials import WIDTH, PackedPolynomials
 
 

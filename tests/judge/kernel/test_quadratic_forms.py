@@ -10,7 +10,8 @@ from judge.test_extrema import TABLE, verdict
 
 from workbench.core.construct import apply, big_sum, derivative, power
 from workbench.core.verdict import Outcome
-from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.engines.inventory.signs import is_seen_nonnegative
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.language.definitions import Definitions

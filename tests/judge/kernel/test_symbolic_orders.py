@@ -12,7 +12,7 @@ from workbench.core.names import Name
 from workbench.core.terms import Derivative
 from workbench.core.types import VECTOR, Declaration
 from workbench.core.verdict import Outcome
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term

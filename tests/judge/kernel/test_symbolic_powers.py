@@ -4,7 +4,8 @@ import pytest
 
 from workbench.context.index_values import Orders
 from workbench.core.verdict import Outcome
-from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term

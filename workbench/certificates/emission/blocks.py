@@ -13,7 +13,7 @@ from workbench.certificates.emission.emitted_nodes import APPLICATION, ATOM, Not
 from workbench.core.construct import apply, block, identity, number, zero
 from workbench.core.terms import Apply, Block, Derivative, Number, Symbol, Term, Zero
 from workbench.core.types import TENSOR, Type
-from workbench.engines.inventory.inventory import Lookup
+from workbench.engines.inventory import Lookup
 
 _NOTHING = "(Num false (0 # 1))"
 

@@ -26,8 +26,8 @@ from workbench.core.terms import (
     TimeOperator,
     sides_of,
 )
-from workbench.engines.inventory import reached
-from workbench.engines.inventory.inventory import Lookup, NotExact, take_inventory
+from workbench.engines.inventory import Lookup, NotExact, reached
+from workbench.engines.inventory.inventory import take_inventory
 
 
 class Unsatisfiable(ValueError):

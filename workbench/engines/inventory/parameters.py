@@ -24,7 +24,8 @@ from typing import NamedTuple
 
 from workbench.core.properties import properties_of
 from workbench.core.terms import Symbol, Term
-from workbench.engines.inventory.inventory import Inventory, NotExact
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.partial_derivatives import coordinate_count, indices
 
 #: Parts whose components lie on a unit sphere → the number of components.

@@ -18,7 +18,7 @@ from workbench.core.terms import (
     Term,
     Zero,
 )
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.engines.jet import sympy_gate as sympy
 
 _DIGITS, _NEAR = 60, sympy.Float("1e-40")

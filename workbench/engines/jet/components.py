@@ -70,7 +70,7 @@ def matrix_shape(type_: Type) -> tuple[int, int]:
     return type_.rows, type_.columns
 
 
-def leibniz(f: Callable, a: Jet, b: Jet) -> Jet:
+def leibniz(f: Callable[[Any, Any], Any], a: Jet, b: Jet) -> Jet:
     """Returns (f(a, b))⁽ᵏ⁾ = Σⱼ C(k, j) f(a⁽ʲ⁾, b⁽ᵏ⁻ʲ⁾) for a bilinear f, up to the shorter list."""
     result: Jet = []
     for k in range(min(len(a), len(b))):
@@ -84,7 +84,7 @@ def leibniz(f: Callable, a: Jet, b: Jet) -> Jet:
     return result
 
 
-def product_of(f: Callable, a: Value, b: Value) -> Value:
+def product_of(f: Callable[[Any, Any], Any], a: Value, b: Value) -> Value:
     re = leibniz(f, a.re, b.re)
     parts = []
     if b.du is not None:
@@ -198,15 +198,15 @@ def first_row_by_first_column(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return dot(a[0], b[:, 0])
 
 
-BILINEAR: dict[str, Callable] = {"dot": dot, "cross": cross, "outer": outer}
-LINEAR: dict[str, Callable] = {
+BILINEAR: dict[str, Callable[[Any, Any], Any]] = {"dot": dot, "cross": cross, "outer": outer}
+LINEAR: dict[str, Callable[[Any], Any]] = {
     "neg": lambda x: -x,
     "skew": skew,
     "transpose": lambda x: x.T,
     "vec": lambda x: x.T.ravel(),
     "trace": lambda a: scalar_array(sum((a[i, i] for i in range(1, len(a))), start=a[0, 0])),
 }
-DOUBLED: dict[str, Callable] = {
+DOUBLED: dict[str, Callable[[Any], Any]] = {
     "vect": twice_vect,
     "symmetric": lambda a: a + a.T,
     "antisymmetric": lambda a: a - a.T,

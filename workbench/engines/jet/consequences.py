@@ -122,7 +122,7 @@ class _Supposed:
             while not remainder:
                 left = quotient
                 (quotient,), remainder = left.div([factor])
-        return left.is_ground
+        return bool(left.is_ground)
 
     def _factors_of(self, polynomials: Iterable[PolyElement]) -> list[PolyElement]:
         """Returns the non-constant factors of short polynomials; longer polynomials unchanged."""

@@ -10,7 +10,8 @@ from typing import Any
 
 from workbench.core.terms import Relation
 from workbench.drake.gate import Polynomial, Variable
-from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.parameters import SPHERES, parameters
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource

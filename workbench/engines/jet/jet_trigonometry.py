@@ -11,8 +11,8 @@ import numpy as np
 from workbench.core.construct import apply
 from workbench.core.terms import Apply, Number, Symbol, Term, Zero
 from workbench.core.types import Type
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import NO_ANGLE, angle_parts, is_free_angle
-from workbench.engines.inventory.inventory import Lookup, NotExact
 from workbench.engines.inventory.rodrigues import (
     NO_EXPONENT,
     angle_and_axis,

@@ -31,7 +31,7 @@ from workbench.core.terms import (
     Zero,
 )
 from workbench.core.types import Type
-from workbench.engines.inventory.inventory import Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.inverses import inverse_of_exponential, inverted
 from workbench.engines.inventory.partial_derivatives import Seed, indices, seeds
 from workbench.engines.jet.components import (
@@ -266,7 +266,8 @@ class JetEngine:
 
         def blocks(a: np.ndarray, b: np.ndarray) -> np.ndarray:
             entries = np.multiply.outer(a.reshape(shapes[0]), b.reshape(shapes[1]))
-            return entries.transpose(0, 2, 1, 3).reshape(array_shape(term.type))
+            product: np.ndarray = entries.transpose(0, 2, 1, 3).reshape(array_shape(term.type))
+            return product
 
         return product_of(blocks, *(self.value(a, depth) for a in term.arguments))
 

@@ -12,7 +12,7 @@ from functools import cached_property
 from itertools import zip_longest
 from typing import Any
 
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.engines.jet.rings import RationalRing
 
 _HALVINGS = 60
@@ -70,10 +70,10 @@ class Algebraic:
         return Algebraic(self.field, [-c for c in self.coefficients])
 
     def __sub__(self, other: Any) -> Algebraic:
-        return self + -other
+        return self.__add__(-other)
 
     def __rsub__(self, other: Any) -> Algebraic:
-        return -self + other
+        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Algebraic:
         return self.field.reduced(_product(self.coefficients, self._lifted(other)))

@@ -13,7 +13,7 @@ from functools import cache, reduce
 from operator import lshift, or_
 from typing import Any
 
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.engines.jet.sympy_gate import QQ, ZZ, PolyElement, PolyRing, lex, polynomial_ring
 
 #: The number of bits of a power.

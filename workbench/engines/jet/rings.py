@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from workbench.core.terms import Symbol, Term
-from workbench.engines.inventory.inventory import Inventory, NotExact
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.parameters import SPHERES, Parameter, parameters
 from workbench.engines.inventory.partial_derivatives import Seed
 from workbench.engines.jet.components import Value, array_shape, leibniz

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from workbench.core.terms import Relation
-from workbench.engines.inventory.inventory import Inventory, Lookup
+from workbench.engines.inventory import Lookup
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource
 from workbench.engines.jet.sympy_gate import PolyElement

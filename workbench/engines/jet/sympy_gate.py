@@ -22,7 +22,7 @@ from sympy.polys.orderings import grevlex, lex
 from sympy.polys.rings import PolyElement, PolyRing
 from sympy.polys.rings import ring as polynomial_ring
 
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 
 __all__ = [
     "QQ",

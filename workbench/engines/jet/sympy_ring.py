@@ -7,7 +7,8 @@ from fractions import Fraction
 from math import gcd, isqrt, lcm
 from typing import Any
 
-from workbench.engines.inventory.inventory import Inventory, NotExact
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.parameters import SPHERES, Parameter, parameters
 from workbench.engines.jet.packed_polynomials import PackedPolynomials
 from workbench.engines.jet.sympy_gate import QQ, ZZ, PolyElement, require_python_integers
@@ -61,10 +62,10 @@ class Ratio:
     def __neg__(self) -> Ratio:
         return Ratio(self.ring, -self.top, self.number, self.below)
 
-    def __sub__(self, other: Any) -> Ratio:
+    def __sub__(self, other: Any) -> Any:
         return self + -self.ring.lift(other)
 
-    def __rsub__(self, other: Any) -> Ratio:
+    def __rsub__(self, other: Any) -> Any:
         return -self + other
 
     def __mul__(self, other: Any) -> Any:
@@ -140,7 +141,7 @@ class SympyRing:
         require_python_integers(*tops, *self.relations, *self.denominators)
         return tops
 
-    def divide(self, a: Any, b: Any) -> Ratio:
+    def divide(self, a: Any, b: Any) -> Any:
         a, b = self.lift(a), self.lift(b)
         if not b:
             raise ZeroDivisionError("division by an expression that is identically zero")
@@ -157,7 +158,7 @@ class SympyRing:
         one = self.polynomials.integers.one
         return quotient * Ratio(self, one, 1, {self.denominators.index(primitive): 1})
 
-    def root(self, square: Any) -> Ratio:
+    def root(self, square: Any) -> Any:
         square = self.lift(square)
         if square.below:
             return self._root_of_quotient(square)
@@ -175,7 +176,7 @@ class SympyRing:
                 root = root * self._root_of(base)
         return root
 
-    def _root_of_quotient(self, square: Ratio) -> Ratio:
+    def _root_of_quotient(self, square: Ratio) -> Any:
         """Returns √(p/d^{2k}) = √p/√(d²)^k; for an odd power of d, p d replaces p."""
         top, sizes = square.top, self.lift(1)
         for place, exponent in square.below.items():
@@ -187,7 +188,7 @@ class SympyRing:
                 sizes = sizes * size
         return self.divide(self.root(Ratio(self, top, square.number, {})), sizes)
 
-    def _root_of(self, square: PolyElement) -> Ratio:
+    def _root_of(self, square: PolyElement) -> Any:
         """Returns the root of d² · square, which is an indeterminate, over the common denominator d."""
         below = lcm(*(c.denominator for c in square.coeffs()))
         if square not in self._roots:

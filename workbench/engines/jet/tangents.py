@@ -6,7 +6,7 @@ composed as Taylor series, so that a change of the coordinate changes them.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import product
 from math import comb, factorial, prod
 from typing import Any
@@ -36,10 +36,10 @@ class Tangent:
         return Tangent(self.ring, -self.value, -self.slope)
 
     def __sub__(self, other: Any) -> Tangent:
-        return self + -self.ring.lift(other)
+        return self.__add__(-self.ring.lift(other))
 
     def __rsub__(self, other: Any) -> Tangent:
-        return -self + other
+        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Tangent:
         other = self.ring.lift(other)
@@ -89,7 +89,7 @@ class TangentRing:
         return Tangent(self, root, self.base.divide(square.slope, root + root))
 
 
-class MovedPoint(Mapping):
+class MovedPoint(Mapping[Parameter, Any]):
     """The parameters of a point, with one of them moved by ε."""
 
     def __init__(self, point: Mapping[Parameter, Any], ring: TangentRing, seed: Seed) -> None:
@@ -103,7 +103,7 @@ class MovedPoint(Mapping):
             moved.slope = step
         return moved
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Parameter]:
         return iter(self._point)
 
     def __len__(self) -> int:

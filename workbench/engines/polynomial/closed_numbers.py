@@ -29,7 +29,7 @@ from workbench.core.terms import (
     Term,
     Zero,
 )
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 
 _PRECISION = 400
 _LARGEST_ORDER, _LARGEST_POWER, _LARGEST_COUNT = 2000, 64, 100
@@ -118,7 +118,8 @@ def _power(base: np.ndarray, exponent: int, field: Field) -> np.ndarray:
 
 
 def _product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return a * b if a.shape == (1, 1) or b.shape == (1, 1) else a @ b
+    product: np.ndarray = a * b if a.shape == (1, 1) or b.shape == (1, 1) else a @ b
+    return product
 
 
 def _skew(a: np.ndarray) -> np.ndarray:
@@ -141,7 +142,8 @@ def _inverse(a: np.ndarray, field: Field) -> np.ndarray:
     cofactors = _filled(a.shape[0], a.shape[1], None)
     for i, j in np.ndindex(*a.shape):
         cofactors[j, i] = _determinant(np.delete(np.delete(a, i, 0), j, 1)) * (-1) ** (i + j)
-    return cofactors * field.reciprocal(_determinant(a))
+    inverse: np.ndarray = cofactors * field.reciprocal(_determinant(a))
+    return inverse
 
 
 def _scalar(value: Any) -> np.ndarray:
@@ -312,7 +314,8 @@ class _Rationals:
 
 def rational_value(term: Term) -> Fraction:
     """Returns the value of a rational number. Raises NotExact if it is not known to be rational."""
-    return entries(term, _Rationals())[0, 0]
+    value: Fraction = entries(term, _Rationals())[0, 0]
+    return value
 
 
 def square_free(square: Fraction) -> tuple[Fraction, list[int]]:

@@ -7,7 +7,7 @@ product throughout. Dual entries are `Dual` numbers over the ring. An operator Î
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import partial
 from functools import reduce as fold
@@ -41,6 +41,7 @@ from workbench.core.terms import (
     Counting,
     Derivative,
     DualUnit,
+    Head,
     Identity,
     Integer,
     Number,
@@ -52,7 +53,8 @@ from workbench.core.terms import (
     Zero,
 )
 from workbench.core.types import Type
-from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.inverses import inverted, negated
 from workbench.engines.inventory.parameters import Parameter, parameters
 from workbench.engines.inventory.partial_derivatives import seeds
@@ -185,7 +187,8 @@ class ExactEngine:
             case Apply():
                 if term.head not in _HEADS:
                     raise NotExact(f"no exact value for {term.head}")
-                return _HEADS[term.head](self, term)
+                applied: Matrix | Operator = _HEADS[term.head](self, term)
+                return applied
             case Integer() | Counting():
                 raise NotExact(f"the integer expression {term} is not bound to a number")
         raise NotExact(f"no exact value for {type(term).__name__}")
@@ -308,15 +311,15 @@ class ExactEngine:
         return mapped(self._algebra, function, value)
 
 
-def _unary(function):
+def _unary(function: Callable[[Any], Any]) -> Callable[[ExactEngine, Apply], Any]:
     return lambda engine, term: function(engine.value(term.arguments[0]))
 
 
-def _binary(function):
+def _binary(function: Callable[[Any, Any], Any]) -> Callable[[ExactEngine, Apply], Any]:
     return lambda engine, term: function(*(engine.value(a) for a in term.arguments))
 
 
-_HEADS = {
+_HEADS: Mapping[Head, Callable[[ExactEngine, Apply], Any]] = {
     "add": ExactEngine._add,
     "neg": ExactEngine._neg,
     "mul": ExactEngine._mul,

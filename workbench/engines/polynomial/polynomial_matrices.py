@@ -22,7 +22,8 @@ from workbench.algebra.matrices import (
     trace,
     transpose,
 )
-from workbench.engines.inventory.inventory import Inventory, NotExact
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import Inventory
 
 
 class ExactAlgebra:

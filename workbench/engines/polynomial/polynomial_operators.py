@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.algebra.matrices import Entry, Matrix, add, product, scale
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.engines.polynomial.polynomial_matrices import ExactAlgebra
 
 Operator = tuple[Matrix, ...]

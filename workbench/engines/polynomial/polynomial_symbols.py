@@ -12,8 +12,8 @@ from workbench.algebra.differential_ring import Derivation, DifferentialRing, Po
 from workbench.algebra.dual import Dual
 from workbench.algebra.matrices import Matrix, cross, flat, matrix, product, skew
 from workbench.core.terms import Symbol, Term
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.angle_combinations import NO_ANGLE
-from workbench.engines.inventory.inventory import NotExact
 from workbench.engines.inventory.parameters import Parameter, components
 from workbench.engines.inventory.partial_derivatives import coordinate_count, indices
 from workbench.engines.polynomial.polynomial_quaternions import hamilton

@@ -9,7 +9,7 @@ from workbench.algebra.dual import Dual
 from workbench.algebra.matrices import Entry, Matrix, add, flat, product, real_part, skew
 from workbench.core.construct import apply
 from workbench.core.terms import Apply, Term
-from workbench.engines.inventory.inventory import Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.rodrigues import (
     NO_EXPONENT,
     angle_and_axis,

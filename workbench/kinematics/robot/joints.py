@@ -102,7 +102,7 @@ class TreeJoint:
     mimic: Mimic | None = None
     armature: float = 0.0
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.kind not in COORDINATES:
             kinds = ", ".join(COORDINATES)
             raise ValueError(f"joint {self.name!r}: expected one of {kinds}, got {self.kind!r}")

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import isclose, pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -149,7 +149,7 @@ def plant_armatures(plant: MultibodyPlant, mjcf: Mjcf | None = None) -> dict[Joi
     return found
 
 
-def _names(plant: MultibodyPlant, elements: list) -> dict:
+def _names(plant: MultibodyPlant, elements: Sequence[Any]) -> dict[Any, str]:
     counts = Counter(element.name() for element in elements)
     return {
         element.index(): element.name()
@@ -161,7 +161,7 @@ def _names(plant: MultibodyPlant, elements: list) -> dict:
 
 def _outward(plant: MultibodyPlant, joints: list[PlantJoint]) -> list[tuple[PlantJoint, bool]]:
     """Returns the joints from the world outwards; True where that is from parent to child."""
-    neighbours: dict = {}
+    neighbours: dict[Any, list[tuple[Any, PlantJoint, bool]]] = {}
     for joint in joints:
         parent, child = joint.parent_body().index(), joint.child_body().index()
         neighbours.setdefault(parent, []).append((child, joint, True))

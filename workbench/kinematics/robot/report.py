@@ -70,7 +70,7 @@ class MotionReport:
     def agrees(self) -> bool:
         return all(check.agrees for check in self.checks)
 
-    def to_dict(self) -> dict:
+    def to_dict(self) -> dict[str, Any]:
         """Returns plain numbers, lists and strings, for JSON; orders[n-1] holds the results of order n.
 
         A number that is not finite is None.
@@ -90,7 +90,7 @@ class MotionReport:
             }
         )
 
-    def _order(self, n: int, check: DrakeCheck) -> dict:
+    def _order(self, n: int, check: DrakeCheck) -> dict[str, Any]:
         motion, per = self.motion, "/s" if n == 1 else f"/s^{n}"
         Phi, a = motion.field(n)
         twist = motion.twist(n - 1)
@@ -121,7 +121,7 @@ class MotionReport:
         }  # fmt: skip
 
 
-def _centre_dict(centre: Locus) -> dict:
+def _centre_dict(centre: Locus) -> dict[str, Any]:
     dimension = int(centre.dimension)
     return {
         "kind": centre.kind,
@@ -195,13 +195,22 @@ def motion_report(
     )
 
 
-def _references(plant, body, relative_to, path, at, order, point) -> list[Reference]:
+def _references(
+    plant: Any,
+    body: str,
+    relative_to: str | None,
+    path: Path,
+    at: float,
+    order: int,
+    point: np.ndarray,
+) -> list[Reference]:
     from workbench.drake.references import twist_derivatives
     from workbench.drake.relative import relative_twist_derivatives
 
+    p_BoBp_B = point.tolist()
     if relative_to is None:
-        return twist_derivatives(plant, body, path, at, order, p_BoBp_B=point)
-    return relative_twist_derivatives(plant, body, relative_to, path, at, order, point)
+        return twist_derivatives(plant, body, path, at, order, p_BoBp_B)
+    return relative_twist_derivatives(plant, body, relative_to, path, at, order, p_BoBp_B)
 
 
 def _on_plant(path: Path, robot: Robot, plant: Any) -> Path:
@@ -211,7 +220,9 @@ def _on_plant(path: Path, robot: Robot, plant: Any) -> Path:
     return LinearPath(path, matrix, offset)
 
 
-def _joint_path(joints, trajectory: Path | None, robot: Robot) -> tuple[Path, dict[str, Any]]:
+def _joint_path(
+    joints: Mapping[str, Sequence[float]] | None, trajectory: Path | None, robot: Robot
+) -> tuple[Path, dict[str, Any]]:
     names = robot.positions
     if trajectory is not None:
         if joints:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import factorial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -277,7 +277,7 @@ def _adjusted(path: Path, edges: np.ndarray, uniform: float, need_on: NeedOn) ->
     return _spline(edges, best)
 
 
-def _finished(motion: States, path: RetimedPath, question: tuple) -> RetimedPath:
+def _finished(motion: States, path: RetimedPath, question: tuple[Any, ...]) -> RetimedPath:
     """Returns the path with the common factor that its peaks, found to the last digits, still need."""
     moving = states_on_path(
         type(motion), motion.robot, path, np.linspace(path.start, path.end, 201), motion.order

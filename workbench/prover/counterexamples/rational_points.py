@@ -17,7 +17,8 @@ from workbench.core.construct import apply, derivative
 from workbench.core.terms import Derivative, Relation, Symbol, Term
 from workbench.core.types import SCALAR, Type
 from workbench.core.verdict import Counterexample
-from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.parameters import SPHERES, Parameter
 from workbench.engines.inventory.partial_derivatives import indices
 from workbench.engines.jet.batched_scalars import LaneRing, Lanes

@@ -7,9 +7,10 @@ division and no root, which the engine would record, and only symbols have sines
 from __future__ import annotations
 
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from workbench.engines.inventory.inventory import Inventory, Lookup
+from workbench.engines.inventory import Lookup
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource, RandomPoint, ResidueRing, sample
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
@@ -31,7 +32,7 @@ class Engines:
     symbols."""
 
     def __init__(self) -> None:
-        self._first: dict[tuple, ExactEngine] = {}
+        self._first: dict[tuple[object, ...], ExactEngine] = {}
         self._second: dict[int, SympyEngine] = {}
         self._residues: dict[int, JetEngine] = {}
 
@@ -70,7 +71,7 @@ def _is_plain(inventory: Inventory) -> bool:
     return not (inventory.reciprocals or inventory.norms or inventory.circles)
 
 
-def _keep(kept: dict, about: object, engine: object) -> None:
+def _keep(kept: dict[Any, Any], about: object, engine: object) -> None:
     """Stores an engine; removes the oldest one if there are too many."""
     if len(kept) >= _KEPT:
         del kept[next(iter(kept))]

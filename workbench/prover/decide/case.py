@@ -15,9 +15,10 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
 from workbench.core.terms import Relation, Statement, Symbol, Term
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import with_parts_of_angles
 from workbench.engines.inventory.assumptions import Assumptions, Unsatisfiable
-from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact, take_inventory
+from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.engines.inventory.parameters import Parameter
 from workbench.engines.jet.number_field import NumberFieldRing
 from workbench.engines.polynomial.polynomial_engine import ExactEngine

@@ -24,11 +24,11 @@ from workbench.core.terms import (
     sides_of,
 )
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
-from workbench.engines.inventory import Lookup, WithoutDefinitions
+from workbench.engines.inventory import Lookup, NotExact, WithoutDefinitions
 from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
 from workbench.engines.inventory.exponentials import holds_exponentials, without_exponentials
 from workbench.engines.inventory.first_order import to_first_order
-from workbench.engines.inventory.inventory import NotExact, has_gradient
+from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting

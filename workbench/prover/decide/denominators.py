@@ -8,7 +8,7 @@ from contextlib import suppress
 from workbench.algebra.differential_ring import Polynomial
 from workbench.core.construct import apply
 from workbench.core.terms import Apply, IllFormed, Symbol, Term
-from workbench.engines.inventory.inventory import Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.zero_sets import factors_of

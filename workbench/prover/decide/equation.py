@@ -10,8 +10,8 @@ from workbench.algebra.differential_ring import Polynomial
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.terms import Relation, Statement, Symbol
 from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Strength, Verdict
-from workbench.engines.inventory import NoDefinitions
-from workbench.engines.inventory.inventory import Lookup, NotExact, has_gradient
+from workbench.engines.inventory import Lookup, NoDefinitions, NotExact
+from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.jet.rings import PRIME
 from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex

@@ -20,8 +20,8 @@ from workbench.core.construct import apply, block, number, power, relation, zero
 from workbench.core.reasons import Reason
 from workbench.core.terms import Apply, Extremum, Implication, Relation, Statement, Term, Zero
 from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.inventory import NotExact
 from workbench.engines.inventory.signs import is_seen_nonnegative
 from workbench.language.definitions import expand
 from workbench.prover.counterexamples.rational_points import Trial

@@ -31,9 +31,9 @@ from workbench.core.terms import (
 )
 from workbench.core.types import Declaration
 from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.addend_expansion import has_sums
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, expand
 from workbench.prover.decide.inference import generalization
 from workbench.prover.decide.mapped_statements import all_terms, mapped, terms

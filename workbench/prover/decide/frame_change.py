@@ -16,7 +16,7 @@ from functools import reduce as fold
 
 from workbench.core.construct import apply, identity, number, rebuild, relation
 from workbench.core.terms import Apply, Head, Identity, Power, Relation, Symbol, Term
-from workbench.engines.inventory.inventory import Lookup
+from workbench.engines.inventory import Lookup
 
 #: Least degree of a side for which the rewriting pays.
 DEAR = 8

@@ -69,7 +69,8 @@ def _basis(generators: Sequence[fmpz_mpoly], context: fmpz_mpoly_ctx) -> fmpz_mp
     """Returns a Gröbner basis of the ideal, or the part of it that was found within the limits."""
     found: Any
     found, finished = fmpz_mpoly_vec(generators, context).buchberger_naive(limits=LIMITS)
-    return found.autoreduction() if finished else found
+    basis: fmpz_mpoly_vec = found.autoreduction() if finished else found
+    return basis
 
 
 def _integral(p: Polynomial, context: fmpz_mpoly_ctx) -> fmpz_mpoly:

@@ -20,8 +20,8 @@ from workbench.core.construct import derivative
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, Block, Derivative, Relation, Symbol, Term
 from workbench.core.types import SCALAR, Declaration
-from workbench.engines.inventory import reached
-from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact, reached
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.parameters import Parameter, parts
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import FloatRing, PointSource, RationalRing, sample

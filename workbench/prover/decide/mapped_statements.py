@@ -15,7 +15,7 @@ from workbench.core.terms import (
     Term,
     sides_of,
 )
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 
 
 def all_terms(statements: Iterable[Statement]) -> Iterator[Term]:

@@ -19,7 +19,7 @@ from workbench.core.integer_instances import instantiate
 from workbench.core.names import Name
 from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Outcome, Verdict
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.language.definitions import Definitions, expand, solve
 
 _KNOWN: WeakKeyDictionary[Definitions, Exceptions] = WeakKeyDictionary()

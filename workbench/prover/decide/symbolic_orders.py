@@ -16,7 +16,7 @@ from workbench.core.names import Name
 from workbench.core.operations import COMPONENTWISE, PRODUCTS
 from workbench.core.terms import Apply, Block, Derivative, Relation, Symbol, Term, TimeOperator, Zero
 from workbench.core.types import Declaration
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.language.printing.printer import to_latex
 
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from workbench.core.integer_instances import free_integers
 from workbench.core.terms import BigSum, Conjunction, Definition, IllFormed, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.addend_expansion import addend_by_addend, has_sums
-from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, expand
 from workbench.prover.decide.inference import generalization
 from workbench.prover.decide.orders_past_literals import OrderRanges, integer_past_literals

@@ -17,8 +17,8 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.terms import Conjunction, Statement
 from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import lasting
-from workbench.engines.inventory.inventory import NotExact
 from workbench.prover.explain.decide_under_facts import conditional
 
 #: Function that returns the verdict on a claim under its hypotheses.

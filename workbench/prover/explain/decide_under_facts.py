@@ -16,8 +16,8 @@ from workbench.core.properties import PROPERTIES
 from workbench.core.reasons import Reason, reason_of
 from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Counterexample, EngineDisagreement, Outcome, Strength, Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import Unsatisfiable, lasting
-from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions, replaced
 from workbench.prover.decide.mapped_statements import mapped
 

@@ -16,7 +16,8 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Definition, IllFormed, sides_of
 from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
-from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.prover.explain.laws_of_motion import is_all_given, laws_of
 
 #: Number of further equations that are assumed together.

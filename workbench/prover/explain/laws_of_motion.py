@@ -11,7 +11,8 @@ from workbench.context.facts import Fact, Provider
 from workbench.context.free_symbols import free_in, terms_of
 from workbench.core.construct import derivative
 from workbench.core.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
-from workbench.engines.inventory.inventory import Inventory, NotExact, take_inventory
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.language.definitions import Definitions
 from workbench.prover.decide.law_statements import is_constant, law_for
 

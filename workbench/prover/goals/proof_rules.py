@@ -6,7 +6,7 @@ with both of its engines. A wrong witness, a wrong instance, or a proof of anoth
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from dataclasses import replace
 
 from workbench.core.construct import apply, power, relation, symbol, zero
@@ -333,7 +333,7 @@ def _is_unequal(statement: Statement) -> bool:
     return all(r.operator == "≠" for r in relations_of(statement))
 
 
-def _instance(sequent: Sequent, use: Instance):
+def _instance(sequent: Sequent, use: Instance) -> Generator[Obligation, None, tuple[Relation, bool]]:
     """Returns the equation that a premise gives for these values, and whether it lasts.
 
     Yields the obligations of its own premises and sets: at all times, if it holds at all times.

@@ -13,8 +13,8 @@ from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.terms import IllFormed, Relation, Statement
 from workbench.core.verdict import Evidence, Outcome, Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.inventory import NotExact
 from workbench.language.definitions import Definitions
 from workbench.language.goals.goals import (
     All,
@@ -27,6 +27,7 @@ from workbench.language.goals.goals import (
     Iff,
     Implies,
     Scope,
+    Variable,
 )
 from workbench.language.goals.proofs import (
     Against,
@@ -208,7 +209,9 @@ class _Prover:
             self.lemmas[asked] = self.judge.judge(statement, obligation.assume, orders=orders)
         return self.lemmas[asked]
 
-    def _one_of(self, simpler: Sequence[Form], obligation: Obligation, used: Mapping) -> Verdict | None:
+    def _one_of(
+        self, simpler: Sequence[Form], obligation: Obligation, used: Mapping[str, int]
+    ) -> Verdict | None:
         """Returns the proof of a simpler form without operators and sums, or None.
 
         The integers before the form's first ones have been tested one by one.
@@ -268,7 +271,9 @@ class _Prover:
                 return verdict
         raise NotShown(f"{type(against).__name__} does not stand against {type(goal).__name__}")
 
-    def _two(self, sequent: Sequent, variables, body: Goal, against: TwoWitnesses) -> Verdict:
+    def _two(
+        self, sequent: Sequent, variables: tuple[Variable, ...], body: Goal, against: TwoWitnesses
+    ) -> Verdict:
         sought = Exists(variables, body, unique=False)
         shown = [
             self.holds(sequent.of(sought), ExistsIntroduction(members, proof))

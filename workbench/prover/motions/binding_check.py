@@ -9,11 +9,12 @@ from typing import Any
 from workbench.core.construct import relation, symbol
 from workbench.core.integer_instances import instantiate
 from workbench.core.terms import Definition, IllFormed, Relation, Symbol, Term
-from workbench.engines.inventory.inventory import NotExact, take_inventory
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
-from workbench.prover.motions.motion_check import Motion, Subject, witness
-from workbench.prover.motions.motion_source import Bindings, BoundFirst
+from workbench.prover.motions.motion_check import Subject, witness
+from workbench.prover.motions.motion_source import Bindings, BoundFirst, Motion
 
 #: The members that represent a family.
 MEMBERS = (1, 2, 3)

@@ -28,7 +28,8 @@ from workbench.core.terms import (
 )
 from workbench.core.verdict import Evidence
 from workbench.drake.bindings import Bound
-from workbench.engines.inventory.inventory import Inventory, Lookup, NotExact, take_inventory
+from workbench.engines.inventory import Lookup, NotExact
+from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.prover.motions.motion_source import Bindings, BoundFirst, Motion, Stage
 from workbench.prover.motions.statements_on_motions import Evaluation, Truth
 

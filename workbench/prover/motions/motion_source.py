@@ -12,7 +12,7 @@ import numpy as np
 from workbench.core.names import Name
 from workbench.core.terms import Symbol, Term
 from workbench.drake.bindings import Bound, alternatives
-from workbench.engines.inventory.inventory import Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.jet.batched_scalars import LaneRing, Lanes
 from workbench.engines.jet.components import Value
 from workbench.engines.jet.rings import PointSource

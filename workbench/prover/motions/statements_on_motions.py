@@ -18,7 +18,8 @@ from workbench.core.terms import (
     Symbol,
     Term,
 )
-from workbench.engines.inventory.inventory import Inventory, NotExact
+from workbench.engines.inventory import NotExact
+from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.parameters import SPHERES, Parameter, parts
 from workbench.engines.jet.batched_scalars import Lanes
 from workbench.engines.jet.jets import JetEngine
@@ -66,7 +67,8 @@ class Truth:
     @property
     def relative(self) -> Array:
         """The residual over the size of the sides; over 1 if both vanish within the errors."""
-        return self.residual / self.scale
+        relative: Array = self.residual / self.scale
+        return relative
 
     @property
     def scale(self) -> Array:

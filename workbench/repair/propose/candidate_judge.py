@@ -7,8 +7,8 @@ from functools import partial
 from workbench.context.claims import Claim
 from workbench.core.terms import IllFormed, Statement
 from workbench.core.verdict import Verdict
+from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.inventory import NotExact
 from workbench.prover.decide.decide import Judge
 from workbench.prover.preload import load_engines
 from workbench.runtime import Budget, Workers

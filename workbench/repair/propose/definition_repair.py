@@ -23,7 +23,7 @@ from workbench.core.construct import relation, symbol, zero
 from workbench.core.names import Name
 from workbench.core.terms import Apply, Definition, IllFormed, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Outcome
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.engines.jet.rings import PRIME
 from workbench.language.definitions import Definitions
 from workbench.language.printing.author_spelling import printed_for

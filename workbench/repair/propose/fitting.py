@@ -9,7 +9,7 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.terms import Derivative, IllFormed, Relation, Statement, Symbol, sides_of
 from workbench.core.verdict import Outcome, Verdict
-from workbench.engines.inventory.inventory import Lookup
+from workbench.engines.inventory import Lookup
 from workbench.language.elaboration.statements import reading_of
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.parser import parse

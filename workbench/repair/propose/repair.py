@@ -17,7 +17,7 @@ from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.terms import Apply, Statement, Symbol
 from workbench.core.verdict import Outcome, Verdict
-from workbench.engines.inventory.inventory import NotExact
+from workbench.engines.inventory import NotExact
 from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge

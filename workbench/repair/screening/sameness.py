@@ -24,8 +24,8 @@ from workbench.core.terms import (
     Term,
     Zero,
 )
-from workbench.engines.inventory import NoDefinitions
-from workbench.engines.inventory.inventory import Lookup, NotExact, has_gradient
+from workbench.engines.inventory import Lookup, NoDefinitions, NotExact
+from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.jet.rings import PRIME
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.coefficients import Vector, factor_between

@@ -20,9 +20,10 @@ from flint import nmod, nmod_mat
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import Instantiation, instantiate
 from workbench.core.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term, sides_of
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import with_parts_of_angles
 from workbench.engines.inventory.assumptions import Assumptions
-from workbench.engines.inventory.inventory import Lookup, NotExact, take_inventory
+from workbench.engines.inventory.inventory import take_inventory
 from workbench.engines.inventory.parameters import SPHERES, Parameter
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PRIME, PointSource

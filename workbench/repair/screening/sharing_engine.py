@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from workbench.core.terms import Symbol, Term
-from workbench.engines.inventory.inventory import Lookup, NotExact
+from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.logarithm_values import LogarithmValues, is_logarithm
 from workbench.engines.jet.components import OperatorValue, Value
 from workbench.engines.jet.jets import JetEngine

@@ -53,6 +53,14 @@ def test_one_arm_in_three_formats_moves_alike(files, kind):
     np.testing.assert_allclose(ours.twists, theirs.twists, **NEAR)
 
 
+def test_an_mjcf_file_needs_no_name_of_its_model(files):
+    named = Robot.from_file(files["xml"])
+    files["xml"].write_text(MJCF.replace(' model="arm"', ""))
+    nameless, q = Robot.from_file(files["xml"]), np.random.default_rng(0).normal(size=(3, 2, 2))
+    assert (nameless.name, nameless.positions) == (named.name, named.positions)
+    np.testing.assert_array_equal(nameless.motion(q).torques(), named.motion(q).torques())
+
+
 def test_a_file_s_limits_and_inertias_are_kept(files):
     assert Robot.from_file(files["sdf"]).limits["shoulder"][:2] == (-1.0, 2.0)
     robot = Robot.from_file(files["xml"])

@@ -33,6 +33,12 @@ class Mjcf:
     joints: tuple[MjcfJoint, ...]
     by_geoms: str | None
 
+    def named(self, model: str) -> str:
+        """Returns the text of the file, files that it includes in their places, with a name of the model:
+        Drake asks for one, MuJoCo does not."""
+        self.root.set("model", model)
+        return ET.tostring(self.root, encoding="unicode")
+
     def without_geoms(self) -> str:
         """Returns the text of the file, files that it includes in their places, without geoms and assets."""
         for parent in [*self.root.iter()]:

@@ -157,8 +157,9 @@ def load_models(
     if not path.is_file():
         raise PlantError(f"no file at {path}")
     mjcf, doubt = _mjcf(path)
+    text = None if mjcf is None or mjcf.root.get("model") else mjcf.named(path.stem)
     try:
-        plant, said = _parsed_models(path, base, packages or {})
+        plant, said = _parsed_models(path, base, packages or {}, text)
     except DRAKE_ERRORS as error:
         if mjcf is None:
             raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error

@@ -124,6 +124,43 @@ def test_a_jump_of_any_order_is_never_within():
         assert f"{names[order]} jumps at" in str(found[order + 1]), str(found[order + 1])
 
 
+@pytest.mark.parametrize("samples_a_period", [2.05, 2.2, 2.5, 2.9, 3.3, 4.1, 5.3, 7.7])
+def test_motion_between_few_samples_is_never_within(samples_a_period):
+    """q = sin 2πt/2: small windows leave it as noise below 4 samples a period; it is none."""
+    rng = np.random.default_rng(int(10 * samples_a_period))
+    for count in (60, 200, 1000):
+        t = np.arange(count) / samples_a_period
+        recording = record(t, 0.5 * np.sin(2 * np.pi * (t + rng.uniform())))
+        for order in range(1, 5):
+            true, peak = 0.5 * (2 * np.pi) ** order, recorded_peak(recording, order)
+            assert peak.at_least <= true <= peak.at_most, (count, peak)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1e-4])
+def test_a_fast_ripple_is_told_from_noise(size):
+    """A vibration of 45 Hz at 100 samples a second, under slow motion and noise of its own size."""
+    t, rng = np.arange(2000) / 100, np.random.default_rng(1)
+    slow, noise = 0.5 * np.sin(2 * t), 1e-4 * rng.normal(size=len(t))
+    quiet, shaken = record(t, slow + noise), record(t, slow + noise + size * np.sin(2 * np.pi * 45 * t))
+    assert not quiet.is_undersampled and shaken.is_undersampled
+    assert recorded_peak(quiet, 1).error < 0.03
+    assert recorded_peak(shaken, 1).at_most > 1 + 0.9 * size * 2 * np.pi * 45
+    robot = Robot("r", [TreeJoint("j", "revolute", "world", "a")])
+    notes = robot.path((t, (slow + noise + size * np.sin(2 * np.pi * 45 * t))[:, None])).notes
+    assert (
+        notes[0].startswith("joint 'j': what counts as noise") and "faster than the samples show" in notes[0]
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_noise_counts_as_noise(seed):
+    """Of a resting joint, the bound on the velocity stays."""
+    rng = np.random.default_rng(seed)
+    recording = record(np.arange(3000) / 100, 1e-4 * rng.normal(size=3000))
+    assert not recording.is_undersampled
+    assert recorded_peak(recording, 1).at_most < 1e-3
+
+
 def test_orders_beyond_the_snap_and_times_outside_are_refused():
     t = np.arange(100) / 50
     path = RecordedPath(t, np.sin(t)[:, None])

@@ -96,11 +96,17 @@ class RecordedPath(SampledPath):
         notes = [_unwrap(t, q, i, names[i]) for i in angles] + [
             _align_signs(t, q, i, names[i].removesuffix("_qw")) for i in quaternions
         ]
-        self.notes = tuple(filter(None, notes))
         self.start, self.end, self.joints = float(t[0]), float(t[-1]), q.shape[1]
         self.times, self.samples, self.names = t, q, tuple(names)
         self.recordings = tuple(record(t, np.ascontiguousarray(column)) for column in q.T)
         self.noise = np.array([recording.noise for recording in self.recordings])
+        notes += [
+            f"joint {name!r}: what counts as noise, {recording.noise:.2g}, is not noise: the motion may be "
+            "faster than the samples show"
+            for name, recording in zip(self.names, self.recordings, strict=True)
+            if recording.is_undersampled
+        ]
+        self.notes = tuple(filter(None, notes))
         self.breaks = np.array(sorted({one.time for r in self.recordings for one in r.breaks}))
 
     def derivatives(self, t: ArrayLike, order: int) -> np.ndarray:

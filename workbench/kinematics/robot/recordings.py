@@ -18,6 +18,7 @@ HIGHEST_RECORDED_ORDER = 4
 LEAST_SAMPLES = 10
 CONFIDENCE = 0.05  # that any of the windows misses by more than the noise's part of the stated error
 GAP = 4.0  # median distances of samples
+UNLIKELY = 1e-3  # that the spectrum of noise is so uneven
 NOISE_WINDOWS = ((24, 12), (12, 6), (12, 9), (16, 12))  # samples and degree
 
 
@@ -37,7 +38,8 @@ class Recording:
 
     times (n,) in s; estimates, errors (7, n): the derivatives 0, …, 6 at the samples and their stated errors,
     infinite where nothing is known; breaks; gaps: samples behind a gap; noise: the standard deviation of the
-    samples; step: that of an encoder, or 0.
+    samples; step: that of an encoder, or 0. is_undersampled: what counts as noise has not the spectrum of
+    noise, so it may be motion faster than the samples show; the errors cover that.
     """
 
     times: np.ndarray
@@ -47,6 +49,7 @@ class Recording:
     gaps: tuple[int, ...]
     noise: float
     step: float
+    is_undersampled: bool = False
 
     def estimate(self, order: int) -> tuple[np.ndarray, np.ndarray]:
         """Returns (value, error), each (n,): the derivative of that order at the samples. Raises
@@ -65,8 +68,14 @@ class Recording:
         here = slice(first, last)
         breaks = (replace(one, sample=one.sample - first) for one in self.breaks if first < one.sample < last)
         gaps = tuple(gap - first for gap in self.gaps if first < gap < last)
-        estimates, errors = self.estimates[:, here], self.errors[:, here]
-        return Recording(self.times[here], estimates, errors, tuple(breaks), gaps, self.noise, self.step)
+        return replace(
+            self,
+            times=self.times[here],
+            estimates=self.estimates[:, here],
+            errors=self.errors[:, here],
+            breaks=tuple(breaks),
+            gaps=gaps,
+        )
 
     def between(self, times: np.ndarray, order: int) -> tuple[np.ndarray, np.ndarray]:
         """Returns the derivatives 0, …, order at any times (...) of the recording, and their errors, each
@@ -157,9 +166,31 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
         inner = [a, *(one.sample for one in found), b]
         for c, d in itertools.pairwise(inner):
             fit_windows(clock, q, c, d, is_uniform, least, sums, z, estimates, errors, counts)
+    is_undersampled = noise > 3 * least and not _is_noise(q - estimates[0], noise)
+    if is_undersampled:
+        fastest = np.pi / typical  # half of the sampling rate
+        errors[1:] += 2 * noise * (fastest ** np.arange(1, ORDERS))[:, None]
     for array in (estimates, errors):
         array.flags.writeable = False
-    return Recording(t, estimates, errors, tuple(breaks), tuple(gaps.tolist()), noise, step)
+    return Recording(t, estimates, errors, tuple(breaks), tuple(gaps.tolist()), noise, step, is_undersampled)
+
+
+def _is_noise(left: np.ndarray, noise: float) -> bool:
+    """Returns False if what the polynomials leave (n,) is of the noise's size and its spectrum is not flat
+    from a quarter of the sampling rate to a half: Fisher's test of the largest ordinate of the periodogram,
+    and Bartlett's of its sums.
+
+    Motion at these frequencies, fewer than four samples a period, is left as noise by small windows.
+    """
+    if np.sqrt(np.mean(left**2)) > 3 * noise:  # a break that was not found, say
+        return True
+    power = np.abs(np.fft.rfft(left)) ** 2
+    power = power[len(power) // 2 : -1]
+    count = len(power)
+    share = np.cumsum(power) / power.sum()
+    apart = np.abs(share - np.arange(1, count + 1) / count).max()
+    line = count * (1 - power.max() / power.sum()) ** (count - 1)
+    return bool(min(line, 2 * np.exp(-2 * count * apart**2)) > UNLIKELY)
 
 
 def _fill_short(t: np.ndarray, q: np.ndarray, first: int, last: int, estimates: np.ndarray) -> None:

@@ -54,10 +54,14 @@ def workbench_calls(urdf: str, frame: str, q: np.ndarray) -> Iterator[tuple[str,
 
     robot, order = Robot.from_urdf(urdf), len(q) - 1
     states = q[0].size // q.shape[-1]
-    yield "motion(q).frame(f).twist(1)", lambda: robot.motion(q).frame(frame).twist(order - 1).array, states
+    yield (
+        "motion(q).frame(f).twist(1)",
+        lambda: robot.motion(q, order=order).frame(frame).twist(order - 1).array,
+        states,
+    )
     yield (
         f"motion(q).frame(f).jacobian({order})",
-        lambda: robot.motion(q).frame(frame).jacobian(order),
+        lambda: robot.motion(q, order=order).frame(frame).jacobian(order),
         states,
     )
     if q.ndim == 2:
@@ -65,8 +69,8 @@ def workbench_calls(urdf: str, frame: str, q: np.ndarray) -> Iterator[tuple[str,
             bound = robot.evaluator(frame, order, jacobians)
             bound.q[...] = q
             yield name, bound, 1
-    motion = robot.motion(q)
-    yield "motion(q).records(), all frames", lambda: robot.motion(q).records(), states
+    motion = robot.motion(q, order=order)
+    yield "motion(q).records(), all frames", lambda: robot.motion(q, order=order).records(), states
     if q.ndim == 3:
         out = states_side_by_side(len(robot.bodies), states, 16 + 6 * order)
         yield "records(out=), all frames", lambda: motion.records(out=out), states

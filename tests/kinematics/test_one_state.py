@@ -14,7 +14,9 @@ CHAIN = SerialChain([Joint.revolute([0, 0, 1]), Joint.prismatic([1, 0, 0]), Join
 DOORS = {
     "motion": lambda q, **order: Robot("arm", ARM.joints).motion(q, **order),
     "on_objects": lambda q, **order: ARM.on_objects("b2", q, **order),
-    "chain": lambda q, **order: CHAIN.twist_derivatives(q, **{name: n - 1 for name, n in order.items()}),
+    "chain": lambda q, **order: SerialChain(CHAIN.joints).twist_derivatives(
+        q, **{name: n - 1 for name, n in order.items()}
+    ),
 }
 
 
@@ -37,38 +39,47 @@ def test_a_told_order_is_taken_at_its_word(door, rows):
 @pytest.mark.parametrize("door", ["motion", "on_objects"])
 def test_more_rows_than_any_state_has_are_refused(door):
     with pytest.raises(
-        ValueError, match="at most 21 rows, one an order of one state, got 22: a table of states"
+        ValueError, match="at most 21 rows, one an order of one state, got 22; a table of states"
     ):
         DOORS[door](np.random.default_rng(0).normal(size=(22, 3)))
     with pytest.warns(UserWarning, match="21 rows, taken for one state"):
         DOORS[door](np.random.default_rng(0).normal(size=(21, 3)))
 
 
-@pytest.mark.parametrize("door", ["motion", "chain"])
-@pytest.mark.parametrize("rows", [3, 5, 6, 21])
-def test_a_table_of_neighbouring_states_is_said(door, rows):
-    """Samples of a path, and any table of more rows than derivatives have names."""
-    path = np.linspace(0.2, 0.3, rows)[:, None] * [1.0, -2.0, 0.5]
-    for table in (path, np.random.default_rng(0).normal(size=(rows, 3)))[: 2 if rows > 5 else 1]:
-        taken = {
-            "motion": Robot("arm", ARM.joints).motion,
-            "chain": SerialChain(CHAIN.joints).twist_derivatives,
-        }[door]
+@pytest.mark.parametrize("door", DOORS)
+@pytest.mark.parametrize("rows", [2, 3, 4, 5, 6, 21])
+def test_a_table_without_order_is_said(door, rows):
+    """Coarse and fine samples of a path, and a state at rest: their shapes tell nothing."""
+    coarse = np.random.default_rng(rows).uniform(-2, 2, size=(rows, 3))
+    for table in (coarse, np.linspace(0.2, 0.3, rows)[:, None] * [1.0, -2.0, 0.5], np.zeros((rows, 3))):
         with pytest.warns(
             UserWarning, match=rf"{rows} rows, taken for one state .*; if it is, say order=\d+; a"
         ):
-            taken(table)
+            DOORS[door](table)
 
 
-@pytest.mark.parametrize("door", DOORS)
-def test_usual_derivatives_are_taken_without_a_word(door):
-    rng = np.random.default_rng(1)
+@pytest.mark.parametrize(
+    "make", [lambda: Robot("arm", ARM.joints).motion, lambda: SerialChain(CHAIN.joints).twist_derivatives]
+)
+def test_a_shape_is_warned_of_once(make):
+    """Also where the same shape was given with its order before: that call says nothing about this one."""
+    taken, q = make(), np.random.default_rng(0).normal(size=(3, 3))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        for rows in (2, 3, 4, 5):
-            for q in (np.zeros((rows, 3)), np.ones((rows, 3)), rng.normal(size=(rows, 3))):
-                DOORS[door](q)
-        DOORS[door](np.outer([0.0, 1, 2], [1.0, 1, 1]))
+        taken(q, order=2 if taken.__name__ == "motion" else 1)
+    with pytest.warns(UserWarning, match="3 rows, taken for one state"):
+        taken(q)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        taken(q)
+
+
+def test_batches_are_taken_without_a_word():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for states in (1, 4):
+            ARM.motion(np.zeros((3, states, 3)))
+            CHAIN.twist_derivatives(np.zeros((3, states, 3)))
 
 
 def test_velocities_have_the_told_order():

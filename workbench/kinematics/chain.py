@@ -60,7 +60,8 @@ class SerialChain:
         if self.dof == 0:
             raise ValueError("expected a chain with at least one moving joint, got none")
         self._of_poses = TreeEngine(steps, {TIP: Frame(len(steps) - 1, X)}, self.dof, self.dof)
-        self._plans: dict[tuple[tuple[int, int], bool], Plan] = {}  # by the shape of a state
+        # by the shape of a state; of Taylor coefficients, or None for derivatives that were warned of
+        self._plans: dict[tuple[tuple[int, int], bool | None], Plan] = {}
 
     def twist_derivatives(
         self, q: ArrayLike, out: np.ndarray | None = None, order: int | None = None
@@ -70,15 +71,15 @@ class SerialChain:
         q: (n + 2, ..., dof), where q[k, ..., i] is the k-th time derivative of coordinate i, from
            the coordinate itself (k = 0) to order n + 1. The axes between are states.
         out: if given, the result is written there (spares large batches the fresh memory).
-        order: n; where it is given another number of rows is refused. Without it a table (rows, dof) of
-           more than 5 rows, or of rows that differ little, is taken for derivatives with a warning.
+        order: n; where it is given another number of rows is refused. Without it a table (rows, dof)
+           is taken for the derivatives of one state, with a warning the first time.
         Returns (n + 1, ..., 6): entry k is d^k/dt^k (ω; v) in rad/s^{k+1} and m/s^{k+1}.
 
         Raises ValueError for a wrong shape, a complex array, a NaN or an infinity, or n > 170 (whose
         factorials exceed the doubles: use `twist_taylor`).
         """
         if out is None and order is None and type(q) is ndarray and q.dtype is DOUBLE and q.ndim == 2:
-            plan, numbers = self._plans.get((q.shape, False)), q.ravel()
+            plan, numbers = self._plans.get((q.shape, None)), q.ravel()
             if plan is not None and numbers.dot(numbers) < inf:  # a state as before: only its numbers are new
                 twists = empty((len(q) - 1, 6))
                 if plan.kernel(q[:, None], plan.address, twists[None, None], False):
@@ -90,6 +91,8 @@ class SerialChain:
                 f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {len(q) - 2}; "
                 "use twist_taylor for Taylor coefficients of higher order"
             )
+        if order is None and q.ndim == 2:
+            self._plans[(len(q), self.dof), None] = self._plan(len(q) - 1, False)
         return self._twists(q, out, False)
 
     def twist_taylor(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:

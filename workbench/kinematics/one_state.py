@@ -1,6 +1,7 @@
 """Whether a table (rows, coordinates) holds one state's derivatives, one row an order, or one row a state.
 
-Its shape does not tell. A caller who says the order is taken at his word; else what is doubtful is warned of.
+Its shape does not tell. A caller who says the order is taken at his word; else the table is taken for one
+state, and a warning says so.
 """
 
 from __future__ import annotations
@@ -9,41 +10,32 @@ import warnings
 
 import numpy as np
 
-USUAL_ROWS = 5  # coordinates to snap
-NEAR = 0.25  # of the largest value of a coordinate: rows that differ less are neighbours on a path
-
 
 def require_order(
     q: np.ndarray, order: int | None, others: str, most: int | None = None, extra: int = 1, calls: int = 1
 ) -> None:
-    """Warns, or raises ValueError, unless q (rows, ..., coordinates) are derivatives: order + extra rows.
+    """Raises ValueError unless q (rows, ..., coordinates) has order + extra rows; without `order` it warns of
+    a table of two axes.
 
-    others: how a table of states is given. most: rows of one state that are taken without `order`.
-    calls: from the user's to this one, for the place of the warning."""
+    others: how a table of states is given. most: rows of one state that are taken without `order`. calls:
+    from the user's to this one, for the place of the warning."""
+    given = f"; a table of states is given as {others}"
     if order is not None:
         if type(order) is not int or len(q) != order + extra:
             raise ValueError(
                 f"order: expected {len(q) - extra} for the shape {q.shape}, whose first axis is the order, "
-                f"got {order!r}; a table of states is given as {others}"
+                f"got {order!r}{given}"
             )
         return
     if q.ndim != 2:
         return
-    read = f"{len(q)} rows, taken for one state with derivatives to the order {len(q) - 1}"
     if most is not None and len(q) > most:
         raise ValueError(
-            f"q_derivatives: expected at most {most} rows, one an order of one state, got {len(q)}: "
-            f"a table of states is given as {others}; for one state say order={len(q) - extra}"
+            f"q_derivatives: expected at most {most} rows, one an order of one state, got {len(q)}{given}; "
+            f"for one state say order={len(q) - extra}"
         )
-    if len(q) > USUAL_ROWS or (q.dtype != object and _neighbours(q)):
-        warnings.warn(
-            f"q_derivatives: {read}; if it is, say order={len(q) - extra}; "
-            f"a table of states is given as {others}",
-            stacklevel=2 + calls,
-        )
-
-
-def _neighbours(q: np.ndarray) -> bool:
-    """True if each row is near the one before, as on a path through states."""
-    steps = np.abs(np.diff(q, axis=0))
-    return bool(steps.any() and (steps <= NEAR * np.abs(q).max(axis=0)).all())
+    warnings.warn(
+        f"q_derivatives: {len(q)} rows, taken for one state with derivatives to the order {len(q) - 1}; "
+        f"if it is, say order={len(q) - extra}{given}",
+        stacklevel=2 + calls,
+    )

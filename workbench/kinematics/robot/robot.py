@@ -146,8 +146,8 @@ class Robot(Structure):
         q_derivatives (..., positions) and v_derivatives (N, ..., velocities): the coordinates, and the
         velocities with their derivatives; they are copied. order: N; where it is given another number of
         rows is refused, so that a table (states, positions) cannot be taken for derivatives. Without it a
-        table of more than 5 rows, or of rows that differ little, is taken for derivatives with a warning,
-        and one of more than 21 is refused. Raises ValueError for another shape, and a NaN or infinity.
+        table is taken for the derivatives of one state, with a warning the first time, and more than 21
+        rows are refused. Raises ValueError for another shape, and a NaN or infinity.
         """
         if v_derivatives is None:
             return Motion(self, self.derivatives(q_derivatives, order))

@@ -25,7 +25,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from chain_peak import make_peak_works, operations, registers
+from chain_peak import make_peak_works, operations, registers, share_and_peak
 from chain_peers import NEEDS_C_COMPILER, PEERS
 from chain_problem import LAYOUTS, Problem, Workbench
 
@@ -96,10 +96,9 @@ def serve(name, connection):
                 run = runs[which]
                 connection.send(("timed", seconds_per_call(run, budget)))
             elif request == "peak":
-                (budget,) = details
+                count, seconds = details
                 peak_works = peak_works or make_peak_works()
-                rates = [count / seconds_per_call(work, budget / 2) / 1e9 for work, count in peak_works]
-                connection.send(("peak", max(rates)))
+                connection.send(("peak", *share_and_peak(peer.batches["last"], count, peak_works, seconds)))
         except Exception as error:
             connection.send(("failed", f"{type(error).__name__}: {error}"))
 
@@ -179,20 +178,20 @@ def measure_case(joints, order, ours, workers, hopeless, options):
     case = problem(joints, order, options.states)
     build, memory, *options.reference = ours.must("build", case, timeout=options.build_limit)
     own = {"peer": "workbench", "build": build, "memory": memory, "deviation": 0.0}
+    count = operations(joints, order) * options.states
+    own["of peak"], own["peak"] = ours.must("peak", count, 10 * options.budget, timeout=60)
+    if own["of peak"] > 1:
+        raise SystemExit(f"{own['of peak']:.0%} of the measured peak: that peak is none")
+    own["peak"] /= 1e9
     rounds = []
     for _ in range(max(3, options.rounds)):
-        (peak,) = ours.must("peak", options.budget, timeout=60)
         (single,) = ours.must("time", "single", options.budget, timeout=60)
         batches = [
             ours.must("time", name, options.budget, timeout=60)[0] / options.states for name in LAYOUTS
         ]
-        share = operations(joints, order) / batches[list(LAYOUTS).index("last")] / 1e9 / peak
-        rounds.append((single, share, peak, batches))
-    own["single"], own["of peak"] = min(r[0] for r in rounds), statistics.median(r[1] for r in rounds)
-    if own["of peak"] > 1:
-        raise SystemExit(f"{own['of peak']:.0%} of the measured peak: that peak is none")
-    own["peak"] = max(r[2] for r in rounds)
-    times = np.min([r[3] for r in rounds], axis=0).tolist()
+        rounds.append((single, batches))
+    own["single"] = min(single for single, _ in rounds)
+    times = np.min([batches for _, batches in rounds], axis=0).tolist()
     rows = [own | {"layout": name, "batch": time} for name, time in zip(LAYOUTS, times, strict=True)]
     for name, worker in workers.items():
         if any(joints >= m and order >= n for m, n in hopeless[name]):

@@ -1,6 +1,7 @@
 """The floating-point work of the recursion, the machine's peak, and how wide the engine is."""
 
 import ctypes
+import time
 
 import llvmlite.binding as llvm
 from numba import config
@@ -71,6 +72,32 @@ def make_peak_works(rounds=2000):
         spin.engine = engine  # its code must live as long
         works.append((lambda spin=spin: spin(rounds), rounds * sums * lanes * 2))
     return works
+
+
+def least_in_turns(calls, seconds, turn=2e-3):
+    """The least seconds of each call, over short turns of all of them for so many seconds: a turn that other
+    work disturbs does not count, and all have the same clock and the same neighbours."""
+    repeats, least = [], [float("inf")] * len(calls)
+    for call in calls:
+        call()
+        start = time.perf_counter()
+        call()
+        repeats.append(max(1, int(turn / (time.perf_counter() - start))))
+    end = time.perf_counter() + seconds
+    while time.perf_counter() < end:
+        for i, call in enumerate(calls):
+            start = time.perf_counter()
+            for _ in range(repeats[i]):
+                call()
+            least[i] = min(least[i], (time.perf_counter() - start) / repeats[i])
+    return least
+
+
+def share_and_peak(run, count, works, seconds):
+    """The share of the measured peak at which `run` does its `count` operations, and the peak in 1/s."""
+    own, *others = least_in_turns([run, *(work for work, _ in works)], seconds)
+    peak = max(operations / least for (_, operations), least in zip(works, others, strict=True))
+    return count / own / peak, peak
 
 
 def registers():

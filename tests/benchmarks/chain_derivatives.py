@@ -179,7 +179,7 @@ def measure_case(joints, order, ours, workers, hopeless, options):
     build, memory, *options.reference = ours.must("build", case, timeout=options.build_limit)
     own = {"peer": "workbench", "build": build, "memory": memory, "deviation": 0.0}
     count = operations(joints, order) * options.states
-    own["of peak"], own["peak"] = ours.must("peak", count, 10 * options.budget, timeout=60)
+    own["of peak"], own["peak"] = ours.must("peak", count, 30 * options.budget, timeout=60)
     if own["of peak"] > 1:
         raise SystemExit(f"{own['of peak']:.0%} of the measured peak: that peak is none")
     own["peak"] /= 1e9

@@ -21,8 +21,7 @@ from workbench.kinematics.chain_kernel import HEAD, ROW, bound_chain_kernel, cha
 from workbench.kinematics.simd_lanes import WIDTH
 from workbench.kinematics.tree_plan import Plan
 
-# doubles of the nearest cache that blocks which take turns may fill: any number of them, and two
-NEAR, NEARLY_ALL = 2500, 3072
+NEAR = 3500  # doubles of the nearest cache, 32 KB or more, that blocks which take turns may fill
 NEARLY_PARALLEL = 0.1  # below this sine the foot of the common normal is not used
 
 
@@ -34,7 +33,7 @@ def plan_of_chain(joints: Sequence[Joint], dof: int, order: int, taylor: bool) -
     inputs, those of the results; 0, 1, 1/2, …; the rows of the joints; the workspace."""
     first_turn, rows = _rows(joints)
     size = WIDTH * (dof * (order + 1) + 2 * order * len(rows) + 12 * order)
-    together = max(1, min(2, NEARLY_ALL // size), min(8, NEAR // size))
+    together = max(1, min(8, NEAR // size))
     if taylor:
         in_factors, out_factors = np.arange(1.0, order + 1), np.ones(order)
     else:

@@ -155,11 +155,16 @@ class Violation:
     value: float
     time: float
 
+    @property
+    def name(self) -> str:
+        """Such as "jerk", "deceleration", "lower"."""
+        by_bound = self.order == 0 or self.bound == "deceleration"
+        return self.bound if by_bound else order_name(self.order)
+
     def __str__(self) -> str:
-        name = self.bound if self.order == 0 or self.bound == "deceleration" else order_name(self.order)
         span = f"from {self.start:.6g} to {self.end:.6g} s"
         most = f"{self.value:.6g} at {self.time:.6g} s"
-        return f"{name} of {self.of}: beyond {self.limit:g} {self.unit} {span}, {most}"
+        return f"{self.name} of {self.of}: beyond {self.limit:g} {self.unit} {span}, {most}"
 
 
 def violation(asked: Asked, start: float, end: float, value: float, time: float) -> Violation:

@@ -217,13 +217,15 @@ def proved_claims(sources: Sequence[str] = ()) -> Iterator[tuple[str, Claim]]:
 
 
 def _proved(paper: Paper) -> list[Claim]:
-    asked = [
-        c.id
-        for c in paper.claims
-        if c.printed.statement is not None and c.proof.theorem is None and c.proof.goal is None
-    ]
+    asked = [c.id for c in paper.claims if _is_judged_as_printed(c)]
     results = judge_paper(paper, asked, motions=False) if asked else []
-    return [r.claim for r in results if r.verdict.outcome is Outcome.PROVED]
+    proved = [r.claim for r in results if r.verdict.outcome is Outcome.PROVED]
+    return [claim for claim in proved if _is_judged_as_printed(claim)]
+
+
+def _is_judged_as_printed(claim: Claim) -> bool:
+    """False for a claim with a goal of its own, which another printed form would not change."""
+    return claim.printed.statement is not None and claim.proof.theorem is None and claim.proof.goal is None
 
 
 def changed_forms(claim: Claim, kind: str) -> list[str]:

@@ -243,6 +243,16 @@ def judged_alone(claim: Claim, judge_of: JudgeOf) -> Verdict:
     return Verdict(Outcome.UNCHECKED)
 
 
+def minimise(facts: Sequence[Fact], holds: Callable[[Sequence[Fact]], bool]) -> list[Fact]:
+    """Returns a minimal subset of the facts under which it still holds; weak facts are removed first."""
+    needed = list(facts)
+    for fact in sorted(facts, key=lambda each: each.strength):
+        fewer = [each for each in needed if each is not fact]
+        if len(needed) > 1 and holds(fewer):
+            needed = fewer
+    return needed
+
+
 def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare: Verdict) -> Verdict:
     """Returns the verdict on a claim that is proved under hypotheses and refuted without them."""
     return replace(

@@ -7,7 +7,7 @@ refuted.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
@@ -24,7 +24,14 @@ from workbench.core.reasons import Reason
 from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
-from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, OutOfDecisions, is_true
+from workbench.prover.explain.decide_under_facts import (
+    Decider,
+    JudgeOf,
+    OutOfDecisions,
+    is_true,
+    minimise,
+)
+from workbench.prover.explain.excluded_poles import POLES, without_poles
 from workbench.prover.explain.fact_layers import layers_of
 from workbench.prover.explain.false_premises import under_premises
 from workbench.prover.explain.family_facts import for_members
@@ -58,6 +65,10 @@ class Explainer:
             base.outcome is Outcome.UNCHECKED and claim.context.span is not None and is_law(claim)
         ):
             verdict = self._explained(claim, base)
+        elif base.code in POLES and claim.context.span is not None and claim.corrected is None:
+            decider = Decider(claim, self._judge_of, self._second_engine)
+            with within(self._seconds), suppress(OutOfDecisions):
+                verdict = without_poles(claim, base, decider)
         elif base.outcome is Outcome.ILL_FORMED:
             verdict = with_other_gradient(claim, base, self._judge_of)
         verdict = with_stated_properties(claim, verdict, self._judge_of, self._explained)
@@ -279,7 +290,8 @@ class _Explanation:
         meets = with_hints.outcome is Outcome.REFUTED
         shown = (with_hints if meets else against).counterexample or self.base.counterexample
         unless = [*self._rescuing(context), *self.doubts]
-        unless += [f"the text says more: {fact}" for fact in context.opaque]
+        said = {_said(fact) for fact in self.known}
+        unless += [f"the text says more: {fact}" for fact in context.opaque if _said(fact) not in said]
         unless += [f"not decided with {fact}" for fact in self.pending[:_NAMED]]
         if not meets:
             unless.append("not decided under " + ", ".join(map(str, self.hints or self.known)))
@@ -314,6 +326,11 @@ class _Explanation:
         return [other] if other is not None else []
 
 
+def _said(fact: Fact) -> tuple[str, str]:
+    """Returns the words of a fact without blanks, and its place."""
+    return "".join(fact.origin.text.split()), fact.origin.place
+
+
 def _order(said: object, own: Symbol) -> int | None:
     rate = rate_in(said, own)
     return None if rate is None else rate[0]
@@ -329,16 +346,6 @@ def _says_what_is(own: Symbol, content: object) -> bool:
         return False
     is_alone = (content.left == own) != (content.right == own)
     return is_alone or names_in(content) == {own.declaration.name}
-
-
-def minimise(facts: Sequence[Fact], holds: Callable[[Sequence[Fact]], bool]) -> list[Fact]:
-    """Returns a minimal subset of the facts under which it still holds; weak facts are removed first."""
-    needed = list(facts)
-    for fact in sorted(facts, key=lambda each: each.strength):
-        fewer = [each for each in needed if each is not fact]
-        if len(needed) > 1 and holds(fewer):
-            needed = fewer
-    return needed
 
 
 def _act_by_sign(claim: Claim) -> tuple[Act, Symbol | None]:

@@ -25,6 +25,14 @@ from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display, Token, spelled
+from workbench.source.documents.condition_words import (
+    CASES,
+    DEFINES,
+    EXCEPTIONS,
+    EXPLAINS,
+    REASONS,
+    SUPPOSES,
+)
 from workbench.source.documents.list_items import item_around
 from workbench.source.documents.surrounding_words import (
     holds_display,
@@ -73,9 +81,8 @@ _RELATIONS = {
 }
 #: The last of these words before a formula tells a definition from a condition.
 _SAYS = re.compile(
-    r"\b(?:(?P<defines>let|define|put|set|denote|introduce|write|writing)"
-    r"|(?P<explains>where|with|in which|here)|(?P<case>if|when|for|at|provided|given|whenever|while)"
-    r"|(?P<supposes>suppos\w+|assum\w+)|since|because|as)\b",
+    rf"\b(?:(?P<excepts>{EXCEPTIONS})|(?P<defines>{DEFINES})|(?P<explains>{EXPLAINS}|here)|(?P<case>{CASES})"
+    rf"|(?P<supposes>{SUPPOSES})|(?P<gives_reason>{REASONS}))\b",
     re.IGNORECASE,
 )
 #: Marks of conditions that stay in force after their sentence.
@@ -128,7 +135,9 @@ class InlineFormulas:
         if key not in self._read:  # keeps the notation alive, so that its id stays unique
             line = formula.source.place(formula.start)[0]
             made = list(_condition(step.tokens, line, notation, with_equations))
-            if with_equations and _is_let(formula):
+            if is_exception(formula):
+                made = [fact for each in made if (fact := _denied(each)) is not None]
+            elif with_equations and _is_let(formula):
                 made = list(map(_as_definition, made))
             self._read[key] = (notation, made)
         return self._read[key][1]
@@ -141,27 +150,45 @@ def _words_before(formula: Display) -> re.Match[str] | None:
     return next(reversed(list(_SAYS.finditer(text[first : formula.start]))), None)
 
 
+def is_exception(formula: Display) -> bool:
+    """True if the sentence excludes what the formula says, as in "unless f = 0"."""
+    words = _words_before(formula)
+    return words is not None and words["excepts"] is not None
+
+
 def _is_let(formula: Display) -> bool:
     """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
     words = _words_before(formula)
     return words is not None and (words["defines"] or words["explains"]) is not None
 
 
+def _denied(fact: Fact) -> Fact | None:
+    """Returns the fact that holds where the fact does not: f ≠ 0 of "unless f = 0"; None if none is known."""
+    said = fact.content
+    if not isinstance(said, Relation) or said.operator == "≈" or fact.bound is not None:
+        return None
+    other = Relation("≠" if said.operator == "=" else "=", said.left, said.right)
+    sign = "\\neq" if other.operator == "≠" else "="
+    words = f"{to_latex(said.left)} {sign} {to_latex(said.right)}"
+    return replace(fact, content=other, origin=replace(fact.origin, text=words))
+
+
 def place_of_case(formula: Display) -> range | None:
     """Returns the offsets of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
 
     A supposition is a case if the display of its claim stands in its paragraph, and a formula that explains a
-    display, as in "where f = 0", if the display does. In an item of a list with its display, all are cases.
+    display, as in "where f = 0" or "since f = 0", if the display does. In an item of a list with its display,
+    all are cases.
     """
     words, text = _words_before(formula), formula.source.prose
     start, end = paragraph_around(text, formula.start)
     is_before, is_behind = (
         holds_display(text, *span) for span in ((start, formula.start), (formula.end, end))
     )
-    if words is not None and words["explains"]:
-        is_case = is_before or (is_behind and words["explains"].lower() != "here")
+    if words is not None and (words["explains"] or words["gives_reason"]):
+        is_case = is_before or (is_behind and words[0].lower() != "here")
     else:
-        is_case = words is not None and words["case"] is not None
+        is_case = words is not None and (words["case"] or words["excepts"]) is not None
     item = None if is_case else item_around(text, formula.start)
     if item is not None and holds_display(text, formula.end, item[1]):
         return range(*item)

@@ -4,6 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from workbench.source.documents.condition_words import (
+    CASES,
+    EXCEPTIONS,
+    EXPLAINS,
+    LETS,
+    REASONS,
+    SUPPOSES,
+)
+
 #: The words for each property of core/properties.py.
 PROPERTY_WORDS: Mapping[str, str] = {
     "unit": r"unit(?:ary)?|normali[sz]ed|of (?:length|norm|magnitude) (?:one|1)"
@@ -49,12 +58,10 @@ NEGATION = (
 )
 
 #: A kind noun counts only after one of these words.
-CONDITION = (
-    r"\b(?:for|if|when|where|with|assum\w+|suppos\w+|let|case of|restrict\w*|consider\w*|since|because|as)\b"
-)
+CONDITION = rf"\b(?:{LETS}|{EXPLAINS}|{CASES}|{SUPPOSES}|{REASONS}|restrict\w*|consider\w*)\b"
 
 #: The beginning of a supposition that an earlier sentence makes for itself alone.
-CASE = r"\b(?:if|when|case of|for)\b[^,]*$"
+CASE = rf"\b(?:{CASES}|{EXCEPTIONS})\b[^,]*$"
 
 #: Words that state something unformalized of a symbol.
 OPAQUE = (

@@ -35,6 +35,9 @@ _FILL = rf"(?:(?!(?:{STOP})\b)[A-Za-z-]+\s+){{0,2}}?"
 _NOT, _IF, _CASE = (re.compile(words, re.I) for words in (NEGATION, CONDITION, CASE))
 _OPAQUE = re.compile(OPAQUE, re.I)
 _CLAUSES = re.compile(r"[,;:.]")
+#: Words around a noun phrase that speaks of one symbol, and not of all: "⟦0⟧ is the skew matrix of ⟦1⟧".
+_OF_ONE = re.compile(rf"⟦\d+⟧\s*,?\s*{BE}\s+(?:the|an?)\s+$", re.I)
+_OF_SYMBOL = re.compile(r"\s+of\s+⟦")
 #: The number of characters before a match in which a negation counts.
 _REACH = 40
 
@@ -113,6 +116,8 @@ class _Reader:
         if not said or row.count not in (1, len(said)):
             return
         for match in _of_a_kind(name, kind).finditer(text):
+            if _OF_ONE.search(text[: match.start()]) or _OF_SYMBOL.match(text, match.end()):
+                continue
             is_meant = (name, kind) in FOR_ALL or _IF.search(_CLAUSES.split(text[: match.start()])[-1])
             if is_meant and not _is_negated(text, match):
                 self._read.append(match.span())
@@ -158,7 +163,7 @@ def _stated_in(text: str, is_own: bool) -> tuple[tuple[str, re.Match[str]], ...]
         (name, match)
         for name, words in PROPERTY_WORDS.items()
         for match in _matches(words, PREDICATES.get(name), text)
-        if not _is_negated(text, match) and (is_own or not _is_case(text, match))
+        if not _is_negated(text, match) and (is_own or not is_case(text[: match.start()]))
     )
 
 
@@ -187,9 +192,9 @@ def _is_negated(text: str, match: re.Match[str]) -> bool:
     return bool(_NOT.search(clause[-_REACH:]) or (not is_predicate and _NOT.search(match[0])))
 
 
-def _is_case(text: str, match: re.Match[str]) -> bool:
-    clause = re.split(r"[;:.]", text[: match.start()])[-1]
-    return bool(_CASE.search(clause))
+def is_case(before: str) -> bool:
+    """True if the words before a property make it one of a case, which no other sentence supposes."""
+    return bool(_CASE.search(re.split(r"[;:.]", before)[-1]))
 
 
 def flat(latex: str) -> str:

@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 
 from workbench.context.claims import Claim, Notation
-from workbench.context.condition_facts import place_of_case
+from workbench.context.condition_facts import is_exception, place_of_case
 from workbench.context.facts import Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.free_symbols import terms_of
@@ -23,7 +23,7 @@ from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.definitions import expand
 from workbench.source.documents import Display
-from workbench.source.documents.surrounding_words import sections_of
+from workbench.source.documents.surrounding_words import is_of_next_sentence, sections_of
 
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
@@ -114,7 +114,8 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
     notation = claim.notation
     for unread in _said_of(declaration, notation, said):
         is_before = is_before_scope([declaration.name], unread.file, unread.line, notation)
-        if is_before or _is_by_definition(unread, notation):
+        is_excluded = unread.inline is not None and is_exception(unread.inline)
+        if is_before or is_excluded or _is_by_definition(unread, notation):
             continue
         terms = _expanded(claim)
         own = _own(declaration, terms)
@@ -126,12 +127,15 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
 
 
 def _is_another_case(value: Unread, claim: Claim) -> bool:
-    """True if a sentence of another paragraph of the section supposes the value for its own claim."""
+    """True if another sentence of the section supposes the value for its own claim: one of another paragraph,
+    or the one behind the display."""
     place = _place_beside(value, claim)
     if place is None or value.inline is None or _is_elsewhere(value, claim):
         return False
     case = place_of_case(value.inline)
-    return case is not None and place not in case
+    if case is None or place not in case:
+        return case is not None
+    return is_of_next_sentence(value.inline.source.prose, place, value.inline.start)
 
 
 def _is_elsewhere(value: Unread, claim: Claim) -> bool:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
+from workbench.context.sentences import is_case
 from workbench.papers.drafting.drafted_definitions import Proposed
 from workbench.papers.drafting.formula_shapes import quaternion_parts
 from workbench.papers.drafting.inference.kind_operations import SYMBOL
@@ -128,7 +129,12 @@ def _two_rates(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Mat
 
 
 def _listed(key: str) -> Callable[[Facts, MarkedText, Sentence, re.Match[str]], None]:
+    """Returns the action that records the symbols of a list; what a sentence supposes for itself is no
+    fact of the text: "for constant m"."""
+
     def take(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+        if key == "constants" and is_case(sentence.words[: match.start()]):
+            return
         for mark in re.findall(MARK, match["names"]):
             for name in text.names(mark):
                 getattr(facts, key).setdefault(name)

@@ -37,6 +37,7 @@ _SUPPOSES = re.compile(
     re.IGNORECASE,
 )
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?\s*|[{}]")
+_RELATION = re.compile(r"[=<>]|\\(?:neq?|[lg]eq?|[lg]t|perp|parallel|approx|equiv)(?![A-Za-z])")
 
 
 def sentence_before(text: str, start: int) -> str:
@@ -49,8 +50,34 @@ def sentence_before(text: str, start: int) -> str:
     return _SENTENCE.split(" ".join(chunk.split()))[-1].strip()
 
 
-#: What begins another sentence behind a display without a full stop. "Here, m is …" goes on with the display.
-_NEW_SENTENCE = re.compile(r"(?!(?:Here|Where|With|In which|For|If|When|Since|Because|As)\b)[A-Z][a-z]*\b")
+#: What goes on with the display before it, though it has a capital: "Here, m is …", "If f = 0."
+_GOES_ON = re.compile(r"(?:(?P<always>Here|Where|In which)|With|For|If|When|Since|Because|As)\b")
+_FORMULA = re.compile(r":math:`[^`]*`|\$[^$]*\$|\\\([^)]*\\\)|`[^`]*`")
+#: What another clause begins with, with # for a formula: "If f = 0, we have", "If f = 0 then".
+_CLAUSE = re.compile(
+    r",\s*(?!(?:and|or|where|with|in which|for|if|when|since|because|as|but|i\.e|that is)\b)[A-Za-z=]"
+    r"|\bthen\b|\b(?:we|it) (?:have|get|find|obtain|see|follows)\b"
+)
+
+
+def _begins_sentence(after: str) -> bool:
+    """True if another sentence begins behind a display without a full stop.
+
+    A condition with a clause of its own is one: "If f = 0, g = 0." says nothing of the display before it."""
+    if re.match(r"[A-Z][a-z]*\b", after) is None:
+        return False
+    if (goes_on := _GOES_ON.match(after)) is None:
+        return True
+    stops = [match.start() for sign in (_BLANK_LINES, _SENTENCE) if (match := sign.search(after))]
+    own = after[: min(stops, default=len(after))]
+    words = _FORMULA.sub(lambda match: "=" if _RELATION.search(match[0]) else "#", own)
+    return goes_on["always"] is None and _CLAUSE.search(words) is not None
+
+
+def is_of_next_sentence(text: str, start: int, said: int) -> bool:
+    """True if the words at `said` belong to a sentence that begins behind the display at `start`."""
+    ends = [m.end() for sign in (_DISPLAY_END, _BLANK_LINES) for m in sign.finditer(text, start, said)]
+    return bool(ends) and _begins_sentence(text[max(ends) :].lstrip(_BLANKS))
 
 
 def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
@@ -61,7 +88,7 @@ def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
     ends = [m.end() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) for m in sign.finditer(before)]
     end += len(text[end : end + _FAR]) - len(text[end : end + _FAR].lstrip(_BLANKS))
     after = text[end : end + _FAR]
-    closed = _STOP.search(text[start:end].rstrip()[-40:]) or _NEW_SENTENCE.match(after)
+    closed = _STOP.search(text[start:end].rstrip()[-40:]) or _begins_sentence(after)
     stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) if (m := sign.search(after))]
     items = [m for m in _ITEM.finditer(before) if m.end() > max(ends, default=0)]
     if items:

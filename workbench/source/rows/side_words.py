@@ -7,6 +7,14 @@ from collections.abc import Sequence
 from enum import Enum, auto
 
 from workbench.source.documents import Token, joined
+from workbench.source.documents.condition_words import (
+    CASES,
+    EXCEPTIONS,
+    EXPLAINS,
+    LETS,
+    REASONS,
+    SUPPOSES,
+)
 from workbench.source.rows.display_tree import Node, parse, relation_places
 from workbench.source.rows.display_vocabulary import INTERTEXTS, Kind
 
@@ -24,12 +32,10 @@ class WordRole(Enum):
 
 
 _CONDITIONS = (
-    "where|with|given|given that|provided|provided that|whenever|when|if|for|for all|for every|for any"
-    "|as long as|so long as|in case|in the case|once|supposing|on condition that|assuming that"
-    "|suppose|suppose that|assume|assume that|let|set|put"
-    "|while|subject to|such that|s t|subj to|assuming|at|under|on|along|in|near|during|until"
+    rf"{LETS}|{EXPLAINS}|(?:{CASES}|{SUPPOSES}|such)(?: that| all| every| any)?"
+    "|s t|subj to|under|on|along|in|near|during|until"
 )
-_REASONS = "since|because|as|using|by|from|due to|see|recall|noting|thanks to|owing to"
+_REASONS = f"{REASONS}|using|by|from|due to|see|recall|noting|thanks to|owing to"
 _JOINS = (
     "and|so|so that|thus|hence|therefore|and therefore|then|i e|that is|which gives|or equivalently"
     r"|also|but|yields|gives|we have|we get|so we have|&|\\&|"
@@ -39,10 +45,14 @@ _DENIALS = (
     r"|(?:.*\b)?(?:not|never|no longer)\b(?: be| generally| in general)? ?(?:true|valid|correct|right|hold)"
     r"|.*n['’]t (?:true|hold)|(?:not|never|contrary|in general not|but not)\b"
 )
+#: What follows an exception is not supposed: "unless f = 0".
+_CONNECTIONS = re.compile(
+    rf"(?:or|implies|either|(?:.*\b)?(?:iff|if and only if))$|(?:.*\b)?{EXCEPTIONS}(?: #)?$"
+)
 #: The first pattern that matches the words decides.
 _ROLES = (
     (WordRole.DENIAL, re.compile(_DENIALS)),
-    (WordRole.CONNECTION, re.compile(r"(?:or|implies|unless|either|(?:.*\b)?(?:iff|if and only if))$")),
+    (WordRole.CONNECTION, _CONNECTIONS),
     (WordRole.CONDITION, re.compile(rf"(?:.*\b)?(?:{_CONDITIONS})\b[^a-z]*$")),
     (WordRole.REASON, re.compile(rf"(?:.*\b)?(?:{_REASONS})\b[^a-z]*$")),
     (WordRole.JOIN, re.compile(rf"(?:{_JOINS})$")),
@@ -88,6 +98,8 @@ def maths_of(node: Node) -> list[list[Node]]:
 
 def role_of(words: str) -> WordRole:
     """Returns the role of the formula after the words. Words that end with a formula are a remark."""
+    if _CONNECTIONS.match(words):
+        return WordRole.CONNECTION
     if words.endswith("#"):
         return WordRole.REMARK
     spoken = words.replace("#", " ").strip()
@@ -96,6 +108,8 @@ def role_of(words: str) -> WordRole:
 
 def lead_of(words: str) -> WordRole | None:
     """Returns the role of a formula within the words; None if they do not state it."""
+    if _CONNECTIONS.match(words):
+        return None
     if (role := next((role for role, pattern in _LEADS if pattern.search(words)), None)) is not None:
         return role
     return WordRole.CONDITION if limits(words) else None

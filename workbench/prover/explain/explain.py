@@ -7,7 +7,7 @@ refuted.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
@@ -290,8 +290,8 @@ class _Explanation:
         meets = with_hints.outcome is Outcome.REFUTED
         shown = (with_hints if meets else against).counterexample or self.base.counterexample
         unless = [*self._rescuing(context), *self.doubts]
-        said = {_said(fact) for fact in self.known}
-        unless += [f"the text says more: {fact}" for fact in context.opaque if _said(fact) not in said]
+        met = {_said(fact) for fact in self.known}
+        unless += [f"the text says more: {fact}" for fact in context.opaque if not _is_met(fact, met)]
         unless += [f"not decided with {fact}" for fact in self.pending[:_NAMED]]
         if not meets:
             unless.append("not decided under " + ", ".join(map(str, self.hints or self.known)))
@@ -329,6 +329,11 @@ class _Explanation:
 def _said(fact: Fact) -> tuple[str, str]:
     """Returns the words of a fact without blanks, and its place."""
     return "".join(fact.origin.text.split()), fact.origin.place
+
+
+def _is_met(fact: Fact, met: Set[tuple[str, str]]) -> bool:
+    """True if an equation that is not read in its place is a fact that the refutation meets."""
+    return fact.origin.provider is Provider.UNREAD and _said(fact) in met
 
 
 def _order(said: object, own: Symbol) -> int | None:

@@ -286,6 +286,11 @@ class Claim:
         return None if self.sentence.ours else self.printed.latex or self.sentence.quote
 
     @property
+    def displayed(self) -> str | None:
+        """The formula as the text shows it; None where the claim is a sentence."""
+        return None if self.shown == self.sentence.quote else self.shown
+
+    @property
     def right(self) -> Formula:
         """The corrected form, else the intended reading, else the printed form."""
         return self.corrected or self.reading or self.printed

@@ -109,6 +109,10 @@ class Document:
         found = sorted(groups.items(), key=lambda each: -len(each[1]))
         return tuple((reason, tuple(places)) for reason, places in found)
 
+    @property
+    def has_sections(self) -> bool:
+        return any(section.name for section in self.sections)
+
     def in_state(self, name: str) -> int:
         """Returns the number of equations in a state."""
         return next((each.count for each in self.classes if each.kind.name == name), 0)

@@ -10,6 +10,7 @@ from workbench.prover.results.claim_results import ClaimResult
 from workbench.prover.results.proposed_form import Proposed
 from workbench.report.anchors import Heirs, Place, Places, is_counted, label, with_headings
 from workbench.report.claim_states import fault_of, state_of, state_of_equation
+from workbench.report.counterexamples import Against, against
 from workbench.report.errata import Correction, cost_in_words, reason_for_readers, without_place
 from workbench.report.mixed_prose import Run, plain_value, runs_of, runs_with_symbols
 from workbench.report.shown_kinds import VERDICTS, Kind
@@ -68,6 +69,10 @@ class Entry:
     heirs: tuple[Place, ...]
     rests_on: tuple[Place, ...]
     cost: str | None
+
+    @property
+    def counterexample(self) -> Against | None:
+        return against(self.result)
 
     @property
     def id(self) -> str:
@@ -164,8 +169,8 @@ def _forms(result: ClaimResult) -> list[Form]:
     """Returns the printed form, the reading and the corrected form, each compared with the previous one."""
     claim = result.claim
     forms = []
-    if claim.shown and claim.shown != claim.sentence.quote:
-        forms.append(Form("Printed", claim.shown))
+    if claim.displayed:
+        forms.append(Form("Printed", claim.displayed))
     if claim.our_formula:
         forms.append(Form("Our formula for it", claim.our_formula))
     for caption, formula, verdict in (
@@ -176,7 +181,7 @@ def _forms(result: ClaimResult) -> list[Form]:
             reason = tuple(runs_of(without_place(verdict.reason or "")))
             kind = VERDICTS[verdict.outcome]
             forms.append(Form(caption, formula.latex, kind=kind, scope=verdict.scope, reason=reason))
-    for index in range(1, len(forms)):
+    for index in range(1, len(forms) if claim.mend.by is None else 0):
         before, after = forms[index - 1 : index + 1]
         if found := difference(before.latex, after.latex):
             forms[index - 1] = replace(before, marked=before.marked | found.marked_before)

@@ -15,7 +15,15 @@ from workbench.prover.results.motion_summary import percent
 from workbench.report.anchors import Heirs, Place, joined, with_headings
 from workbench.report.claim_states import fault_of
 from workbench.report.counterexamples import Against, against
-from workbench.report.mixed_prose import Run, condition_as_prose, formula, power_of_ten, runs_of, text
+from workbench.report.mixed_prose import (
+    Run,
+    condition_as_prose,
+    formula,
+    power_of_ten,
+    runs_of,
+    runs_with_symbols,
+    text,
+)
 from workbench.source.typeset.differences import difference
 
 _OTHERS = "Others."
@@ -175,11 +183,18 @@ def _correction(
         changes=tuple(_changes(result)),
         said=tuple(_said(result)),
         add=tuple(runs_of(mend.add or (condition_as_prose(result.hypothesis) if result.hypothesis else ""))),
-        why=tuple(runs_of(with_headings(claim.source.note or reason_for_readers(result), places))),
+        why=tuple(_why(result, places)),
         example=tuple(runs_of(mend.example or "")),
         counterexample=against(result),
         cost=cost_in_words(result),
     )
+
+
+def _why(result: ClaimResult, places: Mapping[str, Place]) -> list[Run]:
+    """Returns the author's note on the claim, or the reason of its verdict."""
+    if note := result.claim.source.note:
+        return runs_of(with_headings(note, places))
+    return runs_with_symbols(with_headings(reason_for_readers(result), places))
 
 
 def cost_in_words(result: ClaimResult) -> str | None:
@@ -240,9 +255,9 @@ def _changes(result: ClaimResult) -> Iterator[Change]:
             yield Change(tuple(runs_of(edit.old)), tuple(runs_of(edit.new)) if edit.new.strip() else None)
     proved = (form for form in result.proposed or () if form.verdict is Outcome.PROVED)
     right = result.right or next(proved, None)
-    if right and claim.shown and claim.shown != claim.sentence.quote and not claim.mend.edits:
+    if right and claim.displayed and not claim.mend.edits:
         is_first = right is next(iter(result.proposed or ()), None)
-        yield _in_formula(claim.shown, (result.edited if is_first else None) or right.latex)
+        yield _in_formula(claim.displayed, (result.edited if is_first else None) or right.latex)
 
 
 def _in_formula(old: str, new: str) -> Change:

@@ -12,6 +12,7 @@ from workbench.report.anchors import Place
 from workbench.report.counterexamples import Against
 from workbench.report.equation_entries import Entry, Equation
 from workbench.report.errata import Change
+from workbench.report.mixed_prose import is_one_formula
 from workbench.report.shown_kinds import STATES
 from workbench.source.typeset.differences import Change as Difference
 from workbench.source.typeset.differences import difference
@@ -81,7 +82,7 @@ def _row(equation: Equation) -> ErrorRow:
         label=equation.label,
         anchor=equation.anchor,
         counted=equation.counted,
-        of=_left_sides(wrong),
+        of=_left_sides(wrong, changes),
         change=changes[0] if changes else None,
         more=max(0, len(changes) - 1),
         corrected_with=None if changes else main.mended_by,
@@ -93,11 +94,15 @@ def _row(equation: Equation) -> ErrorRow:
     )
 
 
-def _left_sides(wrong: Sequence[Entry]) -> tuple[str, ...]:
+def _left_sides(wrong: Sequence[Entry], changes: Sequence[Change]) -> tuple[str, ...]:
+    """Returns up to two left sides, of the wrong formulas or else of the formulas that the edits replace."""
     claims = [entry.result.claim for entry in wrong if not entry.result.claim.proof.goal]
-    shown = [claim.shown if claim.shown != claim.sentence.quote else claim.our_formula for claim in claims]
-    sides = [side for latex in shown if latex and (side := left_side(latex)) is not None]
-    return tuple(dict.fromkeys(sides))[:2]
+    shown = [claim.displayed or claim.our_formula for claim in claims]
+    replaced = [run.content for change in changes for run in change.old if is_one_formula(change.old)]
+    for formulas in (shown, replaced):
+        if sides := [side for latex in formulas if latex and (side := left_side(latex)) is not None]:
+            return tuple(dict.fromkeys(sides))[:2]
+    return ()
 
 
 def _verified(entry: Entry) -> tuple[str, str] | None:

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-_INLINE_MATH = re.compile(r"\$([^$\n]+)\$")
+#: A formula between single or double dollar signs.
+_MATH = re.compile(r"\$\$([^$]+)\$\$|\$([^$\n]+)\$")
 _QUOTED = re.compile(r"`([^`\n]+)`")
 
 
@@ -34,8 +35,7 @@ def formula(latex: str) -> Run:
 
 def runs_of(prose: str) -> list[Run]:
     """Returns the runs of a note: LaTeX between dollar signs, text elsewhere; `so` is quoted."""
-    pieces = _INLINE_MATH.split(_QUOTED.sub("“\\1”", prose))
-    return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
+    return _runs(_QUOTED.sub("“\\1”", prose), _MATH)
 
 
 def condition_as_prose(hypothesis: str) -> str:
@@ -53,9 +53,15 @@ def runs_with_symbols(text: str) -> list[Run]:
     """Returns the runs of a reason that contains symbols as bare LaTeX, such as `a_1`."""
     if "$" in text:
         return runs_of(text)
+    return _runs(text, _SYMBOL)
+
+
+def _runs(text: str, mathematics: re.Pattern[str]) -> list[Run]:
+    """Returns the runs of a text. mathematics: matches LaTeX, as a whole or in its one group that matches."""
     found, at = [], 0
-    for match in _SYMBOL.finditer(text):
-        found += [Run(text[at : match.start()]), Run(match[0], is_math=True)]
+    for match in mathematics.finditer(text):
+        latex = next(filter(None, match.groups()), match[0])
+        found += [Run(text[at : match.start()]), Run(latex, is_math=True)]
         at = match.end()
     return [run for run in [*found, Run(text[at:])] if run.content]
 

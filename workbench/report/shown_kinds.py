@@ -65,7 +65,7 @@ STATES = _by_name(
     ),
     Kind("holds", "✓", "holds as printed", "proved, or a definition that agrees with its uses",
          "green", "hold as printed", "ok"),
-    Kind("defines", "·", "definition", "of a symbol of the text", "green", "definitions", "note"),
+    Kind("defines", "·", "definition", "each says what a symbol is", "green", "definitions", "note"),
 )  # fmt: skip
 
 #: The states in the order of a page: errors first, faults that are not the author's last.

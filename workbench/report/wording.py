@@ -97,7 +97,8 @@ def told(entry: Entry) -> tuple[str, str, str]:
     if state.name == "transcription":
         return "lost", "our copy", "probably lost a mark"
     if state.name == "error":
-        return "err", "wrong", gist_of(entry)
+        cause = f"follows from {short(entry.mended_by[0])}" if entry.mended_by else gist_of(entry)
+        return "err", "wrong", cause
     if state.name == "warning":
         return "warn", "false, unless", "one of the doubts below is meant"
     return state.look, state.label, ""

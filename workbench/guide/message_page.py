@@ -55,6 +55,10 @@ _BY_TABLE = {
         "meaning": "The message is that of an error without a code of its own.",
         "way_out": "Follow the message.",
     },
+    "EngineCode": {
+        "meaning": "The engines have no exact value for this part of the formula, so it is not judged.",
+        "way_out": "Write the part in another form, or define it; see `workbench help why-not-judged`.",
+    },
     "ContextCode": {
         "meaning": "The verdict rests on what the text says around the formula.",
         "way_out": "Say in the model what holds; `given = []` says that the formula needs nothing else.",

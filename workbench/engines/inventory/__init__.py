@@ -8,6 +8,8 @@ free quantity or a side condition. What may it import? core, language. What chec
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
+from workbench.core.codes.engine_codes import EngineCode
+from workbench.core.reasons import Reason
 from workbench.core.terms import Symbol, Term
 from workbench.language.definitions import Lookup
 
@@ -56,4 +58,10 @@ def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
 
 
 class NotExact(ValueError):
-    """The term is well-typed but cannot be evaluated exactly; the message states the part and the reason."""
+    """The term is well-typed but cannot be evaluated exactly; the message states the part and the reason.
+
+    message: a reason, or text without a code of its own.
+    """
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message if isinstance(message, Reason) else EngineCode.NOT_EVALUATED(what=message))

@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import lcm
 from typing import TypeGuard
 
+from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.construct import apply, number, symbol
 from workbench.core.names import Name
 from workbench.core.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
@@ -24,8 +25,6 @@ from workbench.language.printing.printer import to_latex
 Sum = dict[tuple[Term, ...], Fraction]
 
 _ROUND = frozenset({"sin", "cos", "exp"})
-NO_ANGLE = "the sine or cosine of anything but a rational combination of angles"
-NESTED = "a sine or cosine of what holds another one"
 
 
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
@@ -53,16 +52,16 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
     parts: dict[Term, Fraction] = {}
     for factors, coefficient in sum_of_products(angle, definitions).items():
         if not factors:
-            raise NotExact(NO_ANGLE)
+            raise NotExact(EngineCode.NO_ANGLE())
         if len(factors) > 1 and len(set(factors)) == 1 and not _is_positive(factors):
-            raise NotExact("a sine or cosine of the power of an angle, which may be meant for its power")
+            raise NotExact(EngineCode.ANGLE_POWER())
         if not any(isinstance(factor, DualUnit) for factor in factors):
             term = factors[0]
             for factor in factors[1:]:
                 term = apply("mul", term, factor)
             parts[term] = coefficient
     if next(trigonometric_terms(parts, definitions, set()), None) is not None:
-        raise NotExact(NESTED)
+        raise NotExact(EngineCode.NESTED_ANGLE())
     return parts
 
 

@@ -17,6 +17,7 @@ from fractions import Fraction
 from itertools import combinations_with_replacement
 from typing import NamedTuple
 
+from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, Block, Derivative, Head, Number, Symbol, Term
 from workbench.core.types import Declaration
@@ -85,8 +86,7 @@ def require_known_dependence(
             continue
         name = declaration.name
         if not (declaration.independent or declaration.of):
-            said = "`of` says what it depends on, `independent` that it is a coordinate"
-            raise NotExact(f"{name} in the partial derivative may depend on it; {said}")
+            raise NotExact(EngineCode.PARTIAL_MAY_DEPEND(name=name))
         others = {each for each in _moved_by(symbol, varied) if not each.declaration.clock} - varied
         if by_function and (others or not declaration.of):
             raise NotExact(f"{name} is no function of that alone by which it is differentiated")

@@ -11,11 +11,6 @@ from workbench.core.terms import Apply, Block, IllFormed, Number, Symbol, Term
 from workbench.core.types import TENSOR, VECTOR
 from workbench.engines.inventory import Lookup
 
-NO_EXPONENT = (
-    "exp of anything but a purely dual argument, a skew tensor or a quaternion without a scalar part, or "
-    "[x̃ v; 0 0]"
-)
-
 
 def angle_and_axis(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
     """Returns (α, u) for c α ũ, ũ c α, the skew tensor of c α u, the quaternion (0, c α u) and similar terms.

@@ -8,13 +8,13 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.construct import apply
 from workbench.core.terms import Apply, Number, Symbol, Term, Zero
 from workbench.core.types import Type
 from workbench.engines.inventory import Lookup, NotExact
-from workbench.engines.inventory.angle_combinations import NO_ANGLE, angle_parts, is_free_angle
+from workbench.engines.inventory.angle_combinations import angle_parts, is_free_angle
 from workbench.engines.inventory.rodrigues import (
-    NO_EXPONENT,
     angle_and_axis,
     rotation_vector,
     twist_parts,
@@ -88,7 +88,7 @@ class Trigonometry:
             scale = self._algebra.constant(factor.numerator, factor.denominator, depth)
             return self._algebra.constant(1, 1, depth), product_of(np.multiply, scale, value)
         if value.du is not None:
-            raise NotExact(NO_ANGLE)
+            raise NotExact(EngineCode.NO_ANGLE())
         total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
         for part, coefficient in angle_parts(angle, self._definitions).items():
             if coefficient == 0:
@@ -105,7 +105,7 @@ class Trigonometry:
                 return self._repeated(self._free_circle(part, depth), int(factor / own[angle]), depth)
         if isinstance(angle, Symbol) and factor.denominator == 1:
             return self._repeated(self._free_circle(angle, depth), int(factor), depth)
-        raise NotExact(NO_ANGLE)
+        raise NotExact(EngineCode.NO_ANGLE())
 
     def _repeated(self, once: tuple[Value, Value], count: int, depth: int) -> tuple[Value, Value]:
         if count < 0:
@@ -170,7 +170,7 @@ class Trigonometry:
             return self._turned(argument, cosine, sine, axis)
         value = self._engine.value(argument, depth)
         if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
-            raise NotExact(NO_EXPONENT)
+            raise NotExact(EngineCode.EXPONENT())
         return Value(self._engine.one(argument.type, depth).re, value.du)
 
     def _moved(self, turning: Term, moving: Term, depth: int) -> Value:
@@ -184,7 +184,7 @@ class Trigonometry:
             alpha = self._engine.value(angle, depth)
             axis = self._algebra.divide(self._engine.value(vector, depth), alpha)
         else:
-            raise NotExact(NO_EXPONENT)
+            raise NotExact(EngineCode.EXPONENT())
         v = self._engine.value(moving, depth)
         cosine, sine = self.circle(angle, depth)
         one = self._algebra.constant(1, 1, depth)

@@ -11,9 +11,9 @@ from typing import Any
 from workbench.algebra.differential_ring import Derivation, DifferentialRing, Polynomial
 from workbench.algebra.dual import Dual
 from workbench.algebra.matrices import Matrix, cross, flat, matrix, product, skew
+from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.terms import Symbol, Term
 from workbench.engines.inventory import NotExact
-from workbench.engines.inventory.angle_combinations import NO_ANGLE
 from workbench.engines.inventory.parameters import Parameter, components
 from workbench.engines.inventory.partial_derivatives import coordinate_count, indices
 from workbench.engines.polynomial.polynomial_quaternions import hamilton
@@ -195,7 +195,7 @@ class FreeSymbols:
                 is_angle = Parameter(parameter.symbol, "circle", 0, 0) in self._named
                 if known == name and is_angle and parameter.part == "value" and parameter.order == 0:
                     return parameter
-        raise NotExact(NO_ANGLE)
+        raise NotExact(EngineCode.NO_ANGLE())
 
     def circle(self, angle: Term, count: int) -> tuple[Polynomial, Polynomial]:
         """Returns (cos, sin) of `count` times the angle, by the addition theorems."""

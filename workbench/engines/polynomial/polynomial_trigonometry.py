@@ -7,11 +7,11 @@ from collections.abc import Callable, Sequence
 from workbench.algebra.differential_ring import Polynomial
 from workbench.algebra.dual import Dual
 from workbench.algebra.matrices import Entry, Matrix, add, flat, product, real_part, skew
+from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.construct import apply
 from workbench.core.terms import Apply, Term
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.rodrigues import (
-    NO_EXPONENT,
     angle_and_axis,
     rotation_vector,
     twist_parts,
@@ -80,7 +80,7 @@ class Trigonometry:
             cosine, sine = self.circle(turn[0])
             return cosine, sine, self._value(turn[1]), None
         if vector is None:
-            raise NotExact(NO_EXPONENT)
+            raise NotExact(EngineCode.EXPONENT())
         angle = apply("norm", vector)
         cosine, sine = self.circle(angle)
         inverse = self._over(angle)
@@ -98,7 +98,7 @@ class Trigonometry:
     def _moved(self, argument: Term) -> Matrix:
         parts = twist_parts(argument, self._definitions)
         if parts is None:
-            raise NotExact(NO_EXPONENT)
+            raise NotExact(EngineCode.EXPONENT())
         cosine, sine, axis, inverse = self._turn(parts[0])
         if inverse is None:
             turn = angle_and_axis(parts[0], self._definitions)

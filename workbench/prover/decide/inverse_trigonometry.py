@@ -14,6 +14,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
+from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, block, number, relation
 from workbench.core.reasons import Reason
@@ -52,7 +53,7 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
     others = [s for s, arc in ((statement.left, left), (statement.right, right)) if arc is None]
     inside = [argument for arc in (left, right) if arc is not None for argument in arc.arguments]
     if statement.operator != "=" or any(_has_arc(t) for t in (*others, *inside)):
-        raise NotExact("an inverse function of an angle that does not stand alone on its side")
+        raise NotExact(EngineCode.INVERSE_ANGLE())
     if left is not None and right is not None:
         return _of_two(left, right, judge)
     arc, angle = (left, statement.right) if left is not None else (right, statement.left)
@@ -90,7 +91,7 @@ def on_principal_branch(verdict: Verdict, branch: str, witness: Counterexample, 
 def _of_two(left: _Arc, right: _Arc, judge: Judge) -> Verdict:
     """Returns the verdict on arccos a = arccos b, which means a = b where both are defined."""
     if left.factor != right.factor or left.head != right.head or left.head == "atan2":
-        raise NotExact("two different inverse functions of angles")
+        raise NotExact(EngineCode.TWO_INVERSE_ANGLES())
     verdict = judge(relation("=", left.arguments[0], right.arguments[0]))
     if verdict.outcome == Outcome.REFUTED and left.head != "arctan" and not _in_domain(verdict):
         return _unchecked(VerdictCode.OUTSIDE_OF_ARC())

@@ -21,7 +21,7 @@ from workbench.prover.decide.decide import Judge
 from workbench.repair.propose.candidate_judge import verdict_or_none
 from workbench.repair.propose.repair import repair
 from workbench.repair.propose.search_limits import Limits
-from workbench.runtime import Budget, OutOfBudget, Workers
+from workbench.runtime import Budget, OutOfBudget, Workers, interruptible
 
 
 @pytest.fixture(scope="module")
@@ -303,3 +303,23 @@ def test_a_budget_that_says_nothing_is_refused_with_its_place(tmp_path, budget, 
     with pytest.raises(PaperError, match=message) as refused:
         paper(tmp_path, budget)
     assert refused.value.line == 2
+
+
+class _Obsolete(Exception):
+    """What a caller raises that does not need the answer any more."""
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_caller_stops_waiting_for_an_answer(count):
+    asked = []
+
+    def check():
+        asked.append(monotonic())
+        if len(asked) == 3:
+            raise _Obsolete
+
+    start = monotonic()
+    with Workers(or_spin, None, count) as workers:
+        with interruptible(check), pytest.raises(_Obsolete):
+            list(workers.map([-1]))
+        assert monotonic() - start < 20 and workers.call(5) == 25, "the pool goes on"

@@ -13,7 +13,9 @@ import resource
 import signal
 import sys
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from itertools import groupby
 from multiprocessing import connection, current_process, get_all_start_methods, get_context
 from multiprocessing.connection import Connection
@@ -26,6 +28,20 @@ from workbench.runtime.limits import Budget, OutOfBudget
 #: Limit on wall time, as a multiple of the processor time because the machine may be busy; and its least
 #: value in seconds.
 PATIENCE, LEAST = 10.0, 60.0
+#: Seconds between two calls of `check` in `interruptible`.
+_CHECKED = 0.05
+
+_check: ContextVar[Callable[[], None] | None] = ContextVar("check", default=None)
+
+
+@contextmanager
+def interruptible(check: Callable[[], None]) -> Iterator[None]:
+    """Within it, waiting for workers ends as soon as `check` raises an exception, which the caller gets."""
+    before = _check.set(check)
+    try:
+        yield
+    finally:
+        _check.reset(before)
 
 
 class Workers:
@@ -257,11 +273,22 @@ def _end_all(workers: Iterable[_Worker]) -> None:
 def _answering(workers: Iterable[_Worker]) -> list[_Worker]:
     """Returns the workers that have answered or whose time is over; waits for at least one."""
     by_pipe = {worker.pipe: worker for worker in workers}
-    ends = [worker.end_at for worker in by_pipe.values() if worker.end_at is not None]
-    ready = connection.wait(list(by_pipe), max(0.0, min(ends) - monotonic()) if ends else None)
-    answered = [by_pipe[pipe] for pipe in ready if isinstance(pipe, Connection)]
+    end = min((worker.end_at for worker in by_pipe.values() if worker.end_at is not None), default=None)
+    answered = [by_pipe[pipe] for pipe in _ready(list(by_pipe), end) if isinstance(pipe, Connection)]
     late = [w for w in by_pipe.values() if w.end_at is not None and w.end_at <= monotonic()]
     return list(dict.fromkeys(answered + late))
+
+
+def _ready(pipes: list[Connection], end: float | None) -> list[Any]:
+    """Returns the pipes with an answer; waits for one until `end`."""
+    check = _check.get()
+    while True:
+        left = None if end is None else max(0.0, end - monotonic())
+        if check is None:
+            return connection.wait(pipes, left)
+        check()
+        if (ready := connection.wait(pipes, min(_CHECKED, left or _CHECKED))) or left == 0.0:
+            return ready
 
 
 def _limit_memory(megabytes: float) -> None:

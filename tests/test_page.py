@@ -92,6 +92,7 @@ def test_the_report_is_one_page(scratch: Served) -> None:
 
 def test_another_page_gets_nothing(scratch: Served) -> None:
     token = scratch.page.token
+    assert scratch.request("POST", "/api/text", {}, X_Workbench_Token="é")[0] == 401
     assert scratch.request("GET", "/", Host="evil.example")[0] == 403
     assert scratch.request("POST", "/api/text", {}, X_Workbench_Token=token, Host="evil.example")[0] == 403
     assert (
@@ -130,6 +131,16 @@ BAD = {
     "two entries": (
         b'{"tab": "t", "text": "", "answers": [{"table": "symbols", "key": "a", "value": "1\\nb = 2"}]}', 400,
     ),
+    "a kind that is a table": (
+        b'{"tab": "t", "text": "", "answers": [{"table": "symbols", "key": "a", "value": "{k = 1}"}]}', 400,
+    ),
+    "a definition by a number": (
+        b'{"tab": "t", "text": "", "answers": [{"table": "definitions", "key": "a", "value": "7"}]}', 400,
+    ),
+    "a key of two levels": (
+        b'{"tab": "t", "text": "", "answers": [{"table": "symbols", "key": "a.b", "value": "\'x\'"}]}', 400,
+    ),
+    "a list for a suffix": (b'{"tab": "t", "text": "", "suffix": ["x"]}', 400),
     "another document": (b'{"tab": "t", "text": "", "document": "file"}', 400),
     "another suffix": (b'{"tab": "t", "text": "", "suffix": "/../x.tex"}', 400),
 }  # fmt: skip

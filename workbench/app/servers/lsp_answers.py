@@ -59,7 +59,10 @@ def answer_of(given: list[Any]) -> Answer | None:
     """Returns the answer in a command's arguments; None if there is none."""
     from workbench.papers.drafting.questions_to_author import Answer
 
-    return Answer(*given[1:]) if len(given) == 4 and all(isinstance(each, str) for each in given) else None
+    if len(given) != 4 or not all(isinstance(each, str) for each in given):
+        return None
+    answer = Answer(*given[1:])
+    return answer if answer.is_entry else None
 
 
 def write_model(judged: Judged) -> str:

@@ -36,6 +36,16 @@ class Answer:
         """The lines to write into the model."""
         return f"[{self.table}]", f"{self.key} = {self.value}"
 
+    @property
+    def is_entry(self) -> bool:
+        """True if its lines are one entry of a table that a draft has: of a text, or of [points] a table."""
+        expected = {"symbols": str, "definitions": str, "points": dict}.get(self.table)
+        try:
+            found = list(tomllib.loads(self.lines[1]).values())
+        except (tomllib.TOMLDecodeError, RecursionError):
+            return False
+        return expected is not None and len(found) == 1 and type(found[0]) is expected
+
 
 @dataclass(frozen=True)
 class Question:

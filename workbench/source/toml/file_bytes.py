@@ -24,6 +24,12 @@ def within(folder: Path | None) -> Iterator[None]:
         _folder.reset(token)
 
 
+def may_be_read(path: Path) -> bool:
+    """True unless the file is outside of the folder of `within`."""
+    folder = _folder.get()
+    return folder is None or path.resolve().is_relative_to(folder)
+
+
 @contextmanager
 def unsaved(texts: Mapping[Path, str]) -> Iterator[None]:
     """Makes these files read as the texts within the context: an editor has not saved them yet."""
@@ -38,11 +44,11 @@ def file_bytes(path: Path, expected: str, most: int) -> bytes:
     """Returns the contents. Raises PaperError if the file is missing, unreadable, forbidden, or larger than
     `most` bytes."""
     fault = None
-    buffers, folder = _unsaved.get(), _folder.get()
+    buffers = _unsaved.get()
     try:
         if buffers and (buffer := buffers.get(path.resolve())) is not None and len(buffer) <= most:
             return buffer
-        if folder is not None and not path.resolve().is_relative_to(folder):
+        if not may_be_read(path):
             fault = "is outside of the folder of the text, and is not read here"
         elif path.is_dir():
             fault = f"is a directory; expected {expected}"

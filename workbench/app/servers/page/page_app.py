@@ -6,7 +6,6 @@ import asyncio
 import json
 import secrets
 import tempfile
-import tomllib
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from hmac import compare_digest
@@ -139,7 +138,8 @@ class Page:
         async def answered(request: Request) -> Response:
             try:
                 self._guard(request)
-                if not compare_digest(request.headers.get("x-workbench-token", ""), self.token):
+                given = request.headers.get("x-workbench-token", "")
+                if not compare_digest(given.encode(), self.token.encode()):
                     raise Refused(
                         401, "this page is of another start of the server: open the printed address"
                     )
@@ -249,7 +249,7 @@ class Page:
             path = self._file(data).path
             assert self.texts is not None, "it has the file"
             return path, self.texts.folder
-        suffix = data.get("suffix", ".tex")
+        suffix = _string({"suffix": ".tex", **data}, "suffix")
         if suffix not in SUFFIXES:
             raise Refused(400, f"suffix: expected one of {', '.join(sorted(SUFFIXES))}")
         folder = Path(self._empty.name).resolve()
@@ -300,11 +300,7 @@ def _answers_of(data: dict[str, Any]) -> tuple[Answer, ...]:
         if not isinstance(each, dict) or each.get("table") not in _ANSWERED:
             raise Refused(400, "answers: expected entries of symbols, definitions or points")
         answer = Answer(each["table"], _string(each, "key"), _string(each, "value", 2000))
-        try:
-            is_one = len(tomllib.loads(answer.lines[1])) == 1
-        except (tomllib.TOMLDecodeError, RecursionError):
-            is_one = False
-        if not is_one:
+        if not answer.is_entry:
             raise Refused(400, f"answers: expected one entry of a model, got {answer.lines[1]!r}")
         made.append(answer)
     return tuple(made)

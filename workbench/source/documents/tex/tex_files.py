@@ -11,6 +11,7 @@ from workbench.source.documents.source_view import Source
 from workbench.source.documents.tex.displays import DisplayReader
 from workbench.source.documents.tex.expander_state import Names
 from workbench.source.documents.tex.tex_tokens import Lexer, Token, joined
+from workbench.source.toml.file_bytes import may_be_read
 
 _CLASS = ("documentclass", "LoadClass", "LoadClassWithOptions")
 _STYLES = (".sty", ".cls", ".def", ".clo")
@@ -80,7 +81,7 @@ class FileReader(DisplayReader):
     def _tell_outside(self, token: Token, name: str, path: Path) -> None:
         """Warns about a file outside the folder of the text, which a copy of the folder would miss."""
         is_outside = not path.resolve().is_relative_to(self.root.resolve())
-        if is_outside or Path(name).is_absolute():
+        if may_be_read(path) and (is_outside or Path(name).is_absolute()):
             why = "an absolute path" if Path(name).is_absolute() else "outside of the folder of the text"
             self.warn(token, f"{name!r} is {why}; it is read, but copy it beside the text and name it there")
 

@@ -45,16 +45,20 @@ async def session(folder: Path) -> dict[str, object]:
     path = folder / "é p.md"
     uri = path.as_uri()
 
-    async def saved(text: str) -> list:
-        came.clear()
+    async def saved(text: str, codes: set[str]) -> list:
+        """The verdicts on a saved text, once they have these codes; the first ones may come before."""
         path.write_text(text)
         client.text_document_did_save(types.DidSaveTextDocumentParams(types.TextDocumentIdentifier(uri)))
-        await asyncio.wait_for(came.wait(), 60)
+        while {each.code for each in published[uri]} != codes:
+            came.clear()
+            await asyncio.wait_for(came.wait(), 60)
         return published[uri]
 
     item = types.TextDocumentItem(uri, "markdown", 1, TEXT)
     client.text_document_did_open(types.DidOpenTextDocumentParams(item))
-    await asyncio.wait_for(came.wait(), 60)
+    while not any(each.code == "ill-formed" for each in published.get(uri, ())):
+        came.clear()
+        await asyncio.wait_for(came.wait(), 60)
     found: dict[str, object] = {"opened": published[uri]}
     place = types.TextDocumentIdentifier(uri)
     found["hover"] = await client.text_document_hover_async(types.HoverParams(place, types.Position(6, 6)))
@@ -64,9 +68,10 @@ async def session(folder: Path) -> dict[str, object]:
     found["actions"] = await client.text_document_code_action_async(
         types.CodeActionParams(place, known.range, types.CodeActionContext([known]))
     )
-    found["mended"] = await saved(TEXT.replace("= b \\times a", "= - b \\times a").replace("a + m", "a - a"))
+    mended = TEXT.replace("= b \\times a", "= - b \\times a").replace("a + m", "a - a")
+    found["mended"] = await saved(mended, {"unexpected", "definition"})
     (folder / "é p.toml").write_text("source = [")
-    found["text"] = await saved(TEXT)
+    found["text"] = await saved(TEXT, set())
     while (model := (folder / "é p.toml").as_uri()) not in published:
         came.clear()
         await asyncio.wait_for(came.wait(), 60)
@@ -224,13 +229,70 @@ async def while_searching(folder: Path) -> tuple[float, list]:
     document = types.TextDocumentIdentifier(uri)
     await client.text_document_hover_async(types.HoverParams(document, types.Position(3, 6)))
     seconds = time.monotonic() - start
-    await asyncio.wait_for(came.wait(), 60)
+    while published[-1]:
+        came.clear()
+        await asyncio.wait_for(came.wait(), 60)
     await client.shutdown_async(None)
     client.exit(None)
     await client.stop()
-    return seconds, published[1]
+    return seconds, published[-1]
 
 
 def test_hover_does_not_wait_for_a_search(tmp_path: Path) -> None:
     seconds, after = asyncio.run(while_searching(tmp_path))
     assert seconds < 6 and not after
+
+
+HARD = """import time
+from workbench.app.pipeline.judge_claims import ClaimJudge
+judged = ClaimJudge._verdict_on
+def slow(self, asked):
+    time.sleep(40 * (self._claims[asked[0]].printed.latex.count("b + b") > 1))
+    return judged(self, asked)
+ClaimJudge._verdict_on = slow
+from workbench.app.commands.commands import main
+main(['lsp'])
+"""
+HARD_TEXT = TYPED + "\\[ b + b + b + b + b = 5 a + b \\]\n"
+
+
+async def beside_a_hard_formula(folder: Path) -> tuple[list, float]:
+    """The first verdicts on a text with a formula that takes long, and the seconds after its removal."""
+    client = client_module.BaseLanguageClient("test", "1")
+    published: list[list] = []
+    came = asyncio.Event()
+
+    @client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+    def on_diagnostics(params: types.PublishDiagnosticsParams) -> None:
+        published.append(params.diagnostics)
+        came.set()
+
+    await client.start_io(sys.executable, "-c", HARD)
+    await client.initialize_async(
+        types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
+    )
+    client.initialized(types.InitializedParams())
+    uri = (folder / "typed.tex").as_uri()
+    item = types.TextDocumentItem(uri, "latex", 1, HARD_TEXT)
+    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
+    await asyncio.wait_for(came.wait(), 60)
+    first = list(published[0])
+    start = time.monotonic()
+    right = types.TextDocumentContentChangeWholeDocument(TYPED.replace("= b", "= -b"))
+    client.text_document_did_change(
+        types.DidChangeTextDocumentParams(types.VersionedTextDocumentIdentifier(2, uri), [right])
+    )
+    while published[-1]:
+        came.clear()
+        await asyncio.wait_for(came.wait(), 60)
+    seconds = time.monotonic() - start
+    await client.shutdown_async(None)
+    client.exit(None)
+    await client.stop()
+    return first, seconds
+
+
+def test_first_verdicts_do_not_wait_for_a_hard_formula(tmp_path: Path) -> None:
+    first, seconds = asyncio.run(beside_a_hard_formula(tmp_path))
+    assert [each.code for each in first] == ["refuted"], "the other formula is judged for 40 s"
+    assert seconds < 20, "a change ends the judging of the text before it"

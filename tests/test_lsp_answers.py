@@ -51,7 +51,9 @@ async def session(folder: Path) -> dict[str, object]:
         types.DidOpenTextDocumentParams(types.TextDocumentItem(uri, "latex", 1, TEXT))
     )
     await judged()
-    found["lenses"] = await client.text_document_code_lens_async(types.CodeLensParams(place))
+    while not (lenses := await client.text_document_code_lens_async(types.CodeLensParams(place))):
+        await judged()
+    found["lenses"] = lenses
     nothing = types.CodeActionContext([])
 
     async def actions(line: int) -> list:

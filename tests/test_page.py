@@ -310,7 +310,7 @@ def test_judgements_that_take_too_long_are_cancelled(
         try:
             for _again in range(600):
                 time.sleep(0.05)
-                seen(None)
+                seen(None, None)
         except Superseded:
             ended.set()
             raise

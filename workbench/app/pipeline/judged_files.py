@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -43,6 +44,18 @@ class Loaded:
         own = at_other_sizes(self.draft, on_drafted_kinds(self.draft, results), budget, memory)
         return Judged(self.paper, own, self.draft)
 
+    def at_once(self, results: Sequence[ClaimResult]) -> Judged:
+        """Returns the first results, before the others are ready; without those that are to be judged at
+        other sizes."""
+        from workbench.app.pipeline.open_sizes import at_one_size
+        from workbench.papers.drafting.judged_draft import on_drafted_kinds
+
+        order = {claim.id: place for place, claim in enumerate(self.paper.claims)}
+        results = sorted(results, key=lambda result: order[result.claim.id])
+        if self.draft is None:
+            return Judged(self.paper, results)
+        return Judged(self.paper, at_one_size(self.draft, on_drafted_kinds(self.draft, results)), self.draft)
+
 
 @dataclass(frozen=True)
 class Judged:
@@ -76,20 +89,20 @@ def judged_file(
     buffers: Mapping[Path, str] | None = None,
     motions: bool = False,
     answers: Sequence[Answer] = (),
-    progress: Callable[[ClaimResult], None] = lambda result: None,
+    progress: Callable[[Loaded, ClaimResult], None] = lambda loaded, result: None,
     folder: Path | None = None,
 ) -> Judged:
     """Returns the verdicts on a file. Raises PaperError.
 
     buffers: contents of files that are not saved.
-    progress: called with each result as soon as it is ready.
+    progress: called with the loaded file and each result as soon as it is ready.
     folder: no file outside of it is read.
     """
     from workbench.app.pipeline.judge_claims import judge_paper
 
     with unsaved(buffers or {}), within(folder), memory_of_verdicts(True) as memory:
         loaded = loaded_file(path, memory, answers)
-        results = judge_paper(loaded.paper, (), progress, 1, memory=memory, motions=motions)
+        results = judge_paper(loaded.paper, (), partial(progress, loaded), 1, memory=memory, motions=motions)
         return loaded.judged(results, memory=memory)
 
 

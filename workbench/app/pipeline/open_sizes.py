@@ -41,6 +41,12 @@ def at_other_sizes(
     return found
 
 
+def at_one_size(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:
+    """Returns the results that no judgement at another size can change."""
+    kinds = open_kinds(draft.ingested.inference, draft.ingested.guesses)
+    return [each for each in results if each.verdict.outcome not in _DECIDED or not _uses(each, kinds)]
+
+
 def _judged_at(
     size: str,
     draft: Draft,

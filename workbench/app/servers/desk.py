@@ -9,10 +9,18 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from workbench.app.pipeline.judged_files import SEARCH_SECONDS, Judged, judged_file, with_corrections
+from workbench.app.pipeline.judged_files import (
+    SEARCH_SECONDS,
+    Judged,
+    Loaded,
+    judged_file,
+    with_corrections,
+)
+from workbench.runtime import interruptible
 
 if TYPE_CHECKING:
     from workbench.papers.drafting.questions_to_author import Answer
+    from workbench.prover.results.claim_results import ClaimResult
 
 Result = TypeVar("Result")
 
@@ -28,7 +36,7 @@ class Desk:
     """Judges and corrects texts in turns; a new turn ends the previous one.
 
     One thread judges and searches, beside the thread of requests: a process that is forked while another
-    thread forks can wait for ever. A search ends after its current formula when a new turn begins.
+    thread forks can wait for ever. It stops waiting for a judgement or a search when a new turn begins.
     """
 
     def __init__(self, motions: bool = False) -> None:
@@ -61,19 +69,32 @@ class Desk:
 
 
 class Turn:
-    """One turn of a text at a desk. judged: the number of judged claims."""
+    """One turn of a text at a desk."""
 
     def __init__(self, desk: Desk, text: Hashable, number: int, folder: Path | None) -> None:
         self._desk, self._text, self._number, self._folder = desk, text, number, folder
-        self.judged = 0
+        self._loaded: Loaded | None = None
+        self._results: list[ClaimResult] = []
+
+    @property
+    def judged(self) -> int:
+        """The number of judged claims."""
+        return len(self._results)
+
+    def at_once(self) -> Judged | None:
+        """Returns the verdicts that are ready; None before the first, and if a later turn has begun."""
+        if self._loaded is None or not self._desk.is_of(self._text, self._number):
+            return None
+        return self._loaded.at_once(list(self._results))
 
     async def verdicts(
         self, path: Path, buffers: Mapping[Path, str], answers: Sequence[Answer] = ()
     ) -> Judged:
         """Returns the verdicts on a file. Raises PaperError, and Superseded if a later turn has begun."""
 
-        def seen(_: object) -> None:
-            self.judged += 1
+        def seen(loaded: Loaded, result: ClaimResult) -> None:
+            self._loaded = loaded
+            self._results.append(result)
             self._check()
 
         judge = partial(judged_file, path, buffers, self._desk.motions, answers, seen, self._folder)
@@ -94,7 +115,8 @@ class Turn:
     async def _run(self, work: Callable[[], Result]) -> Result:
         def checked() -> Result:
             self._check()
-            return work()
+            with interruptible(self._check):
+                return work()
 
         try:
             result = await self._desk.run(checked)

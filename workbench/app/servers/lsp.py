@@ -23,14 +23,16 @@ from workbench.app.servers.lsp_answers import (
     lenses,
     write_model,
 )
-from workbench.core.code_labels import suffix
+from workbench.app.servers.result_words import proved_form, told_of
+from workbench.app.servers.symbol_places import defining_places, sign_at
 from workbench.core.codes.syntax_codes import UNKNOWN_SYMBOLS
 from workbench.core.codes.verdict_codes import WAITS_FOR_ITS_AUTHOR
 from workbench.core.reasons import Code
 
 if TYPE_CHECKING:
-    from lsprotocol.types import CodeAction, Diagnostic, Hover, Position, Range
+    from lsprotocol.types import CodeAction, Diagnostic, Hover, Location, Position, Range
     from pygls.lsp.server import LanguageServer
+    from pygls.workspace import ServerTextPosition
 
     from workbench.core.spans import Span
     from workbench.papers.drafting.questions_to_author import Answer
@@ -52,16 +54,18 @@ def lsp(motions: bool) -> None:
     server.start_io()
 
 
-#: Seconds without a keystroke after which a text is judged.
-_PAUSE = 0.3
+#: Seconds without a keystroke after which a text is judged, and after which the first verdicts are shown
+#: while the others are not ready.
+_PAUSE, _SOON = 0.1, 0.2
 
 
 @dataclass
 class Known:
-    """The results for one file, and the files for which diagnostics were published."""
+    """The results for one file, all or the first ones, and the files with published diagnostics."""
 
     judged: Judged
     told: set[Path] = field(default_factory=set)
+    is_whole: bool = True
 
 
 def server_for(motions: bool) -> LanguageServer:
@@ -71,6 +75,7 @@ def server_for(motions: bool) -> LanguageServer:
 
     server = LanguageServer("workbench", version("kinematics-workbench"))
     desk = Desk(motions)
+    desk.prepare()
     known: dict[Path, Known] = {}
     newest: dict[str, int] = {}
     answers: dict[Path, list[Answer]] = {}
@@ -138,6 +143,10 @@ def _add_queries(server: LanguageServer, known: Mapping[Path, Known]) -> None:
     def hover(params: lsp_types.HoverParams) -> lsp_types.Hover | None:
         return _hover(server, known.values(), _path_of(server, params.text_document.uri), params.position)
 
+    @server.feature(lsp_types.TEXT_DOCUMENT_DEFINITION)
+    def defined(params: lsp_types.DefinitionParams) -> list[lsp_types.Location]:
+        return _definitions(server, known.values(), params.text_document.uri, params.position)
+
     options = lsp_types.CodeActionOptions([lsp_types.CodeActionKind.QuickFix])
 
     @server.feature(lsp_types.TEXT_DOCUMENT_CODE_ACTION, options)
@@ -150,30 +159,61 @@ def _add_queries(server: LanguageServer, known: Mapping[Path, Known]) -> None:
     @server.feature(lsp_types.TEXT_DOCUMENT_CODE_LENS)
     def code_lenses(params: lsp_types.CodeLensParams) -> list[lsp_types.CodeLens]:
         own = known.get(_path_of(server, params.text_document.uri))
-        return [] if own is None else list(lenses(params.text_document.uri, own.judged))
+        if own is None or not own.is_whole:
+            return []
+        return list(lenses(params.text_document.uri, own.judged))
 
     triggers = lsp_types.CompletionOptions(trigger_characters=["{", '"'])
 
     @server.feature(lsp_types.TEXT_DOCUMENT_COMPLETION, triggers)
     def completed(params: lsp_types.CompletionParams) -> list[lsp_types.CompletionItem]:
-        document, at = server.workspace.get_text_document(params.text_document.uri), params.position
-        lines = document.source.split("\n")
-        place = document.position_codec.position_from_client_units([f"{line}\n" for line in lines], at)
+        lines, place = _own_place(server, params.text_document.uri, params.position)
         kind = lsp_types.CompletionItemKind.Property
         found = completions(lines, place.line, place.character)
         return [lsp_types.CompletionItem(name, kind=kind, documentation=meaning) for name, meaning in found]
+
+
+def _at(
+    server: LanguageServer, known: Iterable[Known], path: Path, position: Position
+) -> tuple[Known, ClaimResult, Range] | None:
+    """Returns the result for the formula at a position of a file, with its range."""
+    for each in known:
+        for result in each.judged.results:
+            where = _range(server, _whole(result))
+            if _whole(result).file.resolve() == path.resolve() and where.start <= position <= where.end:
+                return each, result, where
+    return None
 
 
 def _hover(server: LanguageServer, known: Iterable[Known], path: Path, position: Position) -> Hover | None:
     """Returns the verdict on the formula at a position of a file."""
     from lsprotocol import types as lsp_types
 
-    for result in (result for each in known for result in each.judged.results):
-        where = _range(server, _whole(result))
-        if _whole(result).file.resolve() == path.resolve() and _holds(where, position):
-            content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, _told(result))
-            return lsp_types.Hover(content, where)
-    return None
+    if (found := _at(server, known, path, position)) is None:
+        return None
+    content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, told_of(found[1]))
+    return lsp_types.Hover(content, found[2])
+
+
+def _definitions(
+    server: LanguageServer, known: Iterable[Known], uri: str, position: Position
+) -> list[Location]:
+    """Returns the places that define the symbol at a position, or all symbols of the formula there."""
+    from lsprotocol import types as lsp_types
+
+    if (found := _at(server, known, _path_of(server, uri), position)) is None:
+        return []
+    lines, place = _own_place(server, uri, position)
+    sign = sign_at(lines[place.line], place.character) if place.line < len(lines) else ""
+    spans = defining_places(found[0].judged, found[1], sign)
+    return [lsp_types.Location(each.file.resolve().as_uri(), _range(server, each)) for each in spans]
+
+
+def _own_place(server: LanguageServer, uri: str, at: Position) -> tuple[list[str], ServerTextPosition]:
+    """Returns the lines of a file, and a position of the client in characters."""
+    document = server.workspace.get_text_document(uri)
+    lines = document.source.split("\n")
+    return lines, document.position_codec.position_from_client_units([f"{line}\n" for line in lines], at)
 
 
 def _correction_actions(diagnostics: Iterable[Diagnostic]) -> Iterator[CodeAction]:
@@ -215,7 +255,7 @@ async def _judge(
     from workbench.report.findings import fault_finding
 
     try:
-        judged = await turn.verdicts(path, buffers, answers)
+        judged = await _verdicts(server, known, turn, path, buffers, answers)
         _tell_judged(server, known, path, judged)
         if any(result.is_wrong for result in judged.results):
             corrected = await turn.corrections(judged)
@@ -225,6 +265,26 @@ async def _judge(
         return
     except PaperError as error:
         _tell(server, known, path, [fault_finding(fault, path) for fault in error.faults], None)
+
+
+async def _verdicts(
+    server: LanguageServer,
+    known: dict[Path, Known],
+    turn: Turn,
+    path: Path,
+    buffers: Mapping[Path, str],
+    answers: Sequence[Answer],
+) -> Judged:
+    """Returns the verdicts; publishes the first ones if the others take longer. Raises as the turn."""
+    from workbench.report.findings import findings
+
+    judging = asyncio.ensure_future(turn.verdicts(path, buffers, answers))
+    told = 0
+    while not (await asyncio.wait({judging}, timeout=_SOON))[0]:
+        if turn.judged > told and (first := turn.at_once()) is not None:
+            told = turn.judged
+            _tell(server, known, path, findings(first.paper, first.results), first, is_whole=False)
+    return judging.result()
 
 
 def _tell_judged(server: LanguageServer, known: dict[Path, Known], path: Path, judged: Judged) -> None:
@@ -242,7 +302,12 @@ def _buffers(server: LanguageServer) -> dict[Path, str]:
 
 
 def _tell(
-    server: LanguageServer, known: dict[Path, Known], path: Path, found: list[Finding], judged: Judged | None
+    server: LanguageServer,
+    known: dict[Path, Known],
+    path: Path,
+    found: list[Finding],
+    judged: Judged | None,
+    is_whole: bool = True,
 ) -> None:
     told = known[path].told if path in known else ()
     by_file: dict[Path, list[Finding]] = {each: [] for each in (path, *told)}
@@ -252,7 +317,7 @@ def _tell(
     for file, own in by_file.items():
         _publish(server, file, [_diagnostic(server, each, by_id.get(each.claim)) for each in own])
     if judged is not None:
-        known[path] = Known(judged, set(by_file))
+        known[path] = Known(judged, set(by_file), is_whole)
 
 
 def _publish(server: LanguageServer, file: Path, diagnostics: list[Diagnostic]) -> None:
@@ -294,7 +359,7 @@ def _quick_fix(server: LanguageServer, result: ClaimResult) -> dict[str, Any]:
 
     edits = [(each.span, each.new) for each in result.edits]
     title = in_plain_text(result.proposed[0].edit) if result.proposed else ""
-    if not edits and (fix := _fix(result)) is not None:
+    if not edits and (fix := proved_form(result)) is not None:
         edits, title = [(_whole(result), fix)], f"replace by what is proved: {fix}"
     if not edits:
         return {}
@@ -314,40 +379,6 @@ def _quick_fix(server: LanguageServer, result: ClaimResult) -> dict[str, Any]:
     return {"title": title[:1].upper() + title[1:], "edits": told}
 
 
-def _fix(result: ClaimResult) -> str | None:
-    """Returns the proved correction or reading for the claim's own characters."""
-    from workbench.core.verdict import Outcome
-    from workbench.papers.corrections import same_formula
-
-    claim = result.claim
-    pairs = ((claim.corrected, result.corrected), (claim.reading, result.reading))
-    proved = [form.latex for form, verdict in pairs if form and verdict and verdict.outcome is Outcome.PROVED]
-    if not proved or claim.context.span is None:
-        return None
-    if not claim.chain:
-        return proved[0]
-    left, sign, right = proved[0].partition("=")
-    return f"{sign}{right}" if same_formula(left, claim.printed.latex.partition("=")[0]) else None
-
-
-def _told(result: ClaimResult) -> str:
-    """Returns verdict, reading and evidence as text."""
-    from workbench.report.counterexamples import told
-
-    verdict = result.verdict
-    lines = [f"**{verdict.outcome}**" + (f" ({verdict.scope})" if verdict.scope else "")]
-    lines += [f"{verdict.reason}{suffix(verdict.reason)}"] if verdict.reason else []
-    lines += [f"unless {'; '.join(verdict.unless)}"] if verdict.unless else []
-    lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
-    if example := verdict.counterexample:
-        lines += [f"counterexample: {told(example, result.claim.printed.latex)}"]
-    for name in ("reading", "corrected"):
-        form, its = getattr(result.claim, name), getattr(result, name)
-        lines += [f"{name}: `{form.latex}`: {its.outcome}"] if form is not None and its is not None else []
-    lines += [f"- {evidence}" for evidence in verdict.evidence]
-    return "\n\n".join(lines)
-
-
 def _whole(result: ClaimResult) -> Span:
     """Returns the span of the whole claim."""
     from workbench.report.findings import place_of
@@ -365,7 +396,3 @@ def _range(server: LanguageServer, span: Span) -> Range:
         Position(span.line - 1, span.column - 1), Position(span.end_line - 1, max(0, span.end_column - 1))
     )
     return document.position_codec.range_to_client_units(lines, whole)
-
-
-def _holds(where: Range, position: Any) -> bool:
-    return where.start <= position <= where.end

@@ -2,7 +2,7 @@
 export const SIGNS = { error: "✗", warning: "!", "not judged": "?", ok: "✓", note: "·" };
 export const ORDER = ["error", "warning", "not judged", "ok", "note"];
 export const GRADE_OF = { error: "error", warning: "warning", "not judged": "not judged", holds: "ok", definition: "note", "left out": "note" };
-const MANY = { error: "errors", warning: "warnings", holds: "hold", definition: "definitions" };
+const MANY = { error: "errors", warning: "warnings", holds: "hold", definition: "definitions", "condition missing": "conditions missing" };
 
 export const slug = grade => grade.replace(" ", "-");
 export const counted = (word, count) => `${count} ${count === 1 ? word : MANY[word] ?? word}`;

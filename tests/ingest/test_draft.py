@@ -123,3 +123,17 @@ def test_what_no_likely_kinds_make_true_is_a_warning(tmp_path: Path, text: str) 
     path = tmp_path / "p.md"
     path.write_text(text)
     assert [result.shown for result in judged(path)].count(Grade.WARNING) == 1
+
+
+def test_definitions_in_a_circle_end(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    formulas = (
+        r"\dot{\omega} = G V - G^2 \omega",
+        r"V = IR + \frac{\omega}{K}",
+        r"I = -\frac{1}{K R} \omega + \frac{1}{R} V",
+        r"V = K (g - \omega)",
+        r"I = 3 V + g",
+        r"\dot{\omega} = G V - G^2 \omega",
+    )
+    path.write_text("\n".join(f"$$ {each} $$\n" for each in formulas))
+    assert len(judged(path)) == 6

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from workbench.context.claims import Claim
 from workbench.context.facts import Act, Fact, Provider, Strength
@@ -10,6 +10,7 @@ from workbench.context.formula_acts import constrains, subject_of
 from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import free_in
 from workbench.core.terms import Definition, Relation, Symbol, Term
+from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
 
 #: What a formula does that gives its symbol.
@@ -60,9 +61,21 @@ def is_repeated(claim: Claim, facts: Iterable[Fact]) -> bool:
 
 
 def definitions_in(facts: Sequence[Fact]) -> list[Definition]:
-    """Returns the first definition of each symbol among the facts."""
+    """Returns the first definition of each symbol among the facts, without those that close a circle."""
     found: dict[object, Definition] = {}
     for content in (fact.content for fact in facts):
         if isinstance(content, Definition):
-            found.setdefault((content.declaration, content.index), content)
+            key = (content.declaration, content.index)
+            if key not in found and content.declaration not in _reached(content, found.values()):
+                found[key] = content
     return list(found.values())
+
+
+def _reached(definition: Definition, others: Collection[Definition]) -> set[Declaration]:
+    """Returns the declarations in the body of a definition, with these definitions unfolded."""
+    waiting, reached = [definition], set[Declaration]()
+    while waiting:
+        used = {part.declaration for part in waiting.pop().body.walk() if isinstance(part, Symbol)} - reached
+        reached |= used
+        waiting += [each for each in others if each.declaration in used]
+    return reached

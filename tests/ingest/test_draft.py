@@ -137,3 +137,11 @@ def test_definitions_in_a_circle_end(tmp_path: Path) -> None:
     )
     path.write_text("\n".join(f"$$ {each} $$\n" for each in formulas))
     assert len(judged(path)) == 6
+
+
+def test_draft_prints_the_model_to_standard_output(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(WRONG)
+    result = CliRunner().invoke(main, ["draft", str(path), "--out", "-"])
+    assert result.exit_code == 0 and "[symbols]" in result.output and "symbols guessed" not in result.output
+    assert not (tmp_path / "p.toml").exists() and not Path("-").exists()

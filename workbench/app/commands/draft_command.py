@@ -17,7 +17,11 @@ if TYPE_CHECKING:
 
 @click.command("draft")
 @click.argument("file", type=click.Path(path_type=Path))
-@click.option("--out", type=click.Path(path_type=Path), help="The model; FILE with the ending .toml if none.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    help="The model, - for standard output; FILE with the ending .toml if none.",
+)
 @click.option(
     "--json", "json_out", type=click.Path(path_type=Path), help="Write every display to a JSON file."
 )
@@ -31,14 +35,19 @@ def draft_text(file: Path, out: Path | None, json_out: Path | None, macros: Path
     top, and what could not be read. Exit status 1 if no display was read."""
     from workbench.papers.drafting import ingest, model_text
 
-    out = out or file.with_suffix(".toml")
-    if out.exists() and not force:
+    is_printed = out is not None and str(out) == "-"
+    out = file.with_suffix(".toml") if out is None or is_printed else out
+    if out.exists() and not force and not is_printed:
         raise Unusable(f"{out}: is there already; --force writes over it")
     found = ingest(file, macros)
-    write_atomically(out, model_text(found, out))
+    if is_printed:
+        click.echo(model_text(found, out), nl=False)
+    else:
+        write_atomically(out, model_text(found, out))
     if json_out is not None:
         write_atomically(json_out, json_text(found.to_dict()))
-    _print_table(found, out)
+    if not is_printed:
+        _print_table(found, out)
     if click.get_current_context().info_name == "ingest":
         click.echo("`workbench ingest` is now `workbench draft`", err=True)
     sys.exit(0 if len(found.text.displays) > sum(found.missing().values()) else 1)

@@ -125,6 +125,17 @@ def test_what_no_likely_kinds_make_true_is_a_warning(tmp_path: Path, text: str) 
     assert [result.shown for result in judged(path)].count(Grade.WARNING) == 1
 
 
+def test_entries_of_another_case_do_not_warn(tmp_path: Path) -> None:
+    """A letter that two displays give matrices of different extents is two letters."""
+    path = tmp_path / "p.md"
+    entries = (
+        r"\begin{bmatrix} 1 & 0 & 0 \\ 0 & 1 & 0 \end{bmatrix}",
+        r"\begin{bmatrix} 1 \\ 0 \end{bmatrix}",
+    )
+    path.write_text("".join(f"Here\n$$ H = {each} $$\n" for each in entries))
+    assert not any(result.shown in (Grade.WARNING, Grade.ERROR) for result in judged(path))
+
+
 def test_definitions_in_a_circle_end(tmp_path: Path) -> None:
     path = tmp_path / "p.md"
     formulas = (

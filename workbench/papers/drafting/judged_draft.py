@@ -103,7 +103,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
     if verdict.outcome is not Outcome.ILL_FORMED:  # with another kind, it is ill-formed
         thin = [each for each in thin if not each.alone]
-    misfits = {each.latex: each.cured_by for each in inference.misfits if not _has_unknown_word(each)}
+    own_misfits = [each for each in inference.misfits if not _is_open(each)]
+    misfits = {each.latex: each.cured_by for each in own_misfits}
     reason: Reason | None = None
     if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
         reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
@@ -115,7 +116,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
     known = confirmed | {each.name for each in draft.ingested.definitions if each.sure}
     is_misfit = verdict.outcome is Outcome.ILL_FORMED and latex in misfits
-    unsure = misfits[latex] if is_misfit else inference.doubtful(latex)
+    unsure = {*misfits[latex], *inference.spoilt(latex)} if is_misfit else inference.doubtful(latex)
     doubts = [name for name in names or unsure if name in unsure and name not in known]
     if (own := _defined_elsewhere(draft, claim)) is not None:
         doubts.append(own)
@@ -127,8 +128,11 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
 
 
-def _has_unknown_word(misfit: TypeMismatch) -> bool:
-    """True if the operation has a word whose values the draft can only guess, as vech(A)."""
+def _is_open(misfit: TypeMismatch) -> bool:
+    """True if the operation may fit: it gives a letter entries, as those of another case, or has a word whose
+    values the draft can only guess, as vech(A)."""
+    if misfit.gives_entries:
+        return True
     words = [name for name in misfit.names if name.startswith(r"\operatorname")]
     return not all(map(MAP_OF_TWISTS.match, words))
 

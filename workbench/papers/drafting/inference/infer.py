@@ -74,11 +74,13 @@ class TypeMismatch:
     Attributes:
         names: The symbols of the operation.
         cured_by: The symbols with other kinds that suit the formula and that no other evidence contradicts.
+        gives_entries: Whether the operation equates a letter and a matrix of other extents.
     """
 
     latex: str
     names: tuple[str, ...]
     cured_by: tuple[str, ...]
+    gives_entries: bool = False
 
 
 @dataclass(frozen=True)
@@ -119,8 +121,11 @@ class Inference:
 
         These occur in other formulas that do not fit, or another kind would suit them as well.
         """
-        spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
-        return spoilt | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
+        return self.spoilt(latex) | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
+
+    def spoilt(self, latex: str) -> set[str]:
+        """Returns the symbols of operations in other formulas that no likely kinds satisfy."""
+        return {name for each in self.misfits if each.latex != latex for name in each.names}
 
     def is_square(self, name: str) -> bool:
         """True if a symbol is a square matrix."""
@@ -162,7 +167,7 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
         search.run()
     sources = [each for (each, _), formula in zip(read, formulas, strict=True) if formula.trees]
     misfits = tuple(
-        TypeMismatch(source.latex, operation.names, tuple(search.cured_by(place)))
+        TypeMismatch(source.latex, operation.names, tuple(search.cured_by(place)), _gives_entries(operation))
         for place, source in enumerate(sources)
         for operation in _misfits(search, search.formulas[place])
     )
@@ -265,6 +270,10 @@ def _sizes(trees: Iterable[Operation], prose: Prose, has_joints: bool) -> list[K
     if has_joints:
         found += [(0, 1), (0, 0), *((rows, 0) for rows in sorted(extents) if rows in (1, 2, 3, 6))]
     return found
+
+
+def _gives_entries(operation: Operation) -> bool:
+    return operation.op == "equal" and [each.op for each in operation.parts] == [SYMBOL, "matrix"]
 
 
 def _misfits(search: Search, formula: Formula) -> Iterable[Operation]:

@@ -154,6 +154,8 @@ def test_try_judges_one_formula() -> None:
     assert run("try", "a = ", "-s", "a=vector").exit_code == 2
     assert run("try", r"[k]_\times^2 = k k^T - \norm{k}^2 I").exit_code == 0
     assert run("try", "a = b", "-s", "a=vector", "-s", "b=vector").exit_code == 1
+    dotted = run("try", r"a \cdot b = b \cdot a", "-s", "a=vector")
+    assert "b vector" in dotted.output and dotted.exit_code == 0
     assert run("try", r"\sin(\pi - \theta) = \sin\theta").output.endswith(
         "Taken as: θ scalar. Another kind: -s NAME=KIND.\n"
     )

@@ -66,8 +66,8 @@ def _fit(patterns: tuple[str, ...], parts: tuple[Kind, ...]) -> bool:
     for pattern, kind in zip(patterns, parts, strict=True):
         if pattern == "_":
             continue
-        if pattern == "A":
-            if known.setdefault("A", kind) != kind:
+        if pattern in ("A", "B"):
+            if known.setdefault(pattern, kind) != kind or (pattern == "B" and kind[1:] == (1,) != kind[:1]):
                 return False
         elif pattern in ("s", "q"):
             if kind != ((1, 1) if pattern == "s" else QUATERNION):
@@ -76,7 +76,7 @@ def _fit(patterns: tuple[str, ...], parts: tuple[Kind, ...]) -> bool:
             isinstance(kind, str)
             or (pattern[0].isupper() and kind == (1, 1))
             or any(
-                str(size) != letter if letter.isdigit() else known.setdefault(letter, size) != size
+                str(size) != letter if letter.isdigit() else known.setdefault(letter.lower(), size) != size
                 for letter, size in zip(pattern.split("x"), kind, strict=True)
             )
         ):

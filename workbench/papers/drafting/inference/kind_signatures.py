@@ -3,8 +3,9 @@
 A kind is a size (rows, columns), or QUATERNION; None means any kind. The size 0 is a dimension that no
 formula determines.
 Patterns: s a scalar; q a quaternion; 3x1 that size; nxm any size, where equal letters in a row are equal; NxM
-likewise, but not a scalar; A any kind, the same in the row; _ anything. The cost follows ~, in tenths. A row
-without a cost is what the typed language does; one with a cost uses a convention of the text.
+likewise, but not a scalar; A any kind, the same in the row; B likewise, but no column; _ anything. The cost
+follows ~, in tenths. A row without a cost is what the typed language does; one with a cost uses a convention
+of the text.
 """
 
 from __future__ import annotations
@@ -22,11 +23,15 @@ SCALAR, VECTOR, TENSOR = (1, 1), (3, 1), (3, 3)
 #: The cost of an operation that fits no row.
 MISFIT = 60
 
-_MUL = (
-    "s A -> A; A s -> A; nxk kxm -> nxm; q q -> q; 4x4 3x1 -> 3x1 ~25; q 3x1 -> q ~6; 3x1 q -> q ~6;"
+_TIMES_SCALAR = "s A -> A; A s -> A;"
+_PRODUCTS = (
+    " nxk Kxm -> nxm; q q -> q; 4x4 3x1 -> 3x1 ~25; q 3x1 -> q ~6; 3x1 q -> q ~6;"
     " 4x4 q -> q ~2; nx4 q -> nx1 ~8; 3x1 3x1 -> 3x3 ~40; 4x1 q -> q ~12; q 4x1 -> q ~12;"
     " q 1xn -> 4xn ~25"
 )
+_MUL = _TIMES_SCALAR + _PRODUCTS
+#: The cost of a scalar before or behind a dot and a column, which is usually a scalar product.
+_DOTTED = "s B -> B ~1; B s -> B ~1; s nx1 -> nx1 ~9; nx1 s -> nx1 ~9"
 
 
 def _dearer(rows: str, more: int) -> str:
@@ -37,7 +42,7 @@ def _dearer(rows: str, more: int) -> str:
 
 SIGNATURES = {
     "mul": _MUL,
-    "dot": f"nx1 nx1 -> s; 1xn 1xn -> s ~3; {_dearer(_MUL, 1)}; q q -> s ~9",
+    "dot": f"nx1 nx1 -> s; 1xn 1xn -> s ~3; {_DOTTED}; {_dearer(_PRODUCTS, 1)}; q q -> s ~9",
     "cross": "3x1 3x1 -> 3x1; s s -> s ~50; 2x1 2x1 -> s ~25; 3x1 3x3 -> 3x3 ~20",
     "wedge": "3x1 3x1 -> 3x1 ~1; 3x1 3x1 -> 3x3 ~4; s s -> s ~30",
     "outer": "3x1 3x1 -> 3x3; 3x3 3x3 -> 3x3 ~15; nxm kxl -> _ ~20; q q -> q ~1; q 3x1 -> q ~6;"
@@ -117,24 +122,25 @@ def values(op: str, parts: tuple[Kind | None, ...]) -> tuple[tuple[Kind | None, 
 def _matches(pattern: str, kind: Kind | None, known: dict[str, Kind | int | None]) -> bool:
     if pattern == "_" or kind is None:
         return True
-    if pattern == "A":
-        return known.setdefault("A", kind) == kind
+    if pattern in "AB":
+        is_column = isinstance(kind, tuple) and kind[0] != 1 == kind[1]
+        return known.setdefault(pattern, kind) == kind and not (is_column and pattern == "B")
     if pattern in "sq":
         return kind == (SCALAR if pattern == "s" else QUATERNION)
     if isinstance(kind, str) or (pattern[0].isupper() and kind == SCALAR):
         return False
     return all(
-        letter == str(size) if letter.isdigit() else known.setdefault(letter, size) == size
+        letter == str(size) if letter.isdigit() else known.setdefault(letter.lower(), size) == size
         for letter, size in zip(pattern.split("x"), kind, strict=True)
     )
 
 
 def _made(pattern: str, known: dict[str, Kind | int | None]) -> Kind | None:
-    if pattern in ("_", "A"):
+    if pattern in ("_", "A", "B"):
         return known.get(pattern)  # type: ignore[return-value]
     if pattern in "sq":
         return SCALAR if pattern == "s" else QUATERNION
-    sizes = [int(letter) if letter.isdigit() else known.get(letter) for letter in pattern.split("x")]
+    sizes = [int(letter) if letter.isdigit() else known.get(letter.lower()) for letter in pattern.split("x")]
     return None if None in sizes else (sizes[0], sizes[1])  # type: ignore[return-value]
 
 

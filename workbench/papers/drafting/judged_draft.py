@@ -105,6 +105,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         thin = [each for each in thin if not each.alone]
     own_misfits = [each for each in inference.misfits if not _is_open(each)]
     misfits = {each.latex: each.cured_by for each in own_misfits}
+    given_anew = {name for each in inference.misfits if each.gives_entries for name in each.names}
     reason: Reason | None = None
     if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
         reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
@@ -116,7 +117,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
     known = confirmed | {each.name for each in draft.ingested.definitions if each.sure}
     is_misfit = verdict.outcome is Outcome.ILL_FORMED and latex in misfits
-    unsure = {*misfits[latex], *inference.spoilt(latex)} if is_misfit else inference.doubtful(latex)
+    unsure = {*misfits[latex], *given_anew} if is_misfit else inference.doubtful(latex)
     doubts = [name for name in names or unsure if name in unsure and name not in known]
     if (own := _defined_elsewhere(draft, claim)) is not None:
         doubts.append(own)

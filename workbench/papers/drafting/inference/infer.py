@@ -121,11 +121,8 @@ class Inference:
 
         These occur in other formulas that do not fit, or another kind would suit them as well.
         """
-        return self.spoilt(latex) | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
-
-    def spoilt(self, latex: str) -> set[str]:
-        """Returns the symbols of operations in other formulas that no likely kinds satisfy."""
-        return {name for each in self.misfits if each.latex != latex for name in each.names}
+        spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
+        return spoilt | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
 
     def is_square(self, name: str) -> bool:
         """True if a symbol is a square matrix."""

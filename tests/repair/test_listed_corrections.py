@@ -91,3 +91,12 @@ def test_no_void_proposal(latex: str) -> None:
     for proposal in found.repair().proposed():
         (said,) = read(proposal.latex, SymbolTable.build(SYMBOLS | ATTITUDE))
         assert not is_trivial(said), proposal.latex
+
+
+@pytest.mark.parametrize(
+    "latex", [r"\sqrt{1 + f^2} = 1 + f", r"f^2 + 1 = f + 1", r"\frac{1 + f}{2 + f^2} = \frac{1}{2}"]
+)
+def test_proposals_keep_a_symbol(latex: str) -> None:
+    found = check(latex, {"f": "scalar"})
+    assert isinstance(found, Checked)
+    assert all("f" in proposal.latex.replace("frac", "") for proposal in found.repair().proposed())

@@ -1,6 +1,6 @@
 """Norms and roots in both engines: numbers, factors and squares are taken out, and each root is one letter."""
 
-from itertools import product
+from itertools import combinations, product
 
 import pytest
 from judge.test_judge import judged
@@ -145,3 +145,20 @@ def test_a_root_of_what_is_written_as_squares(root, true, false):
     symbols = {"x": "scalar", "y": "scalar", "a": "vector", "b": "vector", "T": "tensor"}
     assert check(f"{root} = {true}", symbols).outcome is Outcome.PROVED
     assert check(f"{root} = {false}", symbols).outcome is Outcome.REFUTED
+
+
+SUMS = ["1 + f^2", "2 + f^2", "1 + f^2 + g^2", "f^2 + g^2 + f^2 g^2 + 3", r"a \cdot a + 1"]
+NO_ROOTS = ["1 + f", "f + g", "f g", r"\frac{f}{2}"]
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [(rf"\sqrt{{{x}}}", rf"\sqrt{{{y}}}") for x, y in combinations(SUMS, 2)]
+    + [(rf"\sqrt{{{x}}}", y) for x, y in product(SUMS, NO_ROOTS)]
+    + [(rf"f \sqrt{{{x}}}", rf"\frac{{f^2 + 3}}{{\sqrt{{{x}}}}}") for x in SUMS],
+)
+def test_unequal_roots_are_refuted_at_irrational_values(one, other):
+    verdict = judged(f"{one} = {other}")
+    assert verdict.outcome == Outcome.REFUTED
+    example = verdict.counterexample
+    assert example is not None and example.left != example.right

@@ -222,9 +222,10 @@ def _wider(one: Type, other: Type) -> Type:
 def _defined(trial: Trial, relation: Relation, inventory: Inventory) -> dict[str, _Value]:
     """Returns the values of the defined symbols of the formula at the point."""
     found: dict[str, _Value] = {}
+    valued = {number_behind(primitive) for primitive in inventory.orders}
     for term in _named(relation.left, relation.right):
         symbol = term.body if isinstance(term, Derivative) else term
-        if symbol not in inventory.orders and term.type.kind in ("scalar", "vector", "tensor"):
+        if symbol not in valued and term.type.kind in ("scalar", "vector", "tensor"):
             with suppress(NotExact, KeyError):  # the point has no values for the symbols of the definition
                 found[to_latex(term)] = _value(trial, term)
     return found

@@ -131,7 +131,8 @@ class Case:
 
     def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:
         """Returns such a point among those with real angles and matching sines, in balls."""
-        if self.assumptions.equations or not (self.inventory.circles or self.measured_angles):
+        irrational = self.inventory.norms or self.inventory.circles or self.measured_angles
+        if self.assumptions.equations or not irrational:
             return None
         supposed = self.assumptions.nonzero
         for trial in real_trials(self.inventory, self.definitions):

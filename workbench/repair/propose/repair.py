@@ -29,7 +29,7 @@ from workbench.repair.propose.search_limits import STANDARD, Limits
 from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
-from workbench.repair.screening.vacuous import is_idle, is_vacuous, like_terms
+from workbench.repair.screening.vacuous import has_lost_symbols, is_idle, is_vacuous, like_terms
 from workbench.repair.terms.changes import Candidate
 from workbench.repair.terms.divisors import divisors
 from workbench.repair.terms.edit_search import Neighbourhood, candidate_of, cost
@@ -278,6 +278,9 @@ class _Bench:
                 continue
             if self.like_terms is not None and like_terms(candidate.statement) > self.like_terms:
                 continue  # an addend that another one partly cancels
+            printed = self.claim.printed.statement
+            if printed is not None and has_lost_symbols(statement, printed):
+                continue
             self.seen.add(candidate.statement)
             if self.beside.repeat(candidate.statement, len(candidate.changes)):
                 continue

@@ -14,6 +14,7 @@ from workbench.core.terms import (
     Number,
     Relation,
     Statement,
+    Symbol,
     Term,
     TimeOperator,
     Zero,
@@ -28,6 +29,15 @@ from workbench.repair.terms.term_arithmetic import number_and_rest
 def is_vacuous(statement: Statement) -> bool:
     """True if addends cancel in a sum, or the statement is trivial."""
     return has_cancelling_addends(statement) or is_trivial(statement)
+
+
+def has_lost_symbols(statement: Statement, printed: Statement) -> bool:
+    """True if the statement is one about numbers only, and what is printed is not."""
+    return _has_symbols(printed) and not _has_symbols(statement)
+
+
+def _has_symbols(statement: Statement) -> bool:
+    return any(isinstance(part, Symbol) for _, side in sides(statement) for part in side.walk())
 
 
 def has_cancelling_addends(statement: Statement) -> bool:

@@ -2,12 +2,12 @@
 
 In e^{2x + xy/3} the exponent is a sum of products of scalars. Each product p has a symbol E = e^{p/n} with Ė
 = ṗ E/n. What holds for all such E holds for exponentials, and e^x e^y = e^{x+y} becomes a law of powers. A
-statement that fails for some E may still hold for exponentials, so nothing is refuted.
+statement that fails for some E may still hold for exponentials: it is refuted only at E = e^{p/n}.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from math import lcm
@@ -30,10 +30,13 @@ _HIGHEST, _LARGEST = 4, 20
 
 
 class Exponentials(NamedTuple):
-    """relation: with symbols for exponentials.   supposed: the known statements about these symbols."""
+    """relation: with symbols for exponentials.   supposed: the known statements about these symbols.
+    exponents: the exponent of each symbol.   varied: True if the relation has partial derivatives."""
 
     relation: Relation
     supposed: tuple[Statement, ...]
+    exponents: Mapping[Symbol, Term]
+    varied: bool
 
 
 def holds_exponentials(said: Relation, definitions: Lookup) -> bool:
@@ -66,7 +69,8 @@ def without_exponentials(said: Relation, definitions: Lookup) -> Exponentials:
             for again in slopes:
                 twice = apply("partial", apply("partial", own, by), again)
                 supposed.append(relation("=", twice, apply("partial", known, again)))
-    return Exponentials(relation("=", left, right), tuple(supposed))
+    exponents = {own: _exponent(factors, sizes[factors]) for factors, own in made.symbols.items()}
+    return Exponentials(relation("=", left, right), tuple(supposed), exponents, bool(varied))
 
 
 def _is_exponential(term: Term) -> bool:

@@ -31,6 +31,7 @@ from workbench.engines.inventory.first_order import to_first_order
 from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
 from workbench.language.printing.printer import to_latex
+from workbench.prover.counterexamples.real_exponentials import refuted_exponential
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.closed_formulas import judge_closed
 from workbench.prover.decide.disequation import judge_inequation
@@ -243,8 +244,9 @@ class Judge(Setting):
         verdict = self._judge(judged, (*assume, *found.supposed))
         if is_definition and verdict.outcome is Outcome.PROVED:
             return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
-        if verdict.outcome is Outcome.REFUTED:
-            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_EXPONENTIALS())
+        if verdict.outcome is Outcome.REFUTED or verdict.code is VerdictCode.NO_COUNTEREXAMPLE:
+            refuted = None if assume else refuted_exponential(said, found, self.definitions, self.laws)
+            return refuted or Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_EXPONENTIALS())
         evidence = Evidence("exponentials", "any functions E that are nowhere 0, with the rates of e^x")
         return replace(verdict, evidence=(*verdict.evidence, evidence))
 

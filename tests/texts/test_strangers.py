@@ -138,7 +138,7 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
 
 OPEN = [
     (r"$$\mathbf{r} \cdot (\mathbf{s} \times \mathbf{r}) = r_1^2$$", "says what r_{1} is"),
-    (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", "the text says more: \\alpha"),
+    (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", None),
     ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says more: \\alpha"),
     (r"$$x y + x z + y = x$$", "says what z is"),
     (r"$$x^2 y - x^2 y^2 = 0$$", None),

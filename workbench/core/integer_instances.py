@@ -43,10 +43,10 @@ from workbench.core.terms import (
     Term,
 )
 
-#: Largest number of addends of an expanded sum, and largest argument of a factorial or binomial.
+#: The largest number of addends of an expanded sum.
 LARGEST = 2000
 #: The largest argument of a factorial, a binomial or a multinomial; its digits can be printed.
-_MOST_COUNTED = 1000
+MOST_COUNTED = 1000
 
 _FRESH = "klmnijpqrsabcdefgh"
 
@@ -61,7 +61,7 @@ def instantiate(formula: Term | Statement, values: Mapping[str, Linear | int]) -
 
     Numbers are evaluated: sums with numeric bounds are expanded (an empty sum is the 0 of its type),
     factorials and binomials become numbers, x^{(0)} becomes x. Shared subterms stay shared. Raises IllFormed
-    for a negative index or order, for sums beyond LARGEST and factorials beyond 1000.
+    for a negative index or order, for sums beyond LARGEST and factorials beyond MOST_COUNTED.
     """
     return Instantiation({name: as_linear(value) for name, value in values.items()}).formula(formula)
 
@@ -198,8 +198,8 @@ def count(name: CountingName, arguments: tuple[Linear, ...]) -> Term:
     top, *parts = (int(argument) for argument in arguments)
     if top < 0:
         raise IllFormed(TypeCode.NEGATIVE_NUMBER(name=name, top=top))
-    if top > _MOST_COUNTED:
-        raise IllFormed(TypeCode.NUMBER_TOO_LARGE(name=name, top=top, most=_MOST_COUNTED))
+    if top > MOST_COUNTED:
+        raise IllFormed(TypeCode.NUMBER_TOO_LARGE(name=name, top=top, most=MOST_COUNTED))
     if name == "factorial":
         return number(factorial(top))
     if name == "binomial":

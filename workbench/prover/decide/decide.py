@@ -245,7 +245,7 @@ class Judge(Setting):
         if is_definition and verdict.outcome is Outcome.PROVED:
             return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
         if verdict.outcome is Outcome.REFUTED or verdict.code is VerdictCode.NO_COUNTEREXAMPLE:
-            refuted = None if assume else refuted_exponential(said, found, self.definitions, self.laws)
+            refuted = refuted_exponential(found, assume, self.definitions, self.laws)
             return refuted or Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_EXPONENTIALS())
         evidence = Evidence("exponentials", "any functions E that are nowhere 0, with the rates of e^x")
         return replace(verdict, evidence=(*verdict.evidence, evidence))

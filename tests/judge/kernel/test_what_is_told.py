@@ -174,8 +174,8 @@ TOLD = {
         None,
     ),
     ("e^{f} e^{g} = e^{f g}", (), None): (
-        ("unchecked", "does not follow from what derivatives of e^x are", None, None),
-        None,
+        ("refuted", None, None, None),
+        ({"f": "1", "g": "1"}, "7.38906", "2.71828"),
     ),
     (r"f = \arccos g", (r"\cos f = g",), None): (
         (

@@ -31,7 +31,6 @@ from workbench.engines.inventory.first_order import to_first_order
 from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
 from workbench.language.printing.printer import to_latex
-from workbench.prover.counterexamples.real_exponentials import refuted_exponential
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.closed_formulas import judge_closed
 from workbench.prover.decide.disequation import judge_inequation
@@ -45,6 +44,7 @@ from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm,
 from workbench.prover.decide.matrix_exponentials import refuted_by_commutator
 from workbench.prover.decide.orders_past_literals import OrderRanges
 from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
+from workbench.prover.decide.refuted_exponentials import refuted_exponential
 
 
 @dataclass(frozen=True)

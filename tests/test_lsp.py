@@ -6,7 +6,11 @@ import asyncio
 import os
 import sys
 import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -199,43 +203,67 @@ main(['lsp'])
 """
 
 
-async def while_searching(folder: Path) -> tuple[float, list]:
-    """The seconds until a hover is answered during a long search, and the verdicts on the changed text."""
+@asynccontextmanager
+async def opened(code: str, folder: Path, text: str) -> AsyncIterator[OpenText]:
+    """A language server run by the code, with the text opened and its first verdicts published."""
     client = client_module.BaseLanguageClient("test", "1")
-    published: list[list] = []
-    came = asyncio.Event()
+    uri = (folder / "typed.tex").as_uri()
+    own = OpenText(client, uri)
 
     @client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
     def on_diagnostics(params: types.PublishDiagnosticsParams) -> None:
-        published.append(params.diagnostics)
-        came.set()
+        own.published.append(params.diagnostics)
+        own.came.set()
 
-    await client.start_io(sys.executable, "-c", SLOW)
+    await client.start_io(sys.executable, "-c", code)
     await client.initialize_async(
         types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
     )
     client.initialized(types.InitializedParams())
-    uri = (folder / "typed.tex").as_uri()
-    (folder / "typed.tex").write_text(TYPED)
-    item = types.TextDocumentItem(uri, "latex", 1, TYPED)
+    item = types.TextDocumentItem(uri, "latex", 1, text)
     client.text_document_did_open(types.DidOpenTextDocumentParams(item))
-    await asyncio.wait_for(came.wait(), 60)
-    came.clear()
-    start = time.monotonic()
-    right = types.TextDocumentContentChangeWholeDocument(TYPED.replace("= b", "= -b"))
-    client.text_document_did_change(
-        types.DidChangeTextDocumentParams(types.VersionedTextDocumentIdentifier(2, uri), [right])
-    )
-    document = types.TextDocumentIdentifier(uri)
-    await client.text_document_hover_async(types.HoverParams(document, types.Position(3, 6)))
-    seconds = time.monotonic() - start
-    while published[-1]:
-        came.clear()
-        await asyncio.wait_for(came.wait(), 60)
+    await asyncio.wait_for(own.came.wait(), 60)
+    yield own
     await client.shutdown_async(None)
     client.exit(None)
     await client.stop()
-    return seconds, published[-1]
+
+
+@dataclass
+class OpenText:
+    """A text that a client has opened, with the faults published for it."""
+
+    client: Any
+    uri: str
+    published: list[list] = field(default_factory=list)
+    came: asyncio.Event = field(default_factory=asyncio.Event)
+
+    def correct(self) -> None:
+        """Changes the text to one without a fault."""
+        self.came.clear()
+        right = types.TextDocumentContentChangeWholeDocument(TYPED.replace("= b", "= -b"))
+        self.client.text_document_did_change(
+            types.DidChangeTextDocumentParams(types.VersionedTextDocumentIdentifier(2, self.uri), [right])
+        )
+
+    async def no_fault(self) -> None:
+        """Waits until no fault is published."""
+        while self.published[-1]:
+            self.came.clear()
+            await asyncio.wait_for(self.came.wait(), 60)
+
+
+async def while_searching(folder: Path) -> tuple[float, list]:
+    """The seconds until a hover is answered during a long search, and the verdicts on the changed text."""
+    (folder / "typed.tex").write_text(TYPED)
+    async with opened(SLOW, folder, TYPED) as own:
+        start = time.monotonic()
+        own.correct()
+        document = types.TextDocumentIdentifier(own.uri)
+        await own.client.text_document_hover_async(types.HoverParams(document, types.Position(3, 6)))
+        seconds = time.monotonic() - start
+        await own.no_fault()
+    return seconds, own.published[-1]
 
 
 def test_hover_does_not_wait_for_a_search(tmp_path: Path) -> None:
@@ -258,37 +286,12 @@ HARD_TEXT = TYPED + "\\[ b + b + b + b + b = 5 a + b \\]\n"
 
 async def beside_a_hard_formula(folder: Path) -> tuple[list, float]:
     """The first verdicts on a text with a formula that takes long, and the seconds after its removal."""
-    client = client_module.BaseLanguageClient("test", "1")
-    published: list[list] = []
-    came = asyncio.Event()
-
-    @client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
-    def on_diagnostics(params: types.PublishDiagnosticsParams) -> None:
-        published.append(params.diagnostics)
-        came.set()
-
-    await client.start_io(sys.executable, "-c", HARD)
-    await client.initialize_async(
-        types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
-    )
-    client.initialized(types.InitializedParams())
-    uri = (folder / "typed.tex").as_uri()
-    item = types.TextDocumentItem(uri, "latex", 1, HARD_TEXT)
-    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
-    await asyncio.wait_for(came.wait(), 60)
-    first = list(published[0])
-    start = time.monotonic()
-    right = types.TextDocumentContentChangeWholeDocument(TYPED.replace("= b", "= -b"))
-    client.text_document_did_change(
-        types.DidChangeTextDocumentParams(types.VersionedTextDocumentIdentifier(2, uri), [right])
-    )
-    while published[-1]:
-        came.clear()
-        await asyncio.wait_for(came.wait(), 60)
-    seconds = time.monotonic() - start
-    await client.shutdown_async(None)
-    client.exit(None)
-    await client.stop()
+    async with opened(HARD, folder, HARD_TEXT) as own:
+        first = list(own.published[0])
+        start = time.monotonic()
+        own.correct()
+        await own.no_fault()
+        seconds = time.monotonic() - start
     return first, seconds
 
 

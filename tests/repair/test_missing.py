@@ -75,6 +75,7 @@ def test_a_dropped_addend_is_found_again(paper, every):
 VACUOUS = [
     r"\ddot{\omega} + \omega \times \dot{\omega} = \omega \times \dot{\omega} + \ddot{\omega}",
     r"\ddot{\omega} = \ddot{\omega} + \omega \times \dot{\omega} - \omega \times \dot{\omega}",
+    r"(\omega \cdot \dot{\omega}) \omega^2 \omega = \omega^2 \omega (\omega \cdot \dot{\omega})",
 ]
 IDLE = [
     r"\omega \times \omega = \tilde{\omega} \omega",

@@ -23,7 +23,7 @@ from workbench.engines.jet.rings import PRIME
 from workbench.language.printing.author_spelling import is_spelt_as_one
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.subterm_positions import places, sides
-from workbench.repair.terms.term_arithmetic import number_and_rest
+from workbench.repair.terms.term_arithmetic import number_and_rest, product_of
 
 
 def is_vacuous(statement: Statement) -> bool:
@@ -118,9 +118,26 @@ def _multiples(term: Term, factor: Fraction) -> Iterator[tuple[Fraction, Term]]:
         case _:
             for sign, part in _addends(term, 1):
                 if part is term:
-                    yield factor * sign, part
+                    yield factor * sign, _in_order(part)
                 else:
                     yield from _multiples(part, factor * sign)
+
+
+def _in_order(product: Term) -> Term:
+    """Returns a product with its scalar factors first, in one order."""
+    scalars, others = _commuting(product)
+    if not scalars or len(scalars) + len(others) == 1:
+        return product
+    return product_of([*sorted(scalars, key=repr), *others])
+
+
+def _commuting(term: Term) -> tuple[list[Term], list[Term]]:
+    """Returns the scalar factors of a product, and its other factors."""
+    if not (isinstance(term, Apply) and term.head == "mul"):
+        return ([term], []) if term.type.kind == "scalar" else ([], [term])
+    parts = [_commuting(argument) for argument in term.arguments]
+    others = [factor for part in parts for factor in part[1]]
+    return [factor for part in parts for factor in part[0]], others
 
 
 def _undone(head: str, term: Term) -> Term | None:

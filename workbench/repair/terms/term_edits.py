@@ -29,7 +29,7 @@ from workbench.repair.terms.variants import Said, atoms_of, variants
 
 #: The kinds of edit, the likeliest misprint first.
 KINDS = (
-    "sign", "coefficient", "tilde", "dots", "product", "swap", "transpose", "exponent", "index",
+    "sign", "coefficient", "operation", "tilde", "dots", "product", "swap", "transpose", "exponent", "index",
     "symbol", "mark", "bound", "addend dropped", "addend added",
 )  # fmt: skip
 

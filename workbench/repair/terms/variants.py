@@ -265,7 +265,8 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
             said = ("remove the denominator of {}", term)
             yield "coefficient", said, lambda: arguments[0]
     if partner := OPERATORS[head].partner:
-        yield "mark", ("replace {} by {} in {}", head, partner, term), partial(apply, partner, arguments[0])
+        said = ("replace {} by {} in {}", head, partner, term)
+        yield "operation", said, partial(apply, partner, arguments[0])
     if head in ("cross", "outer", "compose"):
         said = ("swap the factors of {}", term)
         yield "swap", said, partial(apply, head, *reversed(arguments))

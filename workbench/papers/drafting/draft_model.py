@@ -13,6 +13,7 @@ from typing import Any
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.paper_errors import NoDisplay, PaperError
 from workbench.core.reasons import Reason
+from workbench.papers.drafting.drafted_abbreviations import abbreviations
 from workbench.papers.drafting.drafted_definitions import (
     Formula,
     Proposed,
@@ -23,6 +24,7 @@ from workbench.papers.drafting.drafted_definitions import (
     magnitudes,
 )
 from workbench.papers.drafting.drafted_frames import with_spins
+from workbench.papers.drafting.drafted_functions import DraftedFunction, functions_in
 from workbench.papers.drafting.formula_shapes import columns, components, components_of, jacobians
 from workbench.papers.drafting.inference.infer import Inference, Source, infer
 from workbench.papers.drafting.marked_text import MarkedText
@@ -111,11 +113,12 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     text, fences = _with_fences(text, macros)
     inline, prose = _words(text, given)
     steps = _steps(text.displays, frozenset())
-    inference = _inferred(text, steps, prose)
+    functions = functions_in((step.spelled()[0], display.line) for display, step in steps)
+    inference = _inferred(text, steps, prose, [each.name for each in functions])
     facts = facts_of(MarkedText(text))
     guessed = _with_facts(guesses_of(inference, prose), facts)
     known = {name: guess for name in guessed if (guess := prose.given_for(name)) is not None}
-    reading = _Reading.of(steps, [], _Start(guessed | known, prose))
+    reading = _Reading.of(steps, [], _Start(guessed | known, prose, functions))
     spins = facts.spins
     for proposal in proposals_for(reading.formulas, prose.text, inference):
         if proposal.table == "frames":
@@ -144,7 +147,9 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     ]
     said = list(in_sentences(sentences, shown, {each.name for each in in_displays}))
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
-    written = [*rates, *columns(reader.guesses, lines), *(each for each, _ in parts), *in_displays, *said]
+    of_functions = [_function(each) for each in reader.functions]
+    short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
+    written = [*rates, *of_functions, *short, *columns(reader.guesses, lines), *(each for each, _ in parts), *in_displays, *said]
     found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)
     columns_of = {each.name: cells for each in found if (cells := components_of(each.body))}
@@ -200,8 +205,16 @@ def inferred_of(path: Path, macros: Path | None = None) -> Inference:
     return _inferred(text, _steps(text.displays, frozenset()), _words(text)[1])
 
 
-def _inferred(text: Text, steps: Sequence[tuple[Display, Step]], prose: Prose) -> Inference:
-    return infer([*_sources(steps, False), *_sources(_steps(text.inline, frozenset()), True)], prose)
+def _inferred(
+    text: Text, steps: Sequence[tuple[Display, Step]], prose: Prose, functions: Sequence[str] = ()
+) -> Inference:
+    sources = [*_sources(steps, False), *_sources(_steps(text.inline, frozenset()), True)]
+    return infer(sources, prose, functions)
+
+
+def _function(function: DraftedFunction) -> Proposed:
+    why = "taken at other values elsewhere"
+    return Proposed(function.key, function.body, function.line, why, True, function.name)
 
 
 def _words(text: Text, given: Sequence[Guess] = ()) -> tuple[list[Display], Prose]:
@@ -233,11 +246,12 @@ class _Start:
 
     guesses: dict[str, Guess]
     prose: Prose
+    functions: list[DraftedFunction]
 
     def reader(self, proposals: Sequence[Proposal], formulas: Sequence[str]) -> Reader:
         """Returns a reader. Raises PaperError for proposals that contradict each other."""
         has_exponentials = any(map(EXPONENTIAL.search, formulas))
-        return Reader(ground_of(proposals), self.guesses, has_exponentials, self.by_face)
+        return Reader(ground_of(proposals), self.guesses, has_exponentials, self.by_face, self.functions)
 
     def by_face(self, name: str) -> Guess:
         return self.prose.guess(name) or by_typeface(name)

@@ -35,9 +35,10 @@ class Proposed:
     """A proposed definition.
 
     Attributes:
-        name: The symbol's LaTeX.
+        name: The symbol's LaTeX; of a function with its arguments.
         body: The definition's LaTeX.
         sure: Whether the model takes it without a question.
+        function: The function's LaTeX without arguments; "" if it is no function.
     """
 
     name: str
@@ -45,6 +46,12 @@ class Proposed:
     line: int
     why: str
     sure: bool
+    function: str = ""
+
+    @property
+    def symbol(self) -> str:
+        """The symbol's LaTeX, of a function without arguments."""
+        return self.function or self.name
 
 
 def definitions_in(formulas: Sequence[Formula]) -> list[Proposed]:
@@ -153,9 +160,9 @@ def in_order_of_use(proposed: Sequence[Proposed]) -> list[Proposed]:
     The one that comes last in the text of several that define each other in a circle is left out.
     """
     walker = Walker()
-    names = {each.name for each in proposed}
+    names = {each.symbol for each in proposed}
     uses = {
-        each.name: {name for tree in operations_of(each.body, walker) for name in tree.names} & names
+        each.symbol: {name for tree in operations_of(each.body, walker) for name in tree.names} & names
         for each in sorted(proposed, key=lambda each: each.line)
     }
     kept: dict[str, set[str]] = {}
@@ -168,7 +175,7 @@ def in_order_of_use(proposed: Sequence[Proposed]) -> list[Proposed]:
         if name not in reached:
             kept[name] = own
     order = TopologicalSorter({name: sorted(own & kept.keys()) for name, own in kept.items()}).static_order()
-    by_name = {each.name: each for each in proposed}
+    by_name = {each.symbol: each for each in proposed}
     return [by_name[name] for name in order]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -19,6 +19,7 @@ from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, unclaimed
+from workbench.papers.drafting.drafted_functions import DraftedFunction, with_functions
 from workbench.papers.drafting.typefaces import ADJOINT, LABELLED, Guess, bare_name, flat
 
 #: e with an exponent that is no transpose and no number.
@@ -50,6 +51,7 @@ class Reader:
 
     Attributes:
         has_exponentials: Whether e is a number.
+        functions: The defined functions that the reader knows.
     """
 
     def __init__(
@@ -58,12 +60,17 @@ class Reader:
         guesses: Mapping[str, Guess],
         has_exponentials: bool,
         by_face: Callable[[str], Guess],
+        functions: Sequence[DraftedFunction] = (),
     ) -> None:
         self.ground, self.has_exponentials, self._by_face = ground, has_exponentials, by_face
         self.guesses: dict[str, Guess] = {}
         self.refused: dict[str, Reason] = {}
         self._table = replace(ground, names_close=False)
-        self._declare(guesses.values())
+        names = {each.name for each in functions}
+        self._declare(each for each in guesses.values() if each.name not in names)
+        self._table, self.functions = with_functions(self._table, functions)
+        known = {each.name for each in self.functions}
+        self._declare(each for each in guesses.values() if each.name in names - known)
 
     def read(self, latex: str) -> Outcome:
         """Returns the outcome for the formula, after declaring the symbols that it needs."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from workbench.papers.drafting.inference.differential_letters import has_differentials
@@ -130,15 +130,19 @@ class Inference:
         return isinstance(kind, tuple) and kind[0] == kind[1] != 1
 
 
-def infer(sources: Sequence[Source], prose: Prose) -> Inference:
+def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = ()) -> Inference:
     """Returns the kinds of all symbols of the formulas. Inline formulas count if a display shares a
-    symbol."""
-    walker = Walker((), (), has_differentials(each.latex for each in sources if not each.inline))
+    symbol.
+
+    functions: letters that are functions before brackets.
+    """
+    has_signs = has_differentials(each.latex for each in sources if not each.inline)
+    walker = Walker((), (), has_signs, functions)
     read = [(each, operations_of(each.latex, walker)) for each in sources]
     labels = walker.labelled & walker.transposed
     counted = _counted([tree for _, trees in read for tree in trees], prose)
     if labels or counted:
-        walker = Walker(labels, counted, walker.has_differentials)
+        walker = Walker(labels, counted, has_signs, functions)
         read = [(each, operations_of(each.latex, walker)) for each in sources]
     shown = {name for each, trees in read if not each.inline for tree in trees for name in tree.names}
     read = [(each, trees) for each, trees in read if not each.inline or _counts(trees, shown)]

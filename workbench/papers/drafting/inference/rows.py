@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from workbench.core.names import PREFIXES
@@ -42,8 +42,10 @@ _TIMES = frozenset(("t", "\\tau"))
 class RowWalker:
     """Walks rows of factors; `Walker` interprets each factor."""
 
-    def __init__(self, forest: Forest, has_differentials: bool) -> None:
+    def __init__(self, forest: Forest, has_differentials: bool, functions: Collection[str] = ()) -> None:
         self.forest, self.make = forest, forest.make
+        #: letters that are functions before brackets
+        self.functions = functions
         #: whether an italic d before a letter or a bracket is the sign of a differential
         self.has_differentials = has_differentials
 
@@ -129,7 +131,7 @@ class RowWalker:
         if letter.op != SYMBOL:
             return None
         parts = tuple(map(self.term, bracket.parts))
-        how = _how(parts, bracket)
+        how = "sure" if letter.text in self.functions else _how(parts, bracket)
         inner = parts[0] if len(parts) == 1 else self.make("tuple", *parts)
         return None if how == "product" else self.make("apply", head, inner, text=how)
 

@@ -77,9 +77,13 @@ class Walker(RowWalker):
     """
 
     def __init__(
-        self, labels: Collection[str] = (), counted: Collection[str] = (), has_differentials: bool = False
+        self,
+        labels: Collection[str] = (),
+        counted: Collection[str] = (),
+        has_differentials: bool = False,
+        functions: Collection[str] = (),
     ) -> None:
-        super().__init__(Forest(), has_differentials)
+        super().__init__(Forest(), has_differentials, functions)
         self.marks_over_several: set[str] = set()
         self.labels, self.counted = labels, counted
         self.labelled: set[str] = set()

@@ -1,0 +1,87 @@
+r"""Abbreviated sines and cosines of robotics texts: c_\theta, s_1 and c_{12} for \cos(\theta_1 + \theta_2)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from workbench.papers.drafting.drafted_definitions import Proposed
+from workbench.papers.drafting.typefaces import Guess, flat
+
+_FACE = r"(?:\\(?:mathrm|mathsf|text|operatorname)\{)?"
+_NAME = re.compile(rf"(?P<letter>{_FACE}[A-Za-z]\}}?)_\{{(?P<sub>.+)\}}")
+#: s_x = \sin x and c_i = \cos\theta_i, for any x and i; without blanks and braces.
+_RULE = re.compile(
+    r"(?P<letter>(?:\\mathrm|\\mathsf)?[A-Za-z])_(?P<sub>\\?[A-Za-z]+)(?::=|=)"
+    r"\\(?P<head>sin|cos)\(?(?:(?P<stem>\\?[A-Za-z]+)_)?(?P=sub)\)?"
+)
+_USUAL = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
+#: Letters of joint angles, the usual ones first.
+_ANGLES = ("\\theta", "q", "\\vartheta", "\\varphi", "\\phi", "\\alpha", "\\beta")
+
+
+@dataclass(frozen=True)
+class _Rule:
+    """What a letter with an angle as its subscript abbreviates.
+
+    Attributes:
+        stem: The letter of the angles whose numbers are the subscripts; "" if it is not said.
+    """
+
+    head: str
+    stem: str
+    why: str
+
+
+def abbreviations(
+    guesses: Mapping[str, Guess], lines: Mapping[str, int], sentences: Iterable[str]
+) -> Iterator[Proposed]:
+    """Yields the definitions of abbreviated sines and cosines among the symbols with these first lines.
+
+    They are said by a sentence, or the text has the cosine and the sine of one angle by the usual letters.
+    """
+    scalars = {flat(name): name for name, guess in guesses.items() if guess.kind == "scalar"}
+    found = {
+        name: (flat(match["letter"]), match["sub"])
+        for name in scalars.values()
+        if name in lines and (match := _NAME.fullmatch(name))
+    }
+    rules = {**_usual({*found.values()}), **dict(_said(sentences))}
+    for name, (letter, sub) in found.items():
+        rule = rules.get(letter)
+        if rule is not None and (angle := _angle(sub, rule.stem, scalars)) is not None:
+            yield Proposed(name, rf"\{rule.head}({angle})", lines[name], rule.why, True)
+
+
+def _said(sentences: Iterable[str]) -> Iterator[tuple[str, _Rule]]:
+    for latex in sentences:
+        if match := _RULE.fullmatch(flat(latex)):
+            yield match["letter"], _Rule(match["head"], match["stem"] or "", "a sentence says so")
+
+
+def _usual(found: set[tuple[str, str]]) -> dict[str, _Rule]:
+    """Returns the rules for c and s in pairs of which the text has both for one angle."""
+    rules = {}
+    for one, other in (("c", "s"), ("C", "S")):
+        letters = {letter[-1]: letter for letter, _ in found}
+        pair = (letters.get(one), letters.get(other))
+        subs = [{sub for letter, sub in found if letter == each} for each in pair]
+        if subs[0] & subs[1]:
+            for letter in filter(None, pair):
+                rules[letter] = _Rule(_USUAL[letter[-1]], "", "the usual abbreviation")
+    return rules
+
+
+def _angle(sub: str, stem: str, scalars: Mapping[str, str]) -> str | None:
+    """Returns the angle of a subscript: a symbol, or the sum of the angles with these numbers."""
+    if (own := scalars.get(flat(sub))) is not None:
+        return own
+    if not sub.isdecimal():
+        return None
+    for letter in (stem,) if stem else _ANGLES:
+        whole = scalars.get(f"{letter}_{sub}")
+        parts = [whole] if whole else [scalars.get(f"{letter}_{digit}") for digit in sub]
+        if None not in parts:
+            return " + ".join(filter(None, parts))
+    return None

@@ -115,7 +115,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         reason = VerdictCode.OF_FRAMES(outcome=verdict.outcome)
     if reason is not None:
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
-    known = confirmed | {each.name for each in draft.ingested.definitions if each.sure}
+    known = confirmed | {each.symbol for each in draft.ingested.definitions if each.sure}
     is_misfit = verdict.outcome is Outcome.ILL_FORMED and latex in misfits
     unsure = {*misfits[latex], *given_anew} if is_misfit else inference.doubtful(latex)
     doubts = [name for name in names or unsure if name in unsure and name not in known]
@@ -152,7 +152,7 @@ def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
             return None
     displays = draft.ingested.text.displays
     sections = {display.line: f"{display.section} {display.heading}".strip() or None for display in displays}
-    lines = (each.line for each in draft.ingested.definitions if each.name == name and each.sure)
+    lines = (each.line for each in draft.ingested.definitions if each.symbol == name and each.sure)
     return (
         name
         if any(sections.get(line, claim.source.section) != claim.source.section for line in lines)
@@ -166,7 +166,7 @@ def _given_anew(draft: Draft, claim: Claim) -> list[str]:
     So does a matrix that stands in another section, or behind words on another case.
     """
     displays = draft.ingested.text.displays
-    defined = {each.name: each for each in draft.ingested.definitions if each.sure}
+    defined = {each.symbol: each for each in draft.ingested.definitions if each.sure}
     places = {id(display): index for index, display in enumerate(displays)}
     found = []
     for given in given_in(draft.ingested.formulas, places):

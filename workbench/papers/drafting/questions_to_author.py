@@ -117,7 +117,7 @@ def _open(result: ClaimResult) -> bool:
 def _of_kinds(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[Question]:
     """Yields questions about kinds that rest on one formula only, or that another kind would suit as well."""
     inference = draft.ingested.inference
-    defined = {each.name for each in draft.ingested.definitions if each.sure}
+    defined = {each.symbol for each in draft.ingested.definitions if each.sure}
     users: dict[str, list[ClaimResult]] = {}
     others: dict[str, tuple[Kind, ...]] = {}
     for each in inference.thin:
@@ -167,7 +167,7 @@ def _has_label(latex: str, label: str) -> bool:
 
 def _of_definitions(draft: Draft, results: Sequence[ClaimResult]) -> Iterator[Question]:
     """Yields questions whether a formula with a letter alone on a side defines that letter."""
-    defined = {each.name for each in draft.ingested.definitions if each.sure}
+    defined = {each.symbol for each in draft.ingested.definitions if each.sure}
     guesses = draft.ingested.guesses
     for result in results:
         left, sign, right = result.claim.printed.latex.partition("=")

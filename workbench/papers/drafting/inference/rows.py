@@ -55,6 +55,9 @@ class RowWalker:
     def prefixed(self, left: Scripted, node: Node) -> Operation | None:
         raise NotImplementedError
 
+    def raised(self, inner: Operation, node: Scripted) -> Operation:
+        raise NotImplementedError
+
     def row(self, items: Sequence[Node]) -> Operation:
         """Returns the product of the items; a function takes the factor after it."""
         parts: list[Operation | str] = []
@@ -96,6 +99,11 @@ class RowWalker:
             return self.term(both)
         if isinstance(bracket, Bracket) and bracket.kind in ("(", "["):
             return self._applied(node, bracket)
+        if isinstance(bracket, Scripted) and bracket.sub is None:  # J(q)^T
+            held = core(bracket.nucleus)
+            if isinstance(held, Bracket) and held.kind == "(":
+                made = self._applied(node, held)
+                return made if made is None else self.raised(made, bracket)
         return None
 
     def _alone(self, node: Node) -> Operation:

@@ -136,7 +136,7 @@ class Walker(RowWalker):
             case Styled() | Accented():
                 return self._over_several(inner)
             case Scripted():
-                return self._raised(self.term(inner.nucleus), inner)
+                return self.raised(self.term(inner.nucleus), inner)
             case Group(parts=parts) if len(parts) > 1:
                 return self.make("tuple", *map(self.term, parts))
         return self.forest.anything()
@@ -242,7 +242,7 @@ class Walker(RowWalker):
             return None
         return "power"
 
-    def _raised(self, inner: Operation, node: Scripted) -> Operation:
+    def raised(self, inner: Operation, node: Scripted) -> Operation:
         """Returns a bracket or a function with the operations of its scripts applied."""
         sub = flat(plain(node.sub))
         if isinstance(node.nucleus, Bracket):

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from graphlib import TopologicalSorter
+from itertools import groupby
 
 from workbench.context.formula_acts import stated
 from workbench.context.free_symbols import terms_of
@@ -18,6 +19,8 @@ from workbench.papers.drafting.trial_reading import Outcome
 from workbench.papers.drafting.typefaces import Guess, without_bold
 from workbench.source.documents import Display
 
+#: Words right before a display that say what a symbol of an earlier display is.
+_WHERE = re.compile(r"\b(?:where|with|in which|let|denote)\b[^.;:]{0,40}$", re.IGNORECASE)
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
 
 
@@ -55,19 +58,28 @@ class Proposed:
 
 
 def definitions_in(formulas: Sequence[Formula]) -> list[Proposed]:
-    """Returns the definitions of symbols alone on the left at their first occurrence, or before := ."""
+    """Returns the definitions of symbols alone on the left in the display where they first occur, or before := ,
+    or in a display behind "where"."""
     found: dict[str, Proposed] = {}
     seen: set[str] = set()
-    for formula in formulas:
-        statements = [each for each in formula.outcome.statements or () if isinstance(each, Relation)]
-        terms = (term for each in statements for term in terms_of(each))
-        used = {str(term.declaration.name) for term in terms if isinstance(term, Symbol)}
+    for _, own in groupby(formulas, key=lambda formula: id(formula.display)):
+        statements = [(formula, _relations(formula)) for formula in own]
+        used = {name for _, each in statements for said in each for name in _names(said)}
         new = used - seen
         seen |= used
-        for said in statements:
-            for each in _defined(formula, said, new, is_only=len(statements) == 1):
-                found.setdefault(each.name, each)
+        for formula, each in statements:
+            for said in each:
+                for made in _defined(formula, said, new, is_only=len(each) == 1):
+                    found.setdefault(made.name, made)
     return list(found.values())
+
+
+def _relations(formula: Formula) -> list[Relation]:
+    return [each for each in formula.outcome.statements or () if isinstance(each, Relation)]
+
+
+def _names(said: Statement) -> set[str]:
+    return {str(term.declaration.name) for term in terms_of(said) if isinstance(term, Symbol)}
 
 
 def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> Iterator[Proposed]:
@@ -75,13 +87,20 @@ def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> 
         yield Proposed(*spin, formula.display.line, "what the rate of a rotation says", True)
         return
     name, is_assigned = _lone_left(said), ":=" in formula.latex and is_only
-    if name is None or stated(said) is None or not (is_assigned or name in new):
+    if name is None or stated(said) is None:
+        return
+    if not (is_assigned or name in new or _says_where(formula.display, said)):
         return
     _, sign, written = re.split("(:=|=|$)", formula.latex, maxsplit=1)
     body = written.strip() if sign and is_only else to_latex(said.right)
     words = _DEFINES.search(formula.display.before)
     why = f'the text says "{words[0]}" before it' if words else "alone on the left where it comes first"
     yield Proposed(name, body, formula.display.line, "written :=" if is_assigned else why, True)
+
+
+def _says_where(display: Display, said: Relation) -> bool:
+    """True if words before the display say that it gives symbols of an earlier one, and it gives no number."""
+    return bool(_WHERE.search(display.before)) and any(isinstance(t, Symbol) for t in said.right.walk())
 
 
 def _lone_left(statement: Statement) -> str | None:

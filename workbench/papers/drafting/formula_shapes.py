@@ -28,6 +28,8 @@ def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[
         letter = without_bold(name)
         if own is None or own.columns != 1 or own.rows < 2 or own.algebra or (letter == name and "_" in name):
             continue
+        if guess.unit:  # its components are free otherwise
+            continue
         numbered = (tuple(map(str, range(first, own.rows + first))) for first in (0, 1))
         for places in (*numbered, _AXES.get(own.rows, ())):
             parts = [f"{letter}_{{{place}}}" for place in places]
@@ -38,12 +40,12 @@ def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[
 
 
 def components(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[tuple[Proposed, str]]:
-    """Yields each component of a quaternion or a tensor of the same letter, and its whole.
+    """Yields each component of a quaternion, a tensor or a unit vector of the same letter, and its whole.
 
-    These are q_0 or q_w for the scalar part of q, q_1 or q_x for a component of its vector part, and R_{12}
-    or R_{1,2} for an entry of R. A letter whose components are not all named by such labels has none.
+    These are q_0 or q_w for the scalar part of q, q_1 or q_x for a component of its vector part, n_1 or n_x
+    for a component of n, and R_{12} or R_{1,2} for an entry of R. A letter whose components are not all named by such labels has none.
     """
-    wholes = [guess for guess in guesses.values() if guess.kind in (*_QUATERNIONS, *_TENSORS)]
+    wholes = [guess for guess in guesses.values() if guess.kind in (*_QUATERNIONS, *_TENSORS) or guess.unit]
     for whole in wholes:
         letter = without_bold(whole.name)
         pattern = re.compile(rf"{re.escape(letter)}_\{{(\w) ?,? ?(\w?)\}}")
@@ -52,12 +54,16 @@ def components(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterat
             for name, guess in guesses.items()
             if guess.kind == "scalar" and (found := pattern.fullmatch(name)) is not None
         }
-        is_quaternion = whole.kind in _QUATERNIONS
         labels = [tuple(filter(None, label)) for label in parts.values()]
-        fits = _are_quaternion if is_quaternion else _are_entries
+        if whole.kind in _QUATERNIONS:
+            fits, part = _are_quaternion, _part
+        elif whole.kind in _TENSORS:
+            fits, part = _are_entries, _entry
+        else:
+            fits, part = _are_axes, _coordinate
         if len(parts) > 1 and fits(labels):
             for name, label in zip(parts, labels, strict=True):
-                body = _part(whole.name, label[0]) if is_quaternion else _entry(whole.name, *label)
+                body = part(whole.name, *label)
                 yield (
                     Proposed(name, body, lines.get(name, 1), f"a component of {whole.name}", True),
                     whole.name,
@@ -74,6 +80,15 @@ def _are_quaternion(labels: Sequence[tuple[str, ...]]) -> bool:
 
 def _are_entries(labels: Sequence[tuple[str, ...]]) -> bool:
     return all(len(label) == 2 and set(label) <= set("123") for label in labels)
+
+
+def _are_axes(labels: Sequence[tuple[str, ...]]) -> bool:
+    """True if labels are those of the three components of a vector."""
+    return {*labels} in ({(label,) for label in axes} for axes in _COMPLETE)
+
+
+def _coordinate(whole: str, label: str) -> str:
+    return rf"{_unit(label, ' & ')} {whole}"
 
 
 def _part(whole: str, label: str) -> str:

@@ -138,9 +138,11 @@ def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -
     unread = said_unread(claims, text.inline)
     spoken = InlineFormulas(text.inline)
     sentences = TextSentences(text.inline, spoken, placed[0].notation)
+    first = {id(each.display): each.id for each in reversed(placed)}
     claims = [
         claim.with_context(
-            facts=tuple(dict.fromkeys((*claim.context.facts, *own))), properties=_properties(claim, each)
+            facts=tuple(dict.fromkeys((*claim.context.facts, *own))),
+            properties=_properties(claim, each) if first[id(each.display)] in (each.id, *each.chain) else (),
         )
         for claim, each in zip(claims, placed, strict=True)
         for own in [_own_facts(claim, each, text, unread, sentences, spoken)]
@@ -182,7 +184,10 @@ def _words(fact: Fact) -> tuple[str, str]:
 
 
 def _properties(claim: Claim, placed: Placed) -> tuple[tuple[str, str], ...]:
-    """Returns the properties that the sentence before a display states of the symbol alone on its left."""
+    """Returns the properties that the sentence before a display states of the symbol alone on its left.
+
+    A sentence says what the first formula of its display gives.
+    """
     statement = claim.printed.statement
     words = None if statement is None else stated_rotation(placed.display, statement)
     return () if words is None else (("rotation", words),)

@@ -157,10 +157,11 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         found.append(jacobian)
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])
-    parted = parted_quaternions(facts.quaternions, guesses)
+    displayed = {name: guess for name, guess in guesses.items() if name in shown}
+    parted = parted_quaternions(facts.quaternions, displayed)
     found = [each for each in found if each.name not in parted]
     sure = {each.name: each for each in found if each.sure}
-    scopes = scopes_of(text.displays, made, guesses, sure, facts.quaternions)
+    scopes = scopes_of(text.displays, made, displayed, sure, facts.quaternions)
     return Ingested(
         text,
         macros,

@@ -118,9 +118,10 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     facts = facts_of(MarkedText(text))
     guessed = _with_facts(guesses_of(inference, prose), facts)
     known = {name: guess for name in guessed if (guess := prose.given_for(name)) is not None}
-    reading = _Reading.of(steps, [], _Start(guessed | known, prose, functions))
+    spoken = tuple(each.latex for each in inline if "=" in each.latex and not _opaque(each, each.latex))
+    reading = _Reading.of(steps, [], _Start(guessed | known, prose, functions, spoken))
     spins = facts.spins
-    for proposal in proposals_for(reading.formulas, prose.text, inference):
+    for proposal in proposals_for([*reading.formulas, *spoken], prose.text, inference):
         if proposal.table == "frames":
             proposal, spins = with_spins(proposal, spins), []
         reading = reading.tried(text, proposal)
@@ -138,7 +139,8 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     ]
     in_displays = definitions_in(made)
     shown = set().union(*(formula.outcome.symbols for formula in made))
-    parts = [(each, whole) for each, whole in components(reader.guesses, lines) if each.name in shown]
+    own = {each.symbol for each in in_displays}
+    parts = [(each, whole) for each, whole in components(reader.guesses, lines, own) if each.name in shown]
     shown |= {whole for _, whole in parts}
     sentences = [
         Formula(display, display.latex, reader.read(display.latex))
@@ -149,7 +151,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     of_functions = [_function(each) for each in reader.functions]
     short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
-    written = [*rates, *of_functions, *short, *columns(reader.guesses, lines), *(each for each, _ in parts), *in_displays, *said]
+    written = [*rates, *of_functions, *short, *columns(reader.guesses, lines, own), *(each for each, _ in parts), *in_displays, *said]
     found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)
     columns_of = {each.name: cells for each in found if (cells := components_of(each.body))}
@@ -248,6 +250,8 @@ class _Start:
     guesses: dict[str, Guess]
     prose: Prose
     functions: list[DraftedFunction]
+    #: the equations of sentences
+    spoken: tuple[str, ...] = ()
 
     def reader(self, proposals: Sequence[Proposal], formulas: Sequence[str]) -> Reader:
         """Returns a reader. Raises PaperError for proposals that contradict each other."""
@@ -293,7 +297,7 @@ class _Reading:
 
         A proposal that others depend on may have no effect yet.
         """
-        readable = [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
+        readable = self._readable()
         concerned = [place for place, latex in enumerate(readable) if proposal.trigger.search(latex)]
         if not concerned:
             return self
@@ -312,8 +316,13 @@ class _Reading:
         lost = any(one[0] > other[0] for one, other in zip(before, now, strict=True))
         return self if lost or not (proposal.stands or before != now) else new
 
+    def _readable(self) -> list[str]:
+        """Returns the formulas of displays and sentences that can be read."""
+        own = (latex for place, latex in enumerate(self.formulas) if place not in self.blocked)
+        return [*own, *self.start.spoken]
+
     def progress(self, places: Sequence[int]) -> list[tuple[bool, Reason | None]]:
-        readable = [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
+        readable = self._readable()
         return [self.outcome(readable[place]).progress for place in places]
 
     def made(self) -> list[Formula]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from workbench.core.types import type_of_kind
 from workbench.papers.drafting.drafted_definitions import Formula, Proposed
@@ -20,15 +20,20 @@ SCALAR_PARTS = ("0", "w", "s", "r", "4")
 _AXES = {1: (), 2: ("x", "y"), 3: ("x", "y", "z")}
 
 
-def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[Proposed]:
-    """Yields columns of components: a bold θ of θ_1 and θ_2. lines: symbol → line of its first occurrence."""
+def columns(
+    guesses: Mapping[str, Guess], lines: Mapping[str, int], defined: Collection[str] = ()
+) -> Iterator[Proposed]:
+    """Yields columns of components: a bold θ of θ_1 and θ_2.
+
+    lines: symbol → line of its first occurrence.   defined: symbols with another definition.
+    """
     scalars = {name for name, guess in guesses.items() if guess.kind == "scalar"}
     for name, guess in guesses.items():
         own = type_of_kind(guess.kind)
         letter = without_bold(name)
         if own is None or own.columns != 1 or own.rows < 2 or own.algebra or (letter == name and "_" in name):
             continue
-        if guess.unit:  # its components are free otherwise
+        if guess.unit or name in defined:  # what it is determines its components
             continue
         numbered = (tuple(map(str, range(first, own.rows + first))) for first in (0, 1))
         for places in (*numbered, _AXES.get(own.rows, ())):
@@ -39,13 +44,22 @@ def columns(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[
                 yield Proposed(name, body, lines.get(name, 1), "its components have the same letter", True)
 
 
-def components(guesses: Mapping[str, Guess], lines: Mapping[str, int]) -> Iterator[tuple[Proposed, str]]:
-    """Yields each component of a quaternion, a tensor or a unit vector of the same letter, and its whole.
+def components(
+    guesses: Mapping[str, Guess], lines: Mapping[str, int], defined: Collection[str] = ()
+) -> Iterator[tuple[Proposed, str]]:
+    """Yields each component of a quaternion, a tensor or a known vector of the same letter, and its whole.
+
+    Known are unit vectors, and vectors that are defined.
 
     These are q_0 or q_w for the scalar part of q, q_1 or q_x for a component of its vector part, n_1 or n_x
     for a component of n, and R_{12} or R_{1,2} for an entry of R. A letter whose components are not all named by such labels has none.
     """
-    wholes = [guess for guess in guesses.values() if guess.kind in (*_QUATERNIONS, *_TENSORS) or guess.unit]
+    wholes = [
+        guess
+        for guess in guesses.values()
+        if guess.kind in (*_QUATERNIONS, *_TENSORS)
+        or (guess.kind == "vector" and (guess.unit or guess.name in defined))
+    ]
     for whole in wholes:
         letter = without_bold(whole.name)
         pattern = re.compile(rf"{re.escape(letter)}_\{{(\w) ?,? ?(\w?)\}}")

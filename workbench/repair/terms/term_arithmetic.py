@@ -36,7 +36,8 @@ def times(factor: Fraction | int, term: Term) -> Term:
     """Returns factor·term in printed form: the sign before the addend, the number in front of the product."""
     factor = Fraction(factor)
     if isinstance(term, Number):
-        return number(factor * term.value)
+        value = factor * term.value
+        return number(value) if value >= 0 else apply("neg", number(-value))
     if isinstance(term, Apply) and term.head == "neg":
         return times(-factor, term.arguments[0])
     if factor < 0:

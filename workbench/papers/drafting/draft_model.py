@@ -25,7 +25,13 @@ from workbench.papers.drafting.drafted_definitions import (
 )
 from workbench.papers.drafting.drafted_frames import with_spins
 from workbench.papers.drafting.drafted_functions import DraftedFunction, functions_in
-from workbench.papers.drafting.formula_shapes import columns, components, components_of, jacobians
+from workbench.papers.drafting.formula_shapes import (
+    columns,
+    components,
+    components_of,
+    coordinates,
+    jacobians,
+)
 from workbench.papers.drafting.inference.infer import Inference, Source, infer
 from workbench.papers.drafting.marked_text import MarkedText
 from workbench.papers.drafting.missing_features import feature_of
@@ -151,7 +157,15 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     of_functions = [_function(each) for each in reader.functions]
     short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
-    written = [*rates, *of_functions, *short, *columns(reader.guesses, lines, own), *(each for each, _ in parts), *in_displays, *said]
+    written = [
+        *rates,
+        *of_functions,
+        *short,
+        *columns(reader.guesses, lines, own),
+        *(each for each, _ in parts),
+        *in_displays,
+        *said,
+    ]
     found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)
     columns_of = {each.name: cells for each in found if (cells := components_of(each.body))}
@@ -159,6 +173,10 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         found.append(jacobian)
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])
+    free = {*guesses} - {each.symbol for each in found}
+    for name in coordinates(made) & free:
+        if guesses[name].kind == "scalar" and not guesses[name].constant:
+            guesses[name] = replace(guesses[name], independent=True)
     displayed = {name: guess for name, guess in guesses.items() if name in shown}
     parted = parted_quaternions(facts.quaternions, displayed)
     found = [each for each in found if each.name not in parted]

@@ -86,6 +86,9 @@ def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> 
     if (spin := _spin(said)) is not None:
         yield Proposed(*spin, formula.display.line, "what the rate of a rotation says", True)
         return
+    if (rate := _rate(said)) is not None and rate[0] in new:
+        yield Proposed(*rate, formula.display.line, "the name of a rate where it comes first", True)
+        return
     name, is_assigned = _lone_left(said), ":=" in formula.latex and is_only
     if name is None or stated(said) is None:
         return
@@ -107,6 +110,18 @@ def _lone_left(statement: Statement) -> str | None:
     match statement:
         case Relation(left=Symbol(declaration=declaration, index=(), arguments=())):
             return str(declaration.name)
+    return None
+
+
+def _rate(said: Relation) -> tuple[str, str] | None:
+    r"""Returns v and \dot{p} for \dot{p} = v."""
+    match said:
+        case Relation(
+            operator="=",
+            left=Derivative(body=Symbol()) as rate,
+            right=Symbol(declaration=own, index=(), arguments=()),
+        ) if own.type == rate.type and own != rate.body.declaration:
+            return str(own.name), to_latex(rate)
     return None
 
 

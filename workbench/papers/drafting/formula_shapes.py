@@ -172,6 +172,20 @@ def _cells(column: Operation) -> tuple[Operation, ...]:
     return column.parts if is_column else ()
 
 
+def coordinates(formulas: Sequence[Formula]) -> set[str]:
+    r"""Returns the symbols by which, or by whose rate, a formula has a partial derivative: q of \partial L/\partial\dot{q}."""
+    walker = Walker()
+    found = set()
+    for formula in formulas:
+        if "\\partial" in formula.latex:
+            for each in (part for tree in operations_of(formula.latex, walker) for part in tree.walk()):
+                if each.op in ("partial", "operator"):
+                    place = each.parts[-1]
+                    place = place.parts[0] if place.op == "rate" else place
+                    found |= {place.text} if place.op == SYMBOL else set()
+    return found
+
+
 def jacobians(
     formulas: Sequence[Formula], columns_of: Mapping[str, Sequence[str]], defined: Mapping[str, Proposed]
 ) -> Iterator[tuple[Proposed, tuple[str, ...]]]:

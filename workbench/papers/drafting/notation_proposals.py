@@ -31,6 +31,7 @@ _TRANSPOSED_SLOPE = re.compile(
 )
 _DOTS_OFF = re.compile(rf"\\d*dot\s*\{{?\s*({_SYMBOL})\s*\}}?")
 _TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc)(?<!a){name}(?![A-Za-z2])") for name in FUNCTIONS}
+_INERTIA = re.compile(r"\binertias?\b", re.IGNORECASE)
 #: The sum of a quaternion's parts, or i j k = -1: group `font` is the font of the units.
 _UNITS_OF_QUATERNIONS = re.compile(
     r"(?P<font>\\(?:mathbf|boldsymbol|hat|vec|mathrm)\s*\{?|)(?<![\\A-Za-z])?\s*i\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*j\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*k(?![A-Za-z])"
@@ -64,7 +65,7 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
     symbols = set(map(flat, inference.kinds))
     written = (" ".join(match[0].split()) for match in _UNITS.finditer(together))
     units = [each for each in written if flat(each) not in symbols]
-    if "I" in inference.kinds and inference.is_square("I") and "inertia" not in prose.lower():
+    if "I" in inference.kinds and inference.is_square("I") and not _INERTIA.search(prose):
         units.append("I")
     for unit in dict.fromkeys(units):
         trigger = re.escape(unit) if len(unit) > 1 else r"(?<![A-Za-z\\{])I(?![A-Za-z])"

@@ -14,7 +14,9 @@ from workbench.papers.drafting.words_on_symbols import Prose
 #: The number used for an undetermined size.
 OPEN = "2"
 _TURN = re.compile(r"(?:\{\}.*\})?(?:\\[a-z]+\{)*[RC]\}?(?![a-z])")
-_LENGTHS = re.compile(r"[lLmabdc](?:_\{.*\})?")
+_LENGTHS = re.compile(r"(?:[lLmabdcg]|\\ell)(?:_\{.*\})?")
+#: The acceleration of gravity as a vector.
+_GRAVITY = re.compile(r"(?:\\[a-z]+\{)?g\}?")
 
 
 def guesses_of(inference: Inference, prose: Prose) -> dict[str, Guess]:
@@ -33,7 +35,8 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
     elif size == (4, 4) and ((said is not None and said.kind == "transform") or name in inference.orthogonal):
         kind = "transform"
     unit = size == VECTOR and said is not None and said.unit
-    constant = size == SCALAR and name not in inference.moving and bool(_LENGTHS.fullmatch(name))
+    usual = _LENGTHS if size == SCALAR else _GRAVITY if size == VECTOR else None
+    constant = usual is not None and name not in inference.moving and bool(usual.fullmatch(name))
     return Guess(name, kind, why, unit, constant)
 
 

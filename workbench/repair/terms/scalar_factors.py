@@ -120,7 +120,10 @@ def _size(term: Term) -> int:
 
 def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> Iterator[Candidate]:
     addend = subterm(relation, place)
+    is_rewritten = len(place) == 1 and isinstance(addend, Apply) and addend.head == "add"  # a whole side
     for at, factor, is_below in [*_factors(addend, ()), ((), None, False)]:
+        if factor is addend and is_rewritten:
+            continue
         value = (1,) * len(ratio) if factor is None else values_of(table.screen, factor)
         if value is None:
             continue

@@ -58,8 +58,10 @@ class Proposed:
 
 
 def definitions_in(formulas: Sequence[Formula]) -> list[Proposed]:
-    """Returns the definitions of symbols alone on the left in the display where they first occur, or before := ,
-    or in a display behind "where"."""
+    """Returns the definitions of symbols alone on the left.
+
+    They are in the display where the symbol first occurs, before :=, or in a display behind "where".
+    """
     found: dict[str, Proposed] = {}
     seen: set[str] = set()
     for _, own in groupby(formulas, key=lambda formula: id(formula.display)):
@@ -102,7 +104,7 @@ def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> 
 
 
 def _says_where(display: Display, said: Relation) -> bool:
-    """True if words before the display say that it gives symbols of an earlier one, and it gives no number."""
+    """True if words before the display say that it gives an earlier symbol, and it gives no number."""
     return bool(_WHERE.search(display.before)) and any(isinstance(t, Symbol) for t in said.right.walk())
 
 

@@ -45,7 +45,7 @@ class DraftedFunction:
 
 
 def functions_in(formulas: Iterable[tuple[str, int]]) -> list[DraftedFunction]:
-    """Returns the functions of formulas with their lines: defined once, and taken at other values elsewhere."""
+    """Returns the functions that formulas (with their lines) define, and take at other values elsewhere."""
     written = list(formulas)
     values = [_flat(latex) for latex, _ in written]
     found: dict[str, DraftedFunction] = {}

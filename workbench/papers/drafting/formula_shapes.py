@@ -52,7 +52,8 @@ def components(
     Known are unit vectors, and vectors that are defined.
 
     These are q_0 or q_w for the scalar part of q, q_1 or q_x for a component of its vector part, n_1 or n_x
-    for a component of n, and R_{12} or R_{1,2} for an entry of R. A letter whose components are not all named by such labels has none.
+    for a component of n, and R_{12} or R_{1,2} for an entry of R. A letter whose components are not all named by such
+    labels has none.
     """
     wholes = [
         guess
@@ -173,7 +174,7 @@ def _cells(column: Operation) -> tuple[Operation, ...]:
 
 
 def coordinates(formulas: Sequence[Formula]) -> set[str]:
-    r"""Returns the symbols by which, or by whose rate, a formula has a partial derivative: q of \partial L/\partial\dot{q}."""
+    r"""Returns the symbols of partial derivatives: q of \partial L/\partial q and \partial L/\partial\dot{q}."""
     walker = Walker()
     found = set()
     for formula in formulas:

@@ -1,4 +1,4 @@
-r"""Short names of sines and cosines in robotics texts: c_\theta, s_1, c_{12} for \cos(\theta_1 + \theta_2)."""
+r"""Short names of sines and cosines in texts: c_\theta, s_1, c_{12} for \cos(\theta_1 + \theta_2)."""
 
 from __future__ import annotations
 

@@ -120,9 +120,9 @@ def _rate(said: Relation) -> tuple[str, str] | None:
     match said:
         case Relation(
             operator="=",
-            left=Derivative(body=Symbol()) as rate,
+            left=Derivative(body=Symbol(declaration=moving)) as rate,
             right=Symbol(declaration=own, index=(), arguments=()),
-        ) if own.type == rate.type and own != rate.body.declaration:
+        ) if own.type == rate.type and own != moving:
             return str(own.name), to_latex(rate)
     return None
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
 from workbench.core.types import type_of_kind
 from workbench.papers.drafting.drafted_definitions import Formula, Proposed
@@ -52,8 +52,8 @@ def components(
     Known are unit vectors, and vectors that are defined.
 
     These are q_0 or q_w for the scalar part of q, q_1 or q_x for a component of its vector part, n_1 or n_x
-    for a component of n, and R_{12} or R_{1,2} for an entry of R. A letter whose components are not all named by such
-    labels has none.
+    for a component of n, and R_{12} or R_{1,2} for an entry of R. A letter whose components are not all named
+    by such labels has none.
     """
     wholes = [
         guess
@@ -70,12 +70,12 @@ def components(
             if guess.kind == "scalar" and (found := pattern.fullmatch(name)) is not None
         }
         labels = [tuple(filter(None, label)) for label in parts.values()]
+        fits: Callable[[Sequence[tuple[str, ...]]], bool]
+        part: Callable[..., str]
         if whole.kind in _QUATERNIONS:
             fits, part = _are_quaternion, _part
-        elif whole.kind in _TENSORS:
-            fits, part = _are_entries, _entry
         else:
-            fits, part = _are_axes, _coordinate
+            fits, part = (_are_entries, _entry) if whole.kind in _TENSORS else (_are_axes, _coordinate)
         if len(parts) > 1 and fits(labels):
             for name, label in zip(parts, labels, strict=True):
                 body = part(whole.name, *label)
@@ -99,7 +99,7 @@ def _are_entries(labels: Sequence[tuple[str, ...]]) -> bool:
 
 def _are_axes(labels: Sequence[tuple[str, ...]]) -> bool:
     """True if labels are those of the three components of a vector."""
-    return {*labels} in ({(label,) for label in axes} for axes in _COMPLETE)
+    return {label[0] for label in labels if len(label) == 1} in map(set, _COMPLETE) and len(labels) == 3
 
 
 def _coordinate(whole: str, label: str) -> str:
@@ -174,7 +174,7 @@ def _cells(column: Operation) -> tuple[Operation, ...]:
 
 
 def coordinates(formulas: Sequence[Formula]) -> set[str]:
-    r"""Returns the symbols of partial derivatives: q of \partial L/\partial q and \partial L/\partial\dot{q}."""
+    r"""Returns the symbols of partial derivatives: q of \partial L/\partial q, \partial L/\partial \dot{q}."""
     walker = Walker()
     found = set()
     for formula in formulas:

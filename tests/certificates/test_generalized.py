@@ -73,7 +73,7 @@ def test_a_number_that_depends_on_n_is_a_constant_and_may_be_any():
 
 def test_premises_are_used_and_disequations_rejected():
     product = apply("dot", X, Y)
-    unit = symbol(Declaration(Name("u"), VECTOR, unit=True))
+    unit = symbol(Declaration(Name("u"), VECTOR).with_flags(unit=True))
     assert holds(plus(apply("dot", unit, unit), product), plus(number(1), product))
     assert not holds(plus(apply("dot", unit, unit), product), plus(number(2), product))
     with pytest.raises(NotCertified):

@@ -1,14 +1,12 @@
 """The table of properties: what the reader, the engines and the certificates take from it agrees."""
 
-from dataclasses import fields
-
 import pytest
 
 from workbench.certificates.emission.emitted_suppositions import conditions
 from workbench.core.construct import symbol
 from workbench.core.names import Name
 from workbench.core.properties import PROPERTIES, Property, members_of
-from workbench.core.schema import key_names
+from workbench.core.schema import flag_names, key_names
 from workbench.core.types import KINDS, Declaration
 from workbench.core.verdict import Outcome
 from workbench.engines.inventory.parameters import parts
@@ -20,13 +18,14 @@ STATED = [(row, kind) for row in FLAGGED if row.equations for kind in sorted(row
 
 
 def _symbol(row: Property, kind: str, has: bool = True):
-    return symbol(Declaration(Name("x"), KINDS[kind], **({row.flag: True} if has else {})))
+    return symbol(Declaration(Name("x"), KINDS[kind]).with_flags(**{row.flag: has}))
 
 
 @pytest.mark.parametrize("row", FLAGGED, ids=lambda row: row.name)
 def test_flag_is_a_key_or_kind_of_models_and_a_field(row: Property) -> None:
     assert row.flag in key_names("symbol") or row.flag in KINDS or row.flag == "rotation"
-    assert row.flag in {each.name for each in fields(Declaration)}
+    assert row.keyed == () or row.flag in flag_names()
+    assert row.flag in vars(Declaration)
 
 
 @pytest.mark.parametrize(("row", "kind"), STATED, ids=lambda each: getattr(each, "name", each))
@@ -52,5 +51,5 @@ def test_coordinates_and_equations_of_a_set_go_together(row: Property, kind: str
 )
 def test_certificate_states_the_declared_properties(flags: dict[str, bool], said: list[str]) -> None:
     kind = "tensor" if "rotation" in flags else "vector"
-    first = conditions(Declaration(Name("x"), KINDS[kind], **flags), "x")
+    first = conditions(Declaration(Name("x"), KINDS[kind]).with_flags(**flags), "x")
     assert first[:1] == said and len(first) == len(flags)

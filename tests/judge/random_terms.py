@@ -19,23 +19,23 @@ from workbench.core.terms import IllFormed, Term
 from workbench.core.types import SCALAR, TENSOR, VECTOR, Declaration
 
 SYMBOLS = {
-    "scalar": [Declaration(Name("f"), SCALAR), Declaration(Name("c"), SCALAR, constant=True)],
+    "scalar": [Declaration(Name("f"), SCALAR), Declaration(Name("c"), SCALAR).with_flags(constant=True)],
     "angle": [Declaration(Name(r"\alpha"), SCALAR), Declaration(Name(r"\beta"), SCALAR)],
     "dual angle": [Declaration(Name(r"\alpha", (r"\underline",)), SCALAR.with_dual(True))],
     "vector": [
         Declaration(Name("a"), VECTOR),
         Declaration(Name("b"), VECTOR),
-        Declaration(Name("u"), VECTOR, unit=True),
-        Declaration(Name("e"), VECTOR, unit=True, constant=True),
+        Declaration(Name("u"), VECTOR).with_flags(unit=True),
+        Declaration(Name("e"), VECTOR).with_flags(unit=True, constant=True),
     ],
     "dual vector": [
         Declaration(Name("a", (r"\underline",)), VECTOR.with_dual(True)),
-        Declaration(Name("u", (r"\underline",)), VECTOR.with_dual(True), unit=True),
+        Declaration(Name("u", (r"\underline",)), VECTOR.with_dual(True)).with_flags(unit=True),
     ],
     "tensor": [
         Declaration(Name("T"), TENSOR),
-        Declaration(Name("R"), TENSOR, rotation=True),
-        Declaration(Name("R", (r"\underline",)), TENSOR.with_dual(True), rotation=True),
+        Declaration(Name("R"), TENSOR).with_flags(rotation=True),
+        Declaration(Name("R", (r"\underline",)), TENSOR.with_dual(True)).with_flags(rotation=True),
     ],
 }
 

@@ -3,7 +3,6 @@ f, hold where it says so; the first nowhere else."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import product
 from typing import get_args
 
@@ -20,7 +19,7 @@ from workbench.engines.inventory import NoDefinitions
 from workbench.prover.decide.decide import Judge
 
 TYPES = (VECTOR, TENSOR, SCALAR, QUATERNION)
-PLACE = symbol(Declaration(Name("r"), VECTOR, coordinate=True))
+PLACE = symbol(Declaration(Name("r"), VECTOR).with_flags(coordinate=True))
 #: P D and partial derivatives are linear in what they act on; tests/judge/test_slopes.py has laws of their own.
 HEADS = sorted(set(OPERATORS) - {"compose", *PARTIALS})
 
@@ -35,7 +34,7 @@ def free(letter, type_):
 
 
 def field(letter):
-    return apply("mul", symbol(Declaration(Name(letter), TENSOR, uniform=True)), PLACE)
+    return apply("mul", symbol(Declaration(Name(letter), TENSOR).with_flags(uniform=True)), PLACE)
 
 
 def arguments_of(head):
@@ -78,7 +77,7 @@ def test_linear_operations_are_linear_in_each_argument(head):
 @pytest.mark.parametrize("head", [head for head in HEADS if OPERATORS[head].linear == "components"])
 def test_the_product_rule_holds_for_each_operation(head):
     xs, _ = arguments_of(head)
-    still = [symbol(replace(x.declaration, constant=True)) for x in xs]
+    still = [symbol(x.declaration.with_flags(constant=True)) for x in xs]
     for place, x in enumerate(xs):
         moved = apply(head, *put(still, place, x))
         assert holds(derivative(moved, 1), apply(head, *put(still, place, derivative(x, 1))))

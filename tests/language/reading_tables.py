@@ -214,7 +214,7 @@ def declared(declaration: Declaration) -> str:
         value = getattr(declaration, field.name)
         if value != getattr(plain, field.name):
             shown = ", ".join(map(_place, value)) if isinstance(value, tuple) else value
-            said.append(field.name if value is True else f"{field.name} {shown}")
+            said += sorted(value) if field.name == "flags" else [f"{field.name} {shown}"]
     return " ".join(said)
 
 

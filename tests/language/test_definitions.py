@@ -287,7 +287,7 @@ def test_a_positive_symbol_is_the_square_of_a_similar_root(spec: dict) -> None:
     root = squared.base.declaration
     assert to_latex(squared) == r"{}_{\surd}m_{3}^{2}"
     assert (squared.weight, squared.base.weight, squared.base.index) == (None, None, member.index)
-    assert root == replace(member.declaration, name=root.name, weight=None, positive=False)
+    assert root == replace(member.declaration, name=root.name, weight=None).with_flags(positive=False)
     assert Definitions().lookup(squared.base) is None
 
 

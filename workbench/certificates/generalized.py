@@ -152,7 +152,7 @@ class Generalizer:
         if len(index) > 1:
             raise NotCertified("a sum of sums")
         name = Name(f"any_{len(self.meant) + 1}", sub=("",) * (len(index) + 1) if index else ())
-        made = symbol(Declaration(name, term.type, constant=constant, indices=len(index)), index)
+        made = symbol(Declaration(name, term.type, indices=len(index)).with_flags(constant=constant), index)
         self.meant[made] = term
         return made
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
-from typing import Any
 
 from workbench.context.facts import Supposition
 from workbench.core.construct import apply, number, relation, symbol
@@ -33,8 +31,7 @@ def having(name: str, symbols: Iterable[Symbol]) -> Supposition:
 
 def _alone(row: Property, own: Symbol) -> Supposition:
     if row.flag and own.type.kind != "matrix":
-        flag: dict[str, Any] = {row.flag: True}
-        flagged = symbol(replace(own.declaration, **flag), own.index)
+        flagged = symbol(own.declaration.with_flags(**{row.flag: True}), own.index)
         return Supposition(((_key(own), flagged),))
     if row.term:
         return Supposition(((_key(own), row.term(own)),))

@@ -100,7 +100,7 @@ def _along(own: Sequence[Symbol], units: Sequence[Term], order: Sequence[int]) -
 
 def _units(constant: bool) -> list[Term]:
     """Returns the axes of a frame in any orientation."""
-    turn = symbol(Declaration(Name("Q", ("\\mathsf",)), TENSOR, rotation=True, constant=constant))
+    turn = symbol(Declaration(Name("Q", ("\\mathsf",)), TENSOR).with_flags(rotation=True, constant=constant))
     return [apply("mul", turn, block([[number(int(i == k))] for i in range(3)])) for k in range(3)]
 
 

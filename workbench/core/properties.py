@@ -11,14 +11,16 @@ from workbench.core.types import Declaration
 
 _SQUARE = frozenset({"tensor", "matrix"})
 _ANY = frozenset({"scalar", "vector", "tensor", "matrix", "quaternion"})
+EVERY = ("every",)
 
 
 @dataclass(frozen=True)
 class Property:
     """One property.
 
-    kinds: the kinds of symbols that can have it.   flag: the flag in a declaration.   term: the general form
-    of a symbol with the property.
+    kinds: the kinds of symbols that can have it.   flag: the flag in a declaration.   keyed: the kinds of
+    [symbols] whose entries may have the flag as a key, all by `EVERY`.   term: the general form of a symbol
+    with the property.
     equations: the equations that hold for the symbols; None for a condition that no equation expresses.
     count: the number of symbols that the property relates.   chart: the coordinates by which the engines
     parametrize a symbol of one of the kinds.   free: the number of free entries of a matrix of n rows.
@@ -31,6 +33,7 @@ class Property:
     name: str
     kinds: frozenset[str]
     flag: str | None = None
+    keyed: tuple[str, ...] = ()
     term: Callable[[Term], Term] | None = None
     equations: Callable[..., Sequence[Relation]] | None = None
     count: int = 1
@@ -88,6 +91,7 @@ PROPERTIES: Mapping[str, Property] = {
             "unit",
             frozenset({"vector", "quaternion"}),
             flag="unit",
+            keyed=("vector", "hamilton quaternion"),
             equations=_unit,
             chart={"vector": "unit", "quaternion": "quaternion"},
             coq="unit_vector (K := K) (d := {d})",
@@ -97,20 +101,27 @@ PROPERTIES: Mapping[str, Property] = {
             "symmetric",
             _SQUARE,
             flag="symmetric",
+            keyed=("tensor",),
             equations=lambda x: [_same(_transposed(x), x)],
             free=lambda size: size * (size + 1) // 2,
         ),
-        Property("diagonal", _SQUARE, flag="diagonal", free=lambda size: size),
+        Property("diagonal", _SQUARE, flag="diagonal", keyed=("tensor",), free=lambda size: size),
         Property("skew", _SQUARE, equations=lambda x: [_same(_transposed(x), apply("neg", x))]),
         Property(
             "constant",
             _ANY,
             flag="constant",
+            keyed=EVERY,
             equations=lambda x: [_same(derivative(x, 1), zero(x.type))],
             coq="constant (K := K) (d := {d}) (k := {k})",
         ),
-        Property("positive", frozenset({"scalar"}), flag="positive"),
-        Property("small", frozenset({"scalar", "vector"}), flag="small"),
+        Property("positive", frozenset({"scalar"}), flag="positive", keyed=("scalar",)),
+        Property("small", frozenset({"scalar", "vector"}), flag="small", keyed=EVERY),
+        Property("transform", frozenset({"matrix"}), flag="transform"),
+        Property("coordinate", frozenset({"vector"}), flag="coordinate", keyed=("vector",)),
+        Property("uniform", _ANY, flag="uniform", keyed=EVERY),
+        Property("independent", _ANY, flag="independent", keyed=EVERY),
+        Property("free", _ANY, flag="free", keyed=EVERY),
         Property("zero", _ANY, term=lambda x: zero(x.type), equations=lambda x: [_same(x, zero(x.type))]),
         Property(
             "identity",
@@ -133,14 +144,15 @@ PROPERTIES: Mapping[str, Property] = {
     )
 }
 
-_FLAGGED = tuple(each for each in PROPERTIES.values() if each.flag)
+#: The rows that have a flag, by the flag.
+FLAGGED = {each.flag: each for each in PROPERTIES.values() if each.flag}
 #: Flags of a declaration that an equation expresses, and that a definition of the symbol must satisfy.
-FLAGS = tuple(each.flag for each in PROPERTIES.values() if each.flag and each.equations)
+FLAGS = tuple(flag for flag, each in FLAGGED.items() if each.equations)
 
 
 def properties_of(declaration: Declaration) -> list[Property]:
     """Returns the properties that the flags of a declaration state, in the order of the table."""
-    return [each for each in _FLAGGED if each.flag and getattr(declaration, each.flag)]
+    return [each for flag, each in FLAGGED.items() if flag in declaration.flags]
 
 
 def members_of(declaration: Declaration, term: Term) -> list[Relation]:

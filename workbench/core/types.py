@@ -82,59 +82,65 @@ def type_of_kind(kind: str) -> Type | None:
     return found and found.with_dual(plain != kind)
 
 
+class _Flag:
+    """True if a declaration has the flag of this name."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, declaration: Declaration, owner: type) -> bool:
+        return self.name in declaration.flags
+
+
 @dataclass(frozen=True, slots=True)
 class Declaration:
     """The declaration of a symbol in a paper file.
 
     name: unique in a paper.
     type, weight: of one member; the weight of a family is linear in its indices, called `@0`, `@1`, … there.
-    constant: its time derivative is 0.   unit: a vector or quaternion with x·x = 1 (dual: |x| = 1).
-    rotation: a tensor with R Rᵀ = I and det R = 1.
-    transform: a 4×4 matrix [R p; 0 1] with a rotation R.
-    symmetric, diagonal: properties of a square matrix.
-    coordinate: the position in a field; div and curl differentiate by it.
-    uniform: the same at every position, so that div and curl treat it as a constant.
+    flags: its properties, which the table of properties lists, and its roles in a paper.
     of: the symbols that it is a function of. It changes only with them (and with t, if t is among them).
-    independent: other symbols are functions `of` it and it is a function of none, so that ∂/∂q keeps it
-    fixed.
-    positive: greater than 0 at all times, so that it has a root (`definitions.squared_root`).
-    small: statements with ≈ hold to first order in it and its rates.
-    free: it may have any value, even if the text seems to constrain it.
-    tilded: the same letter with a tilde is another symbol, so its skew tensor is not written with a tilde.
-    clock: the time t, whose derivative is 1.
-    parameters: the number of arguments of a function symbol such as Φ_k(ω).
     apart: the indices at which a family has no member, because another declared symbol is printed like it.
-    introduced: only definitions introduce its members; a member without a definition is meaningless.
-    hidden: occurs in no formula, but frames and points are built from it; it may move arbitrarily.
+    parameters: the number of arguments of a function symbol such as Φ_k(ω).
     """
 
     name: Name
     type: Type
     weight: Weight = None
-    constant: bool = False
-    unit: bool = False
-    rotation: bool = False
-    transform: bool = False
-    symmetric: bool = False
-    diagonal: bool = False
-    coordinate: bool = False
-    uniform: bool = False
+    flags: frozenset[str] = frozenset()
     of: tuple[Any, ...] = ()
-    independent: bool = False
-    small: bool = False
-    positive: bool = False
-    free: bool = False
-    tilded: bool = False
-    clock: bool = False
     indices: int = 0
     apart: tuple[Any, ...] = ()
     parameters: int = 0
-    introduced: bool = False
-    hidden: bool = False
+
+    # Properties (`properties.PROPERTIES`)
+    constant = _Flag()  # its time derivative is 0
+    unit = _Flag()  # a vector or quaternion with x·x = 1 (dual: |x| = 1)
+    rotation = _Flag()  # a tensor with R Rᵀ = I and det R = 1
+    transform = _Flag()  # a 4×4 matrix [R p; 0 1] with a rotation R
+    symmetric = _Flag()
+    diagonal = _Flag()
+    positive = _Flag()  # greater than 0 at all times, so that it has a root (`definitions.squared_root`)
+    small = _Flag()  # statements with ≈ hold to first order in it and its rates
+    coordinate = _Flag()  # the position in a field; div and curl differentiate by it
+    uniform = _Flag()  # the same at every position, so that div and curl treat it as a constant
+    independent = _Flag()  # others are functions `of` it and it is a function of none: ∂/∂q keeps it fixed
+    free = _Flag()  # it may have any value, even if the text seems to constrain it
+
+    # Roles in a paper
+    clock = _Flag()  # the time t, whose derivative is 1
+    tilded = _Flag()  # with a tilde the letter is another symbol: its skew tensor is written without one
+    introduced = _Flag()  # only definitions introduce its members; one without a definition is meaningless
+    hidden = _Flag()  # in no formula, but frames and points are built from it; it may move arbitrarily
+
+    def with_flags(self, **flags: bool) -> Declaration:
+        """Returns the declaration with each of the flags set or cleared."""
+        kept = self.flags.difference(flags)
+        return replace(self, flags=kept.union(flag for flag, is_set in flags.items() if is_set))
 
 
 #: The number π; a quarter turn has exact sines and cosines.
-PI = Declaration(Name("\\pi"), SCALAR, None, constant=True)
+PI = Declaration(Name("\\pi"), SCALAR).with_flags(constant=True)
 
 #: The time t.
-CLOCK = Declaration(Name("t"), SCALAR, None, independent=True, clock=True)
+CLOCK = Declaration(Name("t"), SCALAR).with_flags(independent=True, clock=True)

@@ -166,7 +166,7 @@ def _defined(
     """Returns the definition of a symbol with known type and weight; the body must have the same."""
     declaration, index = known
     for flag in ("constant", "unit", "rotation", "transform", "symmetric", "diagonal", "coordinate", "free"):
-        if getattr(declaration, flag):
+        if flag in declaration.flags:
             raise SpecError(DeclarationCode.DECLARED_DEFINITION_NEED_NOT(flag=flag), head.key)
     term = read_term(body, table, head.variables)
     formals = [construct.symbol(formal) for formal in head.formals]
@@ -209,7 +209,8 @@ def _names(head: _Head, table: SymbolTable) -> Mapping[Name, Declaration]:
 
 def _declaration(head: _Head, type_: Type, weight: Linear | None) -> Declaration:
     indices, parameters = len(head.own[1]), len(head.formals)
-    return Declaration(head.name, type_, weight, indices=indices, parameters=parameters, introduced=True)
+    made = Declaration(head.name, type_, weight, indices=indices, parameters=parameters)
+    return made.with_flags(introduced=True)
 
 
 def _recurrence(

@@ -147,7 +147,7 @@ def squared_root(symbol: Symbol) -> Term:
     positive."""
     own = symbol.declaration
     name = replace(own.name, left_sub=(*_ROOT, *own.name.left_sub))
-    root = replace(own, name=name, weight=None, positive=False)
+    root = replace(own, name=name, weight=None).with_flags(positive=False)
     return power(replace(symbol, declaration=root, weight=None), 2)
 
 
@@ -157,7 +157,7 @@ def number_behind(root: Symbol) -> Symbol:
     if own.name.left_sub[:1] != _ROOT:
         return root
     name = replace(own.name, left_sub=own.name.left_sub[1:])
-    return replace(root, declaration=replace(own, name=name, positive=True))
+    return replace(root, declaration=replace(own, name=name).with_flags(positive=True))
 
 
 def expand(term: Term, definitions: Lookup) -> Term:

@@ -103,20 +103,20 @@ class Frames:
 
     def free(self, name: Name, type_: Type, rotation: bool = False, constant: bool = False) -> Term:
         if name not in self.declarations:
-            made = Declaration(name, type_, hidden=True, rotation=rotation, constant=constant)
-            self.declarations[name] = made
+            flags = {"hidden": True, "rotation": rotation, "constant": constant}
+            self.declarations[name] = Declaration(name, type_).with_flags(**flags)
         return symbol(self.declarations[name], ())
 
     def defined(self, name: Name, type_: Type, body: Term, hidden: bool = False) -> Term:
         if name not in self.declarations:
-            self.declarations[name] = Declaration(name, type_, hidden=hidden)
+            self.declarations[name] = Declaration(name, type_).with_flags(hidden=hidden)
             self.definitions.append(Definition(self.declarations[name], (), (), body))
         return symbol(self.declarations[name], ())
 
     def kept(self, declaration: Declaration, frame: str) -> Declaration:
         """Returns the symbol that is constant in a frame, and perhaps in no other."""
         turn = self.orientation(frame)
-        name, moving = declaration.name, replace(declaration, constant=False)
+        name, moving = declaration.name, declaration.with_flags(constant=False)
         own = replace(declaration, name=replace(name, left_sub=("\\mathsf{c}", *name.left_sub)))
         index = tuple(Linear.variable(f"@{place}") for place in range(declaration.indices))
         self.declarations[own.name] = own

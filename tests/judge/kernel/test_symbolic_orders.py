@@ -133,7 +133,9 @@ def test_a_constant_vanishes_from_the_first_derivative_on_only():
 
 def test_functions_are_equal_if_their_terms_and_orders_are():
     """Also of terms that are printed alike; c more derivatives are taken of the same function."""
-    one, other = (symbol(Declaration(Name("x"), VECTOR, uniform=uniform), ()) for uniform in (False, True))
+    one, other = (
+        symbol(Declaration(Name("x"), VECTOR).with_flags(uniform=uniform), ()) for uniform in (False, True)
+    )
     n, k = Linear.variable("n"), Linear.variable("k")
     orders = [(one, n), (other, n), (one, k), (one, n + n)]
     free = [with_free_derivatives(derivative(term, order)) for term, order in orders]

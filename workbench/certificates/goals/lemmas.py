@@ -110,7 +110,8 @@ def without_derivatives(
         if isinstance(term, Derivative) or (plain and _special(term)):
             return other(term, Declaration(Name(f"q_{len(stand) + 1}"), term.type))
         if isinstance(term, Symbol) and term.declaration.constant:
-            return other(term, replace(term.declaration, name=Name(f"c_{len(stand) + 1}"), constant=False))
+            own = replace(term.declaration, name=Name(f"c_{len(stand) + 1}"))
+            return other(term, own.with_flags(constant=False))
         if isinstance(term, Symbol):
             body = definitions.lookup(term)
             new = None if body is None else bare(body)

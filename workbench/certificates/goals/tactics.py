@@ -245,7 +245,7 @@ class Joiner(Following):
 
     def _pointwise(self, at: Place, one: Relation, letter: str, then: Proof) -> None:
         variable = Variable(
-            Declaration(read_key(letter)[0], VECTOR.with_dual(one.left.type.dual), constant=True)
+            Declaration(read_key(letter)[0], VECTOR.with_dual(one.left.type.dual)).with_flags(constant=True)
         )
         vector = symbol(variable.declaration)
         name = self._letter(variable)

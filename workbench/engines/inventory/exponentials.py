@@ -119,7 +119,7 @@ class _Pass:
             exponent = _exponent(factors, size)
             name = Name(f"e^{{{to_latex(exponent)}}}", of=(exponent,))
             of = _coordinates(factors) if self.varied else ()
-            own = Declaration(name, SCALAR, Linear(0), constant=not factors, of=of)
+            own = Declaration(name, SCALAR, Linear(0), of=of).with_flags(constant=not factors)
             self.symbols[factors] = symbol(own)
         return self.symbols[factors]
 

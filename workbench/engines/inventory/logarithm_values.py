@@ -98,7 +98,7 @@ class LogarithmValues:
     def _free_vector(self, turn: Symbol) -> Term:
         own = turn.declaration
         name = Name(f"\\log {to_latex(turn)}", of=(turn,))
-        vector = symbol(Declaration(name, VECTOR, own.weight, constant=own.constant, of=own.of))
+        vector = symbol(Declaration(name, VECTOR, own.weight, of=own.of).with_flags(constant=own.constant))
         self.free[turn] = apply("exp", _exponent(vector, turn))
         return vector
 

@@ -33,7 +33,7 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Scripts, spell
 
 #: dt, an increment of the time.
-INCREMENT = construct.symbol(Declaration(Name("\\mathrm{d}t"), SCALAR, Linear(-1), constant=True))
+INCREMENT = construct.symbol(Declaration(Name("\\mathrm{d}t"), SCALAR, Linear(-1)).with_flags(constant=True))
 
 
 def is_differential_sign(node: Node) -> bool:

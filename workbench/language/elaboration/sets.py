@@ -69,9 +69,7 @@ class Members:
 
     def letter(self, name: Name) -> Declaration:
         """Returns the declaration of a letter for an arbitrary member."""
-        return Declaration(
-            name,
-            self.type,
+        return Declaration(name, self.type).with_flags(
             constant=True,
             unit=self.trait == "unit",
             rotation=self.trait == "rotation",

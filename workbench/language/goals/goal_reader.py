@@ -250,10 +250,5 @@ def _in_set(name: Name, domain: str, timed: bool) -> Declaration:
             f"expected a set, one of {known}, with \\underline for dual ones, got {domain.strip()!r}"
         )
     type_, flag = found
-    return Declaration(
-        name,
-        type_.with_dual(dual),
-        constant=constant and timed,
-        unit=flag == "unit",
-        rotation=flag == "rotation",
-    )
+    made = Declaration(name, type_.with_dual(dual))
+    return made.with_flags(constant=constant and timed, unit=flag == "unit", rotation=flag == "rotation")

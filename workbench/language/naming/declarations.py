@@ -12,6 +12,7 @@ from workbench.core.codes.declaration_codes import DeclarationCode
 from workbench.core.formula_errors import Fault, SpecError
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
+from workbench.core.properties import EVERY, FLAGGED
 from workbench.core.schema import flag_names, key_names
 from workbench.core.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 from workbench.language.grammar.parser import parse
@@ -43,13 +44,6 @@ from workbench.language.naming.spelling import (
 )
 
 _FLAGS = flag_names()
-_FLAGGED = {
-    "unit": ("vector", "hamilton quaternion"),
-    "coordinate": ("vector",),
-    "symmetric": ("tensor",),
-    "diagonal": ("tensor",),
-    "positive": ("scalar",),
-}
 _ALLOWED = key_names("symbol")
 
 #: Names with a meaning in every formula. A declaration may replace the unit tensor's, and also the dual
@@ -160,8 +154,8 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
     for flag in _FLAGS:
         if not isinstance(spec.get(flag, False), bool):
             raise SpecError(DeclarationCode.EXPECTED_TRUE_OR_FALSE(flag=flag, spec=repr(spec[flag])), key)
-    for flag, kinds in _FLAGGED.items():
-        if spec.get(flag) and plain not in kinds:
+    for flag, kinds in ((flag, FLAGGED[flag].keyed) for flag in _FLAGS):
+        if spec.get(flag) and kinds != EVERY and plain not in kinds:
             raise SpecError(
                 DeclarationCode.FLAG_OF_OTHER_KINDS(flag=flag, kinds=" or a ".join(kinds), plain=plain), key
             )
@@ -175,18 +169,7 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
         name,
         type_.with_dual(dual),
         _weight(key, index, spec.get("weight")),
-        constant=spec.get("constant", False),
-        unit=spec.get("unit", False),
-        rotation=plain == "rotation",
-        transform=plain == "transform",
-        symmetric=spec.get("symmetric", False),
-        diagonal=spec.get("diagonal", False),
-        coordinate=spec.get("coordinate", False),
-        uniform=spec.get("uniform", False),
-        independent=spec.get("independent", False),
-        small=spec.get("small", False),
-        positive=spec.get("positive", False),
-        free=spec.get("free", False),
+        frozenset(flag for flag in FLAGGED if spec.get(flag) or flag == plain),
         indices=len(index),
     )
 
@@ -195,8 +178,7 @@ def arguments_of(key: str, declaration: Declaration, names: Any) -> Sequence[str
     """Returns the names of the symbols that a symbol is declared to be a function of. Raises SpecError."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise SpecError(DeclarationCode.EXPECTED_LIST_SYMBOLS_SUCH(names=repr(names)), key)
-    flags = (*_FLAGS, "rotation", "transform")
-    bound = [flag for flag in flags if flag != "free" and getattr(declaration, flag)]
+    bound = [flag for flag in FLAGGED if flag != "free" and flag in declaration.flags]
     if bound or declaration.type.dual or declaration.type.kind == "operator":
         what = bound[0] if bound else f"a {declaration.type}"
         raise SpecError(DeclarationCode.REAL_QUANTITIES_WHOSE_VALUES(what=what), key)

@@ -330,7 +330,7 @@ def _tilded(symbols: dict[Name, Declaration]) -> dict[Name, Declaration]:
         if symbols[name].type.kind == "tensor" and own is not None and own.type.kind == "vector":
             raise SpecError(DeclarationCode.SKEW_TENSOR_VECTOR_SYMBOL(), str(name))
     owners = {declaration.name for name, declaration in symbols.items() if name in plain}
-    return {n: replace(d, tilded=True) if d.name in owners else d for n, d in symbols.items()}
+    return {n: d.with_flags(tilded=True) if d.name in owners else d for n, d in symbols.items()}
 
 
 def _with_arguments(
@@ -346,7 +346,7 @@ def _with_arguments(
     named = {declaration.name for found in arguments.values() for declaration, _ in found}
     for pattern, declaration in symbols.items():
         if declaration.name in named and declaration.name not in functions:
-            made[pattern] = replace(declaration, independent=True)
+            made[pattern] = declaration.with_flags(independent=True)
     known = {declaration.name: declaration for declaration in (CLOCK, *made.values())}
 
     def built(name: Name, above: tuple[Name, ...]) -> Declaration:

@@ -9,7 +9,6 @@ angles have equal sines and cosines.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
 
 from workbench.core.construct import apply, number, power, relation, symbol
 from workbench.core.names import Name
@@ -70,7 +69,7 @@ def _said(premise: Relation) -> Iterator[tuple[Term, Term]]:
             length, squared = apply("norm", part), apply("mul", apply("transpose", part), part)
             lengths = (length, power(length, 2), power(part, 2), apply("dot", part, part), squared)
             if any(each in sides for each in lengths):
-                yield part, symbol(replace(part.declaration, unit=True), part.index)
+                yield part, symbol(part.declaration.with_flags(unit=True), part.index)
 
 
 def _is_any(term: Term, bound: Collection[Name]) -> bool:

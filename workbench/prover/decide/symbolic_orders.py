@@ -89,7 +89,7 @@ def _free(term: Term, order: Linear) -> Symbol:
     weight = None if term.weight is None else term.weight + order
     uniform = all(part.declaration.uniform for part in term.walk() if isinstance(part, Symbol))
     name = Name(rf"\left({to_latex(term)}\right)", sup=(f"({order})",), of=(term, order))
-    return symbol(Declaration(name, term.type, weight, uniform=uniform))
+    return symbol(Declaration(name, term.type, weight).with_flags(uniform=uniform))
 
 
 def _constant(term: Term) -> bool:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from workbench.context.claims import Claim, Notation
 from workbench.context.facts import Duration, Fact, Provider, Supposition
 from workbench.core.codes.verdict_codes import UNLESS_IT_LASTS, VerdictCode
 from workbench.core.construct import relation
 from workbench.core.names import Name
-from workbench.core.properties import PROPERTIES
 from workbench.core.reasons import Reason, reason_of
 from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Counterexample, EngineDisagreement, Outcome, Strength, Verdict
@@ -29,7 +28,6 @@ _TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outc
 #: Limit on the decisions of one explanation.
 MOST_DECISIONS = 40
 
-_FLAGS = tuple(row.flag for row in PROPERTIES.values() if row.flag)
 _PROBLEMS = (RecursionError, IllFormed, NotExact, EngineDisagreement, ZeroDivisionError, ValueError)
 
 JudgeOf: TypeAlias = "Callable[[Notation], Judge]"
@@ -227,10 +225,8 @@ def _both(one: Term, other: Term) -> Term:
         return one
     if not (isinstance(one, Symbol) and isinstance(other, Symbol)):
         raise ValueError("two terms for one symbol")
-    flags: dict[str, Any] = {}
-    for flag in _FLAGS:
-        flags[flag] = getattr(one.declaration, flag) or getattr(other.declaration, flag)
-    return replace(one, declaration=replace(one.declaration, **flags))
+    flags = one.declaration.flags | other.declaration.flags
+    return replace(one, declaration=replace(one.declaration, flags=flags))
 
 
 def judged_alone(claim: Claim, judge_of: JudgeOf) -> Verdict:

@@ -61,7 +61,8 @@ def _freed(term: Term, definitions: Definitions) -> Term:
 
 
 def _free_number(latex: str, *of: Term) -> Symbol:
-    return symbol(Declaration(Name(rf"\left({latex}\right)", of=("number", *of)), SCALAR, constant=True))
+    name = Name(rf"\left({latex}\right)", of=("number", *of))
+    return symbol(Declaration(name, SCALAR).with_flags(constant=True))
 
 
 def _applied(term: Term, definitions: Definitions) -> Term:

@@ -274,7 +274,7 @@ def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof)
     if name in sequent.scope.table.symbols:
         raise NotShown(f"{letter} is a symbol already; take a fresh letter")
     dual = left.type.dual or right.type.dual
-    variable = Variable(Declaration(name, VECTOR.with_dual(dual), constant=True))
+    variable = Variable(Declaration(name, VECTOR.with_dual(dual)).with_flags(constant=True))
     vector = symbol(variable.declaration)
     if kind == "tensor":
         sides = apply("mul", left, vector), apply("mul", right, vector)

@@ -43,6 +43,15 @@ TRAITS: dict[str, dict[str, Any]] = {
 QUATERNIONS = (
     "q hamilton quaternion;  p hamilton quaternion;  \\underline{q} dual hamilton quaternion;  k_4 matrix 4×1"
 )
+#: A few symbols, so that each other letter is unknown; and one of each kind.
+FEWER = (
+    "\\lambda scalar;  \\mu scalar;  x vector;  y vector;  A tensor;  B tensor;  H matrix 4×4;  u matrix 6×1"
+)
+EACH_KIND = """
+\\lambda scalar;  \\underline{s} dual scalar;  x vector;  y vector;  z_n vector;  \\underline{x} dual vector;  A tensor
+\\underline{A} dual tensor;  R rotation;  \\underline{R} dual rotation;  g transform;  H matrix 4×4;  u matrix 6×1
+J matrix 6×7;  q hamilton quaternion
+"""
 NOTATION = {
     r"x^\wedge": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
     r"x^\vee": {"where": {"x": "tensor"}, "means": r"\operatorname{vect}(x)"},
@@ -122,6 +131,7 @@ def tables() -> dict[str, SymbolTable]:
         ),
     )
     labels = SymbolTable.build(kinds(LABELS))
+    fewer = SymbolTable.build(kinds(FEWER) | kinds(QUATERNIONS))
     points, moved = (
         replace(
             plain,
@@ -145,6 +155,11 @@ def tables() -> dict[str, SymbolTable]:
         "labels": labels,
         "printed": SymbolTable.build(kinds(PRINTED)).with_notations(PRINTED_NOTATION),
         "own": SymbolTable.build(kinds(OWN) | OWN_TRAITS),
+        "fewer": SymbolTable.build(kinds(FEWER)),
+        "fewer with quaternions": fewer,
+        "powers of values": replace(fewer, conventions=Conventions().relaxed(Relaxation.POWERS_OF_VALUES)),
+        "with a place": SymbolTable.build(kinds(FEWER) | kinds(QUATERNIONS) | {"r": TRAITS["r"]}),
+        "each kind": SymbolTable.build(kinds(EACH_KIND) | {"e": TRAITS["e"]}),
     } | {str(each): replace(plain, conventions=Conventions().relaxed(each)) for each in LOOSE}
 
 

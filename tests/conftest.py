@@ -12,12 +12,12 @@ from hypothesis import settings
 from workbench.runtime import workers
 
 #: Papers that tests judge themselves: what they claim is not all right.
-collect_ignore_glob = ["judge/papers/*.toml", "errata/*/*.toml"]
+collect_ignore_glob = ["regressions/papers/*.toml", "errata/*/*.toml"]
 
 HERE = Path(__file__).parent
 
 #: What is judged matters there, and not in which process: a fork takes several times as long as most judgements.
-JUDGED_HERE = {"context", "judge", "language", "texts"}
+JUDGED_HERE = {"context", "judge", "language", "regressions", "texts"}
 
 #: Of processor time; no default test takes a tenth of it. What never ends, ends its process.
 SECONDS = 120

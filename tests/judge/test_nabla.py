@@ -74,58 +74,6 @@ def test_false_derivatives_of_fields_are_refuted(latex):
     assert check(latex, symbols=SYMBOLS).outcome is Outcome.REFUTED
 
 
-@pytest.mark.parametrize(
-    ("latex", "message"),
-    [
-        (r"\nabla v = 0", "which index is that of ∇"),
-        (r"\nabla T = 0", "which index is that of ∇"),
-        (r"\nabla f g = 0", "how far does ∇ reach"),
-        (r"\nabla \cdot u \times v = 0", "how far does ∇ reach"),
-        (r"u \times \nabla \times v = 0", "what does ∇ act on"),
-        (r"u \cdot \nabla \cdot v = 0", "what does ∇ act on"),
-        (r"\nabla = 0", "∇ of what"),
-        (r"(u \cdot \nabla) = 0", "∇ of what"),
-        (r"\nabla (f)^2 = 0", "a power of the derivative"),
-        (r"\nabla^2 v = 0", "a power of ∇"),
-        (r"\nabla^3 f = 0", "a power of ∇"),
-        (r"\nabla_h f = 0", "a column that is a symbol"),
-        (r"\nabla' f = 0", "a prime on ∇"),
-        (r"u (\nabla f) = 0", "a function at another place"),
-        (r"\nabla f \cdot g = 0", "how far does gradient reach"),
-        (r"\nabla^2 f \cdot v = 0", "how far does ∇ reach"),
-    ],
-)
-def test_ambiguous_derivatives_of_fields_are_rejected(latex, message):
-    with pytest.raises(ValueError, match=message):
-        check(latex, symbols=SYMBOLS)
-
-
-@pytest.mark.parametrize("latex", [r"\nabla \cdot f = 0", r"\nabla \times c = 0", r"\nabla \cdot q = 0"])
-def test_ill_typed_derivatives_of_fields_are_ill_formed(latex):
-    assert check(latex, symbols=SYMBOLS).outcome is Outcome.ILL_FORMED
-
-
-@pytest.mark.parametrize(
-    ("latex", "why"),
-    [
-        (r"\nabla h = 0", "h in the partial derivative may depend on it"),
-        (r"\nabla \cdot \dot{x} = 0", "the rate of x depends on the place"),
-        (r"\nabla \dot{f} = 0", "the rate of f depends on the place"),
-        (r"\nabla \cdot (\mathbf{D} v) = 0", "the rate of v depends on the place"),
-    ],
-)
-def test_symbols_that_may_depend_on_position_are_not_constant(latex, why):
-    verdict = check(latex, symbols=SYMBOLS)
-    assert verdict.outcome is Outcome.UNCHECKED and why in verdict.verdict.reason
-
-
 def test_proposals_keep_the_coordinate():
     found = check(r"\nabla \times (a \times x) = a", symbols=SYMBOLS).repair().proposals
     assert found and all(r"\partial x" in each.latex for each in found)
-
-
-def test_the_place_is_to_be_declared():
-    known = {name: SYMBOLS[name] for name in ("q", "V")}
-    for symbols in (known, known | {"x": SYMBOLS["x"], "y": SYMBOLS["x"]}):
-        with pytest.raises(ValueError, match="∇ by which place"):
-            check(r"\nabla V = 0", symbols=symbols)

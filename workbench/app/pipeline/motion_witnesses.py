@@ -151,28 +151,6 @@ class Witnesses:
         return choices, motions
 
 
-def course_on(motion: Motion, claim: Claim, form: Formula) -> tuple[list[float], list[float | None]]:
-    """Returns times in s, and the relative difference of the sides of a form at each, on a given motion.
-
-    None stands where the difference cannot be computed. Raises ValueError if the motion does not decide it.
-    """
-    from workbench.prover.motions.motion_check import Subject, witness
-    from workbench.prover.motions.motion_source import bindings_of
-
-    if form.statement is None:
-        raise ValueError(f"{claim.id} on {motion.name}: the formula is not read")
-    _require_agreement(motion)
-    bindings = bindings_of(claim.notation.motion)
-    subject = Subject(
-        form.statement, claim.supposed, claim.orders, claim.notation.definitions, bindings, (motion,)
-    )
-    found = witness(subject, course=True)
-    if found.evidence is None:
-        raise ValueError(f"{claim.id} on {motion.name}: {found.reason}")
-    course = found.evidence.figures["course"]
-    return course["times"], course["residuals"]
-
-
 def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Saying]:
     """Yields the equations of a form of the claim: its own, or those of its goal."""
     if form is claim.printed and claim.proof.goal is not None:

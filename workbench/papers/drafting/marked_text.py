@@ -13,6 +13,7 @@ from workbench.papers.drafting.inference.kind_operations import MARKED, SYMBOL, 
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
 from workbench.source.documents import Display, Text
+from workbench.source.documents.tex.tex_tokens import COMMENT
 
 #: The mark of formula k of a text.
 MARK = r"⟦(\d+)⟧"
@@ -20,7 +21,6 @@ MARK = r"⟦(\d+)⟧"
 _NO_MARKS = str.maketrans("⟦⟧⟪⟫", "    ")
 _OPENING = re.compile(r"(?:\$\$?|\\\(|\\\[|:math:`)\s*$")
 _CLOSING = re.compile(r"^\s*(?:\$\$?|\\\)|\\\]|`)")
-_COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 _NO_WORDS = re.compile(
     r"\\(?:eqref|ref|cite\w*|label|footnote)\s*\{[^{}]*\}|\\(?:emph|textit|textbf|text)\b|[{}*]"
 )
@@ -105,6 +105,6 @@ def _split(pieces: Sequence[str]) -> Iterator[str]:
                 clean[-1] = _OPENING.sub("", clean[-1])
             clean.append(piece)
         else:
-            clean.append(_COMMENT.sub("", _CLOSING.sub("", piece) if clean else piece))
+            clean.append(COMMENT.sub("", _CLOSING.sub("", piece) if clean else piece))
     for sentence in _SENTENCE.split("".join(clean)):
         yield " ".join(_NO_WORDS.sub(" ", sentence.replace("~", " ")).split())

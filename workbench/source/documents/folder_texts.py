@@ -10,6 +10,7 @@ from pathlib import Path
 from workbench.core.paper_errors import PaperError
 from workbench.source.documents.read_text import SUFFIXES, TEX_SUFFIXES
 from workbench.source.documents.tex.tex_files import FROM_FOLDER, INCLUDING
+from workbench.source.documents.tex.tex_tokens import COMMENT
 
 #: The number of texts that one folder may hold.
 MOST_TEXTS = 5000
@@ -18,7 +19,6 @@ _INCLUDED = re.compile(
     rf"\\(?:{'|'.join(FROM_FOLDER)})\s*\{{(?P<folder>[^{{}}]*)\}}\s*\{{(?P<there>[^{{}}]+)\}}"
     rf"|\\(?:{_IN_PLACE})\b\s*(?:\{{(?P<named>[^{{}}]+)\}}|(?P<bare>[^\s{{}}\\]+))"
 )
-_COMMENT = re.compile(r"(?<!\\)%.*")
 
 
 def texts_in(folder: Path) -> list[Path]:
@@ -55,7 +55,7 @@ def _named_by(path: Path, folder: Path, parts: Collection[Path]) -> Iterator[Pat
         return
     own = path.resolve()
     above = [parent for parent in own.parents if parent.is_relative_to(folder.resolve())]
-    for match in _INCLUDED.finditer(_COMMENT.sub("", text)):
+    for match in _INCLUDED.finditer(COMMENT.sub("", text)):
         name = "".join(part for part in match.groups() if part).strip().strip('"')
         for place in above if own in parts else above[:1]:
             for suffix in ("", ".tex"):

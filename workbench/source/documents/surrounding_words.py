@@ -10,11 +10,11 @@ from functools import lru_cache
 from math import inf
 
 from workbench.source.documents.list_items import ITEM, LIST_END, list_begin
+from workbench.source.documents.tex.tex_tokens import COMMENT
 
 _FAR = 800
 #: White space but for the mark of an item.
 _BLANKS = " \t\n"
-_COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 _BLANK_LINES = re.compile(r"\n[ \t]*\n")
 _DISPLAY_END = re.compile(
     r"\\end\s*\{[^}]*\}|\\\]|\$\$|\\(?:sub)*section\*?\s*\{[^}]*\}|^#+ .*$|^.*\n[=\-~^]{4,}$", re.MULTILINE
@@ -42,7 +42,7 @@ _RELATION = re.compile(r"[=<>]|\\(?:neq?|[lg]eq?|[lg]t|perp|parallel|approx|equi
 
 def sentence_before(text: str, start: int) -> str:
     """Returns the last sentence of the paragraph before the display at `start`, even if it is incomplete."""
-    chunk = _COMMENT.sub("", text[max(0, start - _FAR) : start]).rstrip()
+    chunk = COMMENT.sub("", text[max(0, start - _FAR) : start]).rstrip()
     chunk = _BLANK_LINES.split(chunk)[-1]
     for match in reversed(list(_DISPLAY_END.finditer(chunk))):
         chunk = chunk[match.end() :]

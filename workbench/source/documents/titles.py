@@ -7,6 +7,8 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from workbench.source.documents.tex.tex_tokens import COMMENT
+
 if TYPE_CHECKING:
     from workbench.source.documents import Text
 
@@ -30,7 +32,7 @@ def title_of(text: str, path: Path) -> str | None:
         found = _WEB.search(text)
         raw = html.unescape(_TAG.sub(" ", found[1] or found[2] or "")) if found else ""
     elif suffix == ".tex":
-        start = _TEX.search(re.sub(r"(?<!\\)%[^\n]*", lambda m: " " * len(m[0]), text))
+        start = _TEX.search(COMMENT.sub(lambda m: " " * len(m[0]), text))
         raw = _plain(_group(text, start.end())) if start else ""
     else:
         pattern = _UNDERLINED if suffix == ".rst" else _MARKED
@@ -51,7 +53,7 @@ def _group(text: str, start: int) -> str:
     while at < len(text) and depth:
         depth += (text[at] == "{") - (text[at] == "}")
         at += 1 + (text[at] == "\\")
-    return re.sub(r"(?<!\\)%[^\n]*", "", text[start : at - 1])
+    return COMMENT.sub("", text[start : at - 1])
 
 
 def _plain(latex: str) -> str:

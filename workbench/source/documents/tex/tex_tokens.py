@@ -18,6 +18,8 @@ _TOKEN = re.compile(
     | .""",
     re.VERBOSE | re.DOTALL,
 )
+#: A comment, for those who look for words only.
+COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 _PROSE = re.compile(r"(?:[^\\$%\n{}]|\n(?![ \t]*\n))+")
 _PROSE_OF_CELL = re.compile(r"(?:[^\\$%\n{}&]|\n(?![ \t]*\n))+")
 _LETTERS = re.compile(r"[A-Za-z]+")

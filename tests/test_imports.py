@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -145,6 +146,24 @@ def test_each_package_says_what_it_is() -> None:
         path: ast.get_docstring(ast.parse(path.read_text("utf-8"))) for path in ROOT.rglob("__init__.py")
     }
     assert [str(path) for path, docstring in first.items() if not docstring] == []
+    questions = ("What is this?", "When do I come here?", "What may it import?", "What checks it?")
+    rooms = {
+        path.parent.name: " ".join((said or "").split())
+        for path, said in first.items()
+        if path.parent.parent == ROOT
+    }
+    assert {
+        room: [each for each in questions if each not in said] for room, said in rooms.items()
+    } == dict.fromkeys(rooms, [])
+
+
+def test_names_of_tests_have_60_characters_at_most() -> None:
+    names = {
+        name
+        for path in Path(__file__).parent.rglob("test_*.py")
+        for name in re.findall(r"def (test_\w+)", path.read_text("utf-8"))
+    }
+    assert {name for name in names if len(name) > 60} == set()
 
 
 def test_no_part_of_the_engine_imports_one_beside_or_above_it() -> None:

@@ -167,7 +167,7 @@ def test_a_type_error_adds_no_doubt_to_another_one(one: str, other: str) -> None
     assert all({*names} <= {*alone[latex]} for latex, names in together.items())
 
 
-def test_a_notation_that_is_misread_twice_makes_its_symbols_doubtful() -> None:
+def test_notation_misread_twice_makes_its_symbols_doubtful() -> None:
     misread = (r"\mathbf{p} \times m = \mathbf{r}", r"\mathbf{h} = \mathbf{p} \times m + \mathbf{v}")
     found = doubts(*misread)
     assert found.keys() == {*misread}
@@ -189,7 +189,7 @@ WHEELS = tuple(
 )
 
 
-def test_marked_letters_are_vectors_where_words_call_lengths_velocities(tmp_path: Path) -> None:
+def test_marked_letters_are_vectors_despite_words_on_lengths(tmp_path: Path) -> None:
     path = tmp_path / "p.md"
     words = (
         "The mapping to the wheel velocities $v_l$ and $v_r$: let $\\vec{v}_l$ be the velocity vector of the"

@@ -10,7 +10,7 @@ from workbench.kinematics.robot.paths import JointPath
 QUINTIC = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 
 
-def test_peaks_of_random_splines_are_at_the_roots_of_their_derivatives():
+def test_peaks_of_random_splines_are_roots_of_derivatives():
     """Of quintics through random points, by SciPy's roots; the times have neighbours that only rounding tells
     apart."""
     robot = Robot("r", [TreeJoint(n, "revolute", p, n) for n, p in (("j", "world"), ("k", "j"))])

@@ -243,7 +243,7 @@ def test_decelerations_count_between_samples(seed, a_period):
     assert found.at_most >= sizes.max() - slack and found.at_least <= sizes.max() + slack
 
 
-def test_a_limit_that_only_a_time_between_samples_exceeds_is_not_kept():
+def test_limit_exceeded_between_samples_is_not_kept():
     t = np.arange(101) / 25
     robot = Robot("r", [TreeJoint("j", "revolute", "world", "a")])
     q = np.sin(3 * t)[:, None]

@@ -86,7 +86,7 @@ def test_bar_that_is_asked_about(latex: str, why: str) -> None:
         check(latex, SYMBOLS)
 
 
-def test_definition_outside_of_the_bar_may_not_depend_on_its_variable() -> None:
+def test_definition_outside_of_the_bar_is_free_of_its_variable() -> None:
     notation = with_definitions(Notation(SymbolTable.build(SYMBOLS), Definitions(), {}), {"u": "x^2"})
     with pytest.raises(ReadError, match="outside of the bar"):
         read_statement(r"\left. a x \right|_{x = 0} = u", notation, None)

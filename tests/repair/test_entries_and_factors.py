@@ -129,7 +129,7 @@ def test_sign_is_proposed_for_a_step_of_a_chain(tmp_path: Path, steps: str, prop
     assert {each.verdict.outcome for each in found} == {Outcome.PROVED}
 
 
-def test_trivial_step_is_no_proposal_where_its_neighbour_is_false(tmp_path: Path) -> None:
+def test_trivial_step_is_no_proposal_beside_a_false_neighbour(tmp_path: Path) -> None:
     """Of two false steps, the second is not mended by the sign that repeats the first one's fault."""
     steps = r"a \times r &= r \times a + a \\ &= r \times a - a"
     (tmp_path / "text.tex").write_text(rf"\begin{{align}} {steps} \end{{align}}")

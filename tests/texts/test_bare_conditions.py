@@ -17,7 +17,7 @@ GAPS = [r"%s \quad %s", r"%s, \quad %s", r"%s \qquad %s", r"%s, \; \; \quad %s"]
 @pytest.mark.parametrize(
     ("condition", "under", "never"), CONDITIONS, ids=[condition for condition, _, _ in CONDITIONS]
 )
-def test_formula_is_conditional_on_what_stands_beside_it_by_each_door(
+def test_formula_is_conditional_on_its_neighbour_by_each_door(
     tmp_path: Path, gap: str, condition: str, under: str, never: str
 ) -> None:
     letters = ALPHABETS[(len(gap) + len(condition)) % 3]

@@ -29,7 +29,7 @@ def _told(verdict: Verdict) -> tuple[Outcome, object]:
 
 @pytest.mark.parametrize("place", [*PLACES, *BEFORE])
 @pytest.mark.parametrize("claim", CLAIMS, ids=[left for left, _, _ in CLAIMS])
-def test_formula_is_not_proved_by_itself_but_by_an_equivalent_condition(
+def test_formula_needs_an_equivalent_condition_not_itself(
     tmp_path: Path, place: str, claim: tuple[str, str, str]
 ) -> None:
     left, right, other = claim

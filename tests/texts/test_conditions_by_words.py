@@ -132,9 +132,7 @@ SENTENCES = [
 
 @pytest.mark.parametrize("form", ["tex", "md"])
 @pytest.mark.parametrize("sentence", SENTENCES)
-def test_sentence_before_a_display_states_its_condition_and_excuses_no_other(
-    tmp_path: Path, form: str, sentence: str
-) -> None:
+def test_sentence_states_the_condition_of_its_display_only(tmp_path: Path, form: str, sentence: str) -> None:
     letters = ALPHABETS[len(sentence) % 3]
     for condition, under, never in CONDITIONS[:2]:  # f = 0 in a sentence is said of the whole section
         said = renamed(sentence.format(condition), letters)

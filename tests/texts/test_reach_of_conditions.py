@@ -120,9 +120,7 @@ def test_case_reaches_the_displays_of_its_sentence(tmp_path: Path, form: str) ->
 
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("sentence", ["Let {}. Then", "If {}, we have", "Suppose {}. Then"])
-def test_what_holds_in_a_case_excuses_no_formula_of_the_next_section(
-    tmp_path: Path, form: str, sentence: str
-) -> None:
+def test_case_excuses_no_formula_of_the_next_section(tmp_path: Path, form: str, sentence: str) -> None:
     letters = ALPHABETS[1]
     said = sentence.format(inline(renamed("<f> = 2 <g>", letters), form))
     shown = display(renamed("<f>^2 = 4 <g>^2", letters), form)
@@ -134,7 +132,7 @@ def test_what_holds_in_a_case_excuses_no_formula_of_the_next_section(
     assert again.outcome in (Outcome.REFUTED, Outcome.DEFINITION)  # it says what a symbol is
 
 
-def test_value_of_a_section_does_not_count_in_the_next_one_on_the_same_line(tmp_path: Path) -> None:
+def test_value_of_a_section_does_not_count_in_the_next_one(tmp_path: Path) -> None:
     letters = ALPHABETS[0]
     value, formula = (renamed(each, letters) for each in VALUES[0])
     parts = [heading("One", "tex"), f"Here ${value}$.", display(formula, "tex")]

@@ -61,8 +61,8 @@ def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> 
     """Returns the claims in the order of the text, each with the facts that earlier formulas state of its
     symbols.
 
-    displays: where each claim stands. What a display says under a condition, and what stands beside a
-    formula about a symbol of an earlier display, is a guess outside of it."""
+    displays: the display of each claim. A formula with a condition, and a formula beside another one about a
+    symbol of an earlier display, is only a guess outside of its own display."""
     said: dict[Declaration, list[_Saying]] = {}
     first: dict[Declaration, Display] = {}
     made = []

@@ -21,7 +21,7 @@ from workbench.kinematics.chain_kernel import HEAD, ROW, bound_chain_kernel, cha
 from workbench.kinematics.simd_lanes import WIDTH
 from workbench.kinematics.tree_plan import Plan
 
-NEAR = 3500  # doubles of the nearest cache, 32 KB or more, that blocks which take turns may fill
+NEAR = 3500  # doubles of the first-level cache (32 KB or more) that alternating blocks may fill
 NEARLY_PARALLEL = 0.1  # below this sine the foot of the common normal is not used
 
 

@@ -12,7 +12,7 @@ from numba import njit
 
 Kernel = Callable[[np.ndarray, int, np.ndarray, bool], bool]
 BoundKernel = Callable[[int], bool]
-OF_BOUND = "boolean(int64)"  # whose call spares the look at two arrays, 0.15 µs
+OF_BOUND = "boolean(int64)"  # its call passes no arrays, which saves 0.15 µs
 OF_KERNEL = "boolean(float64[:,:,:], int64, float64[:,:,:,:], boolean)"
 
 

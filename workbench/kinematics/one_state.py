@@ -1,7 +1,7 @@
-"""Whether a table (rows, coordinates) holds one state's derivatives, one row an order, or one row a state.
+"""Decides whether a table (rows, coordinates) holds the derivatives of one state or several states.
 
-Its shape does not tell. A caller who says the order is taken at his word; else the table is taken for one
-state, and a warning says so.
+The shape does not decide it. If the caller gives the order, the order decides. Otherwise the table is read as
+one state, with one row per order, and a warning says so.
 """
 
 from __future__ import annotations

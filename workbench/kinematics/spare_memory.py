@@ -10,7 +10,7 @@ from threading import Lock
 
 import numpy as np
 
-#: Doubles from which on memory is kept, and up to which it is kept in all.
+#: Arrays of at least LEAST doubles are kept, MOST doubles in total.
 LEAST, MOST = 500_000, 32_000_000
 _kept: list[np.ndarray] = []
 _lock = Lock()

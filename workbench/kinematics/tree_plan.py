@@ -18,8 +18,8 @@ from workbench.kinematics.tree_joints import BALL, SCREW, SLIDE, TURN
 from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP, TURNING, bound_tree_kernel, tree_kernel
 from workbench.kinematics.tree_steps import WORLD, Frame, Step, Wanted
 
-NEAR = 4096  # doubles of the nearest cache that blocks which take turns may fill
-EXACT = 1e-16  # what of a constant rotation is no more than rounding
+NEAR = 4096  # doubles of the first-level cache that alternating blocks may fill
+EXACT = 1e-16  # the bound on rounding errors of a constant rotation
 
 
 @dataclass(frozen=True, eq=False)

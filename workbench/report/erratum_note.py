@@ -24,7 +24,7 @@ _MATH_CHARACTERS = {
     for command, glyph in glyphs.SYMBOLS.items()
     if command.startswith("\\") and len(glyph) == 1 and not glyph.isascii()
 }
-# Of two commands for one character the last would win; these are the plain ones.
+# Where two commands print one character, the plainer one is used.
 _MATH_CHARACTERS |= {
     "→": r"\to",
     "≠": r"\neq",

@@ -67,7 +67,7 @@ def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:
 
 
 def _edited(path: Path, source: Source, edits: Sequence[SourceEdit]) -> bytes:
-    """Returns the bytes of the file with the edits applied; everything else is kept, also line endings."""
+    """Returns the bytes of the file with the edits applied; all others are kept, including line endings."""
     raw = file_bytes(path, "a text", MOST_BYTES)
     try:
         text = raw.decode("utf-8-sig")

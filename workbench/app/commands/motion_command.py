@@ -201,8 +201,8 @@ def _draw(whole: Motion, body: str, report: MotionReport, bounds: Any, file: Pat
 
 
 def _peak_dict(peak: Peak) -> dict[str, Any]:
-    """Returns a peak as a dict; a number that is not finite is None, and "unbounded" tells whether the peak
-    is."""
+    """Returns a peak as a dict. A number that is not finite becomes None; "unbounded" is True if the peak
+    is infinite."""
     keys = (
         "of",
         "order",

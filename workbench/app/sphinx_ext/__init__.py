@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from workbench.source.documents import Display
 
 _LOG = logging.getLogger(__name__)
-#: The grades from the most serious on.
+#: The grades, most serious first.
 _ORDER = ("error", "warning", "not judged", "ok", "note")
 _MARKS = {"error": "✗", "warning": "!"}
 _AROUND = re.compile(

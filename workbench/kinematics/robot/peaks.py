@@ -138,11 +138,11 @@ class Asked:
 
 @dataclass(frozen=True)
 class Violation:
-    """A stretch of time, from `start` to `end` in s, in which a quantity is beyond its limit.
+    """An interval of time, from `start` to `end` in s, in which a quantity exceeds its limit.
 
-    `of`, order, bound, limit, unit: as in `Peak`. value: the largest |derivative| there (of a lower bound the
-    least coordinate), at the time in s; infinite where a lower derivative jumps. Along a recording the
-    stretch holds the samples that are beyond the limit by more than their stated errors.
+    `of`, order, bound, limit, unit: as in `Peak`. value: the largest |derivative| in the interval, or the
+    least coordinate for a lower bound, at the time in s; infinite where a lower derivative jumps. For a
+    recording, the interval contains the samples that exceed the limit by more than their stated errors.
     """
 
     of: str

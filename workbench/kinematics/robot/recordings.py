@@ -227,7 +227,7 @@ def _local_noise(t: np.ndarray, q: np.ndarray, floor: float) -> tuple[float, np.
     level, found, count = best
     above = found[found > 10 * floor**2]
     typical = np.median(above) if len(above) else 0.0
-    found = np.minimum(found, 9 * max(typical, level)) + floor**2  # a window on a jump is no noise
+    found = np.minimum(found, 9 * max(typical, level)) + floor**2  # a window on a jump is not noise
     at = np.minimum(np.arange(len(found)) * (count // 2) + count // 2, n - 1)
     local = np.interp(np.arange(n), at, found)
     return float(np.sqrt(max(level, floor**2))), np.concatenate([[0.0], np.cumsum(local)])

@@ -204,7 +204,7 @@ class Twist:
 
     @property
     def dual(self) -> Dual:
-        """ω̲⁽ᵏ⁾ = ω⁽ᵏ⁾ + ε v⁽ᵏ⁾, v being the velocity of the body point at W's origin, Eq. (92)."""
+        """ω̲⁽ᵏ⁾ = ω⁽ᵏ⁾ + ε v⁽ᵏ⁾, where v is the velocity of the body point at W's origin, Eq. (92)."""
         at_origin = self.frame.origin_twist[self.order]
         return Dual(at_origin[..., :3], at_origin[..., 3:])
 

@@ -27,7 +27,7 @@ class SplinePath(SampledPath):
         elif hasattr(spline, "t") and hasattr(spline, "k"):
             self._degree = int(spline.k)
             knots = np.unique(spline.t[self._degree : len(spline.t) - self._degree])
-        elif hasattr(spline, "get_knots"):  # a UnivariateSpline, which does not tell its degree
+        elif hasattr(spline, "get_knots"):  # a UnivariateSpline has no attribute for its degree
             knots, self._degree = np.asarray(spline.get_knots(), dtype=float), _degree(spline)
         else:
             raise ValueError(

@@ -9,7 +9,7 @@ import numpy as np
 
 INTERVALS = 400
 BISECTIONS = 48
-FOUND_ORDERS = 5  # derivatives 0, …, 4 are looked at where the trajectory does not tell its breaks
+FOUND_ORDERS = 5  # derivatives 0, …, 4 are searched for breaks if the trajectory does not list them
 
 
 def trajectory_breaks(trajectory: Any, derivatives: Callable[[np.ndarray, int], np.ndarray]) -> np.ndarray:

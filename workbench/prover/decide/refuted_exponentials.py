@@ -24,8 +24,8 @@ def refuted_exponential(
 ) -> Verdict | None:
     """Returns the verdict at a real point where the sides differ; None if none is found.
 
-    assume: what holds at the point, all of the form a ≠ b, else none is found.   laws: an equation that can
-    be solved for a rate states a law, and is not refuted.
+    assume: the conditions at the point; no point is found unless all have the form a ≠ b.   laws: whether an
+    equation that can be solved for a rate states a law, which is not refuted.
     """
     relation = found.relation
     apart = [each for each in assume if isinstance(each, Relation) and each.operator == "≠"]

@@ -313,7 +313,7 @@ def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], i
     left, end = group(tokens, past(tokens, place + 1))
     body, end = group(tokens, past(tokens, end))
     right: list[Token] = []
-    if printed(tokens[past(tokens, end) :][:1]) == ["{"]:  # other text prints the same in place
+    if printed(tokens[past(tokens, end) :][:1]) == ["{"]:  # without braces it is printed there anyway
         right, end = group(tokens, past(tokens, end))
     return [*braced(tokens[place], []), *left, tokens[place].standing_for(" "), *body, *right], end
 

@@ -2,7 +2,7 @@
 
 What is this? `grammar` parses LaTeX into brackets, `naming` finds the symbols, `elaboration` builds typed
 terms, `printing` writes them, `goals` reads statements with quantifiers and their proofs. When do I come
-here? To teach the reader a spelling: a command in grammar/vocabulary.py, an accent in naming/spelling.py.
-What may it import? core. What checks it? tests/language, with one line for each reading in
-tests/language/readings.
+here? To teach the reader a spelling: a command or an accent in grammar/vocabulary.py, a script in
+naming/spelling.py. What may it import? core. What checks it? tests/language, with one line for each reading
+in tests/language/readings.
 """

@@ -112,57 +112,11 @@ def test_closed_formula_is_proved_or_refuted(seed: int) -> None:
     assert found == (Outcome.PROVED if truth else Outcome.REFUTED), f"{left.latex} = {right.latex}"
 
 
-@pytest.mark.parametrize(
-    "formula",
-    [
-        r"\cos\pi = 1",
-        r"\sin\pi = 1",
-        r"\cos 2\pi = 0",
-        r"\det \mathbf{I} = 0",
-        r"\operatorname{tr} \mathbf{I}_3 = 2",
-        r"e^{0} = 2",
-        r"e^{1} = 3",
-        r"\pi = 3",
-        r"\arctan 1 = 1",
-        r"\arccos 0 = \pi",
-        r"\sin^2 1 + \cos^2 1 = 2",
-        r"\cos\frac{\pi}{3} = \frac13",
-        r"3! = 5",
-        r"\mathbf{I}_{2 \times 2} = 2 \mathbf{I}_{2 \times 2}",
-    ],
-)
-def test_false_closed_formula_is_refuted(formula: str) -> None:
-    assert check(formula, {}).outcome == Outcome.REFUTED
-
-
-@pytest.mark.parametrize("formula", [r"\pi = 3.14159", r"\sqrt{2} = 1.4142", r"\cos\frac{\pi}{6} = 0.866"])
-def test_rounded_decimals_are_not_refuted(formula: str) -> None:
-    assert check(formula, {}).outcome == Outcome.UNCHECKED
-
-
-def test_trace_of_a_skew_tensor_is_zero() -> None:
-    assert check(r"\operatorname{tr}(\tilde x) = 1", {"x": "vector"}).outcome == Outcome.REFUTED
-    assert check(r"\operatorname{tr}(\tilde x) = 0", {"x": "vector"}).holds
-
-
-def test_angle_pi_that_may_be_anything_is_no_number() -> None:
-    symbols = {r"\pi": {"kind": "scalar", "free": True}}
-    found = check(r"\pi = 3", symbols).outcome
-    assert found == Outcome.REFUTED
-    assert check(r"\pi - \pi = 0", symbols).holds
-
-
 def test_engines_that_differ_on_a_number_stop(monkeypatch: pytest.MonkeyPatch) -> None:
     (true,) = read(r"\cos\frac{\pi}{3} = \frac{1}{2}", PLAIN)
     monkeypatch.setitem(closed_values._FUNCTIONS, "cos", closed_values.sympy.sin)
     with pytest.raises(EngineDisagreement):
         closed_formulas.judge_closed(true, (), Definitions())
-
-
-def test_premise_of_a_closed_formula_is_not_dropped() -> None:
-    assert (
-        check(r"x = 1 \Rightarrow \cos\frac{\pi}{3} = \frac{1}{3}", {"x": "scalar"}).outcome != Outcome.PROVED
-    )
 
 
 @pytest.mark.parametrize("order", [4, 8, 12, 20, 24, 28, 60])

@@ -8,7 +8,6 @@ import pytest
 
 from workbench import check
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.formula_errors import ReadError
 from workbench.core.verdict import Outcome
 
 SYMBOLS: dict[str, Any] = {
@@ -43,47 +42,6 @@ def test_integral_of_a_product_by_a_definition() -> None:
     assert true.verdict.hypothesis == r"\omega \text{ is the same for each } m"
     false = check(r"J \omega = -\int_B r \times (\omega \times r)\, dm", SYMBOLS, definitions=inertia)
     assert false.outcome is Outcome.REFUTED
-
-
-@pytest.mark.parametrize(
-    "formula",
-    [
-        r"\int_0^1 t\, dt = \int_0^1 (1 - t)\, dt",
-        r"\int_0^{2 \pi} \sin\theta\, d\theta = 0",
-        r"\int \theta f\, d\theta = \int f\, d\theta",
-        r"\int r\, dm = 0",
-        r"\oint f\, dt = \oint 2 f\, dt",
-        r"\int f\, dt = \int g\, dt",
-        r"\lim_{h \to 0} h f = \lim_{h \to 0} f",
-        r"\int_0^1 f\, dt + \int_1^2 f\, dt = \int_0^2 f\, dt",
-        r"\int f g\, dt = \int f\, dt \int g\, dt",
-        r"m r = \int r\, dm",
-        r"f = \int f\, dt",
-        r"\int (\int f\, dt)\, dm = \int f\, dt",
-    ],
-)
-def test_equation_that_needs_more_than_linearity_is_not_judged(formula: str) -> None:
-    assert check(formula, SYMBOLS).outcome is Outcome.UNCHECKED
-
-
-def test_premise_at_an_instant_says_nothing_of_an_integral() -> None:
-    assert check(r"f = g \Rightarrow \int f\, dt = \int g\, dt", SYMBOLS).outcome is Outcome.UNCHECKED
-    assert check(r"\int f\, dt = \int f^2\, dt", SYMBOLS, assume=["f = 1"]).outcome is Outcome.UNCHECKED
-    assert check(r"\int f\, dt = \int 2 f\, dt", SYMBOLS, assume=["f = 1"]).outcome is Outcome.REFUTED
-    assert check(r"\int 2 f\, dt = 2 \int f\, dt", SYMBOLS, assume=["f = 1"]).outcome is Outcome.PROVED
-
-
-@pytest.mark.parametrize(
-    ("formula", "asked"),
-    [
-        (r"\int f = g", "an integral without a differential"),
-        (r"\int f + g\, dt = h", "an integral without a differential"),
-        (r"\lim f = g", "a limit without its place"),
-    ],
-)
-def test_open_end_of_an_integral_is_asked_about(formula: str, asked: str) -> None:
-    with pytest.raises(ReadError, match=asked):
-        check(formula, SYMBOLS)
 
 
 def test_integral_reads_back_with_its_bounds() -> None:

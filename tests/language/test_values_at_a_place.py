@@ -33,59 +33,6 @@ SYMBOLS = {
 }
 
 
-@pytest.mark.parametrize(
-    ("true", "false"),
-    [
-        (r"\left. x^2 + a x \right|_{x = a} = 2 a^2", r"\left. x^2 + a x \right|_{x = a} = a^2"),
-        (r"\left. \frac{\partial \sin s}{\partial s} \right|_{s = 0} = 1", r"\left. \frac{\partial \sin s}{\partial s} \right|_{s = 0} = 0"),
-        (r"\frac{\partial \sin(s + x)}{\partial s} \Big|_{s = 0} = \cos x", r"\frac{\partial \sin(s + x)}{\partial s} \Big|_{s = 0} = \sin x"),
-        (r"\left. \frac{\partial \sin s}{\partial s} \right|_{s = x} = \cos x", r"\left. \frac{\partial \sin s}{\partial s} \right|_{s = x} = -\cos x"),
-        (
-            r"\left. \frac{\partial}{\partial s} \exp(\operatorname{skew}(s w)) b \right|_{s = 0} = w \times b",
-            r"\left. \frac{\partial}{\partial s} \exp(\operatorname{skew}(s w)) b \right|_{s = 0} = b \times w",
-        ),
-        (
-            r"\left. \frac{\partial^2}{\partial s^2} R \exp(s \operatorname{skew} w) b \right|_{s = 0} = R (w \times (w \times b))",
-            r"\left. \frac{\partial^2}{\partial s^2} R \exp(s \operatorname{skew} w) b \right|_{s = 0} = R (w \times b)",
-        ),
-        (
-            r"\left. \frac{d}{dt} \exp(\operatorname{skew}(t w)) \right|_{t = 0} = \operatorname{skew} w",
-            r"\left. \frac{d}{dt} \exp(\operatorname{skew}(t w)) \right|_{t = 0} = -\operatorname{skew} w",
-        ),
-        (r"\left. x^2 + y^2 \right|_{x = y = 0} = 0", r"\left. x^2 + y^2 + 1 \right|_{x = y = 0} = 0"),
-        (r"\left. x^2 + y^2 \right|_{x = 0, y = 1} = 1", r"\left. x^2 + y^2 \right|_{x = 0, y = 1} = 2"),
-        (r"\frac{\partial}{\partial x} (a x^2) |_{x = 1} = 2 a", r"\frac{\partial}{\partial x} (a x^2) |_{x = 1} = a"),
-    ],
-)  # fmt: skip
-def test_value_at_a_place(true: str, false: str) -> None:
-    assert check(true, SYMBOLS).outcome is Outcome.PROVED
-    assert check(false, SYMBOLS).outcome is Outcome.REFUTED
-
-
-@pytest.mark.parametrize(
-    ("latex", "why"),
-    [
-        (r"\left. x^2 \right|_{x = 1} = x", "outside of the bar"),
-        (r"f = \left. f \right|_{z = 0}", "outside of the bar"),
-        (r"u = \left. u \right|_{t = 0}", "outside of the bar"),
-        (r"\left. x^2 \right|_{x = 1} = \left. x^2 \right|_{x = 2}", "outside of the bar"),
-        (r"\left. \dot{v} \right|_{t = 0} = v", "outside of the bar"),
-        (r"\frac{d}{dt} \left. u x \right|_{x = 0} = 0", "differentiated"),
-        (r"\left. x \right|_a^b = 0", "where"),
-        (r"\left. x \right| = 0", "where"),
-        (r"\left. x \right|_{x} = 0", "where"),
-        (r"\left. x \right|_{x = x} = 0", "where"),
-        (r"\left. x \right|_{2 x = 1} = 0", "where"),
-        (r"a x |_{x = 0} = 0", "where"),
-        (r"\left. x \right) = 0", "one-sided"),
-        (r"\left( x |_{x = 0} = 0", "never closed"),
-    ],
-)
-def test_bar_that_is_asked_about(latex: str, why: str) -> None:
-    with pytest.raises(ReadError, match=why):
-        check(latex, SYMBOLS)
-
-
 def test_definition_outside_of_the_bar_is_free_of_its_variable() -> None:
     notation = with_definitions(Notation(SymbolTable.build(SYMBOLS), Definitions(), {}), {"u": "x^2"})
     with pytest.raises(ReadError, match="outside of the bar"):
@@ -95,13 +42,6 @@ def test_definition_outside_of_the_bar_is_free_of_its_variable() -> None:
 def test_bar_outside_of_an_equation_is_refused() -> None:
     with pytest.raises(ReadError, match="outside of an equation"):
         read_term(r"\left. x^2 \right|_{x = 1}", SymbolTable.build(SYMBOLS))
-
-
-def test_repeated_bar_is_one_condition() -> None:
-    assert (
-        check(r"\left. x^2 \right|_{x = a} + \left. x^2 \right|_{x = a} = 2 a^2", SYMBOLS).outcome
-        is Outcome.PROVED
-    )
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])

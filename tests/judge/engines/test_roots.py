@@ -83,49 +83,6 @@ def test_the_root_of_a_dual_number(square):
         ), left
 
 
-@pytest.mark.parametrize(
-    ("latex", "outcome"),
-    [
-        (r"\sqrt{(1 + a^2)(1 + b^2)} = \sqrt{1 + a^2} \sqrt{1 + b^2}", Outcome.PROVED),
-        (r"\sqrt{v \cdot v} = \|v\|", Outcome.CONDITIONAL),  # where Re v ≠ 0
-        (r"\sqrt{f^2 + \varepsilon g} = \sqrt{f^2} + \varepsilon \frac{g}{2 \sqrt{f^2}}", Outcome.CONDITIONAL),
-        (r"\sqrt{1 + f^2 + \varepsilon g} = \sqrt{1 + f^2} + \varepsilon \frac{g}{\sqrt{1 + f^2}}", Outcome.REFUTED),
-        (r"\sqrt{a^2} = a", Outcome.REFUTED),
-        (r"\sqrt{a} \sqrt{a} = a", Outcome.UNCHECKED),
-        (r"\sqrt{\varepsilon g} = 0", Outcome.UNCHECKED),
-    ],
-)  # fmt: skip
-def test_roots_of_dual_numbers_are_judged(latex, outcome):
-    assert check(latex, DUALS).outcome is outcome
-
-
-QUOTIENTS = {"a": "vector", "b": "vector", "s": "scalar"}
-
-
-@pytest.mark.parametrize(
-    "formula",
-    [
-        r"\|\frac{a}{s}\| = \|a\|",
-        r"\|\frac{a}{s} + b\| s = \|a + s b\|",
-        r"\frac{a}{\|\frac{a}{\|b\|} + b\|} = a",
-    ],
-)
-def test_false_norms_of_quotients_are_refuted(formula: str) -> None:
-    assert check(formula, symbols=QUOTIENTS).outcome is Outcome.REFUTED
-
-
-@pytest.mark.parametrize(
-    "formula",
-    [
-        r"\|\frac{a}{s}\|^2 s^2 = \|a\|^2",
-        r"\|\frac{a}{\|a\|}\| = 1",
-        r"\|\frac{a}{s^2 + 1}\| (s^2 + 1) = \|a\|",
-    ],
-)
-def test_true_norms_of_quotients_are_not_refuted(formula: str) -> None:
-    assert check(formula, symbols=QUOTIENTS).outcome is not Outcome.REFUTED
-
-
 #: Roots of what is a square or a sum of squares as it is written, not as it is once multiplied out.
 WRITTEN = [
     (r"\sqrt{(x - y)^2}", r"|x - y|", "x - y"),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import told
+from tests.texts.written import shown, told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.paper_errors import PaperError
 from workbench.language.printing.printer import to_latex
@@ -16,15 +16,7 @@ from workbench.runtime import Budget
 
 
 def outcomes(folder: Path, text: str, model: str, suffix: str = "md") -> list[str]:
-    (folder / f"p.{suffix}").write_text(text)
-    (folder / "p.toml").write_text(f"source = 'p.{suffix}'\n{model}")
-    paper = load_paper(folder / "p.toml")
-    assert not paper.faults
-    return [told(result.verdict) for result in judge_paper(paper)]
-
-
-def displayed(*formulas: str) -> str:
-    return "\n\n".join(f"$$ {each} $$" for each in formulas)
+    return [told(each) for each in verdicts(folder, text, model, suffix)]
 
 
 @pytest.mark.parametrize(
@@ -36,7 +28,7 @@ def displayed(*formulas: str) -> str:
     ],
 )
 def test_a_closed_context_excuses_nothing(tmp_path: Path, claim: str, excused: str, alone: str) -> None:
-    text = displayed("a = 2 d", "b = c", claim)
+    text = shown("a = 2 d", "b = c", claim)
     model = "[symbols]\na = 'vector'\nb = 'vector'\nc = 'vector'\nd = 'vector'\nw = 'vector'\n"
     assert outcomes(tmp_path, text, model)[-1] == excused
     assert outcomes(tmp_path, text, f"{model}[[claim]]\nat = 'line 5'\ngiven = []\n")[-1] == alone
@@ -48,8 +40,8 @@ FALSE = "y = 3 x"
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (displayed(FALSE, "y = 5 x"), "[[claim]]\nat = 'line 3'\ngiven = ['line 1']\n"),
-        (displayed(rf"{FALSE} \Rightarrow y = 5 x"), ""),
+        (shown(FALSE, "y = 5 x"), "[[claim]]\nat = 'line 3'\ngiven = ['line 1']\n"),
+        (shown(rf"{FALSE} \Rightarrow y = 5 x"), ""),
     ],
 )
 def test_nothing_is_proved_from_what_contradicts_its_definition(tmp_path: Path, text: str, said: str) -> None:
@@ -59,9 +51,7 @@ def test_nothing_is_proved_from_what_contradicts_its_definition(tmp_path: Path, 
 
 def test_a_law_is_one_in_its_own_scope(tmp_path: Path) -> None:
     text = (
-        displayed(r"\dot x = k y", r"\dot x = 2 y")
-        + "\n\n# Other\n\n"
-        + displayed(r"\dot x = 3 y", r"\dot x = k y")
+        shown(r"\dot x = k y", r"\dot x = 2 y") + "\n\n# Other\n\n" + shown(r"\dot x = 3 y", r"\dot x = k y")
     )
     model = "[symbols]\nx = 'scalar'\ny = 'scalar'\n[definitions]\nk = '2'\n"
     scope = "[[scope]]\nfrom = 'Other'\ndefinitions = { k = '3' }\n"
@@ -71,9 +61,7 @@ def test_a_law_is_one_in_its_own_scope(tmp_path: Path) -> None:
 def test_a_symbol_of_another_size_in_a_later_scope_ends_nothing(tmp_path: Path) -> None:
     """It was an error of matmul, and no formula had a verdict."""
     rows = r"\begin{bmatrix} u_1 \\ u_2 \end{bmatrix}"
-    text = displayed(
-        r"\dot w = B \dot u", r"\dot w = \begin{bmatrix} \dot u_1 \\ \dot u_2 \\ 0 \end{bmatrix}"
-    )
+    text = shown(r"\dot w = B \dot u", r"\dot w = \begin{bmatrix} \dot u_1 \\ \dot u_2 \\ 0 \end{bmatrix}")
     model = (
         "[symbols]\nw = 'vector'\nu_1 = 'scalar'\nu_2 = 'scalar'\n[definitions]\n"
         rf"u = '{rows}'" "\n"
@@ -82,7 +70,7 @@ def test_a_symbol_of_another_size_in_a_later_scope_ends_nothing(tmp_path: Path) 
         r"definitions = { u = '\begin{bmatrix} u_1 \\ u_2 \\ u_3 \end{bmatrix}' }"
         "\n"
     )  # fmt: skip
-    both = text + "\n\n# Other\n\n" + displayed(r"\dot w = \dot u")
+    both = text + "\n\n# Other\n\n" + shown(r"\dot w = \dot u")
     assert outcomes(tmp_path, both, model) == ["said", "conditional", "said"]
 
 
@@ -119,7 +107,7 @@ def test_such_words_may_say_where_a_row_holds(tmp_path: Path) -> None:
 
 
 def test_a_typeface_may_hold_a_sum_and_an_angle_be_typed(tmp_path: Path) -> None:
-    text = displayed(
+    text = shown(
         r"(\mathbf{u - v}) \cdot \mathbf{u} = \left< \mathbf{u}, \mathbf{u} \right> - \left<\mathbf{u}, \mathbf{v}\right>"
     )
     model = r"""[symbols]
@@ -141,7 +129,7 @@ quaternion = "hamilton, scalar first"
 p = "dual quaternion"
 q = "dual quaternion"
 """
-    assert outcomes(tmp_path, displayed(r"(p \circ q)^* = p^* q^*"), model) == [expected]
+    assert outcomes(tmp_path, shown(r"(p \circ q)^* = p^* q^*"), model) == [expected]
 
 
 RESOLVED = r"""[frames]
@@ -162,12 +150,12 @@ def test_whose_rate_a_dot_inside_is_has_to_be_said(tmp_path: Path, rates: str, e
     """The velocity on a circle, in components of the turning frame: (0, c ȧ, 0), where those of r are constant."""
     model = f"{RESOLVED}{rates}[symbols]\nr = 'vector'\na = {{ kind = 'scalar', free = true }}\n"
     model += "c = { kind = 'scalar', constant = true, free = true }\n[definitions]\nr = 'c i'\n"
-    text = displayed(r"{}^H\dot{r} = \begin{bmatrix} 0 \\ c \dot a \\ 0 \end{bmatrix}")
+    text = shown(r"{}^H\dot{r} = \begin{bmatrix} 0 \\ c \dot a \\ 0 \end{bmatrix}")
     assert outcomes(tmp_path, text, model) == [expected]
 
 
 def test_a_model_says_what_a_judgement_may_cost(tmp_path: Path) -> None:
-    (tmp_path / "p.md").write_text(displayed("1 = 1"))
+    (tmp_path / "p.md").write_text(shown("1 = 1"))
     (tmp_path / "p.toml").write_text("source = 'p.md'\nbudget = { seconds = 3 }\n")
     assert load_paper(tmp_path / "p.toml").budget == Budget(seconds=3)
     (tmp_path / "p.toml").write_text("source = 'p.md'\nbudget = { seconds = -1 }\n")
@@ -185,7 +173,7 @@ def test_a_sentence_that_is_indented_is_none_of_the_display(tmp_path: Path) -> N
 
 def test_an_identity_with_an_extra_term_is_no_law(tmp_path: Path) -> None:
     """The velocity of the middle of two links, with a term too much: it was a law, q̇_2 = 0, and the next row held by it."""
-    text = displayed(
+    text = shown(
         r"v = l \dot{q}_1 e + l \dot{q}_2 d",
         r"v = l \dot{q}_1 e + l \dot{q}_2 d",
         r"v = l \dot{q}_1 e",
@@ -208,7 +196,7 @@ v = '\\dot{{r}}'
 
 
 def test_two_rates_beside_each_other_are_no_rate_of_a_product(tmp_path: Path) -> None:
-    text = displayed(
+    text = shown(
         r"L = \frac{k \frac{d}{d t} x \frac{d}{d t} y}{k}",
         r"L = \frac{k \frac{d}{d t} x \frac{d}{d t} y}{2 k}",
     )
@@ -221,7 +209,7 @@ def test_two_rates_beside_each_other_are_no_rate_of_a_product(tmp_path: Path) ->
 
 def test_a_base_that_no_definition_reaches_may_be_said(tmp_path: Path) -> None:
     model = "[symbols]\n'w_i' = 'vector'\n'a_i' = 'vector'\n[definitions]\n'a_{i+1}' = '\\dot{w}_{i+1}'\n"
-    assert outcomes(tmp_path, displayed("a_0 = 0", r"a_1 = 2 \dot{w}_1"), model) == ["said", "refuted"]
+    assert outcomes(tmp_path, shown("a_0 = 0", r"a_1 = 2 \dot{w}_1"), model) == ["said", "refuted"]
 
 
 def test_a_crash_on_one_formula_keeps_the_other_verdicts(
@@ -234,7 +222,7 @@ def test_a_crash_on_one_formula_keeps_the_other_verdicts(
 
     whole = Judge.judge
     monkeypatch.setattr(Judge, "judge", judge)
-    (tmp_path / "p.md").write_text(displayed("a + a = 2 a", "b + b = 2 b"))
+    (tmp_path / "p.md").write_text(shown("a + a = 2 a", "b + b = 2 b"))
     (tmp_path / "p.toml").write_text("source = 'p.md'\n[symbols]\na = 'scalar'\nb = 'scalar'\n")
     first, second = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
     assert (first.outcome, second.outcome) == ("proved", "unchecked")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import doubts, told
+from tests.texts.written import doubts, shown, symbols_of, told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
@@ -40,13 +40,10 @@ FORGOTTEN = [
 
 
 def verdict(folder: Path, formula: str, definitions: str = "", **more: str) -> Verdict:
-    (folder / "p.md").write_text(f"$$ {formula} $$")
-    model = "\n".join(
-        f"'{name}' = {value}" for name, value in {**{k: f"'{v}'" for k, v in KINDS.items()}, **more}.items()
-    )
-    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{model}\n[definitions]\n{definitions}")
-    (result,) = judge_paper(load_paper(folder / "p.toml"))
-    return result.verdict
+    own = "".join(f"'{name}' = {value}\n" for name, value in more.items())
+    kinds = symbols_of({name: kind for name, kind in KINDS.items() if name not in more})
+    (found,) = verdicts(folder, shown(formula), f"{kinds}{own}[definitions]\n{definitions}")
+    return found
 
 
 @pytest.mark.parametrize(("formula", "what", "false"), FORGOTTEN)

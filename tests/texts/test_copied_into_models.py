@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from workbench.app.pipeline.judge_claims import judge_paper
+from tests.texts.written import shown, verdicts
 from workbench.core.paper_errors import PaperError
-from workbench.papers import load_paper
 
 #: As texts write it, and as the claim language does.
 COPIES = [
@@ -28,9 +27,7 @@ MODEL = r"""source = "p.md"
 
 
 def outcome(folder: Path, text: str, model: str) -> str:
-    (folder / "p.md").write_text(f"$$ {text} $$\n")
-    (folder / "p.toml").write_text(MODEL + model)
-    return judge_paper(load_paper(folder / "p.toml"))[-1].verdict.outcome.value
+    return verdicts(folder, shown(text), MODEL + model)[-1].outcome.value
 
 
 @pytest.mark.parametrize(("copied", "plain"), COPIES)

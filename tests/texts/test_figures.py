@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import doubts, told
+from tests.texts.written import doubts, shown, symbols_of, told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
@@ -73,10 +73,7 @@ FALSE = [
 
 
 def verdict(folder: Path, formula: str, definitions: str = "") -> Verdict:
-    (folder / "p.md").write_text(f"$$ {formula} $$")
-    symbols = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
-    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{symbols}\n[definitions]\n{definitions}")
-    return judge_paper(load_paper(folder / "p.toml"))[-1].verdict
+    return verdicts(folder, shown(formula), f"{symbols_of(KINDS)}[definitions]\n{definitions}")[-1]
 
 
 @pytest.mark.parametrize(("formula", "what", "false"), SHOWN)

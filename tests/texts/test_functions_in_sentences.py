@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from workbench.app.pipeline.judge_claims import judge_paper
+from tests.texts.written import shown, symbols_of, verdicts
 from workbench.core.verdict import Outcome, Verdict
-from workbench.papers import load_paper
 
 KINDS = {"a": "vector", "b": "vector", "f": "scalar"}
 
@@ -21,11 +20,8 @@ ASKED = {
 
 
 def verdict_of(folder: Path, inline: str, display: str) -> Verdict:
-    (folder / "p.md").write_text(f"Note ${inline}$ here.\n\n$$ {display} $$\n", encoding="utf-8")
-    kinds = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
-    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{kinds}\n", encoding="utf-8")
-    (result,) = judge_paper(load_paper(folder / "p.toml"))
-    return result.verdict
+    (found,) = verdicts(folder, f"Note ${inline}$ here.\n\n{shown(display)}\n", symbols_of(KINDS))
+    return found
 
 
 @pytest.mark.parametrize("display", ASKED)

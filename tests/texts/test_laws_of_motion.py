@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import doubts, told
+from tests.texts.written import doubts, shown, told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
@@ -33,10 +33,8 @@ KEPLER = r"\ddot{\vec r} = -\frac{\mu}{\|\vec r\|^3} \vec r"
 EULER = r"J \dot{\vec\omega} + \vec\omega \times J \vec\omega = \vec L"
 
 
-def verdicts(folder: Path, *displays: str, more: str = "") -> list[Verdict]:
-    (folder / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in displays))
-    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]{KINDS}{more}")
-    return [result.verdict for result in judge_paper(load_paper(folder / "p.toml"))]
+def judged(folder: Path, *displays: str, more: str = "") -> list[Verdict]:
+    return verdicts(folder, shown(*displays), f"[symbols]{KINDS}{more}")
 
 
 #: A law, what follows from it, and what does not.
@@ -55,7 +53,7 @@ FOLLOWING = [
 def test_consequences_of_an_earlier_law_are_conditional(
     tmp_path: Path, law: str, follows: str, does_not: str
 ) -> None:
-    stated, held, failed = verdicts(tmp_path, law, follows, does_not)
+    stated, held, failed = judged(tmp_path, law, follows, does_not)
     assert told(stated) == "said"
     assert held.outcome is Outcome.CONDITIONAL and "(L1)" in held.reason and held.hypothesis
     assert failed.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
@@ -63,7 +61,7 @@ def test_consequences_of_an_earlier_law_are_conditional(
 
 def test_a_law_of_each_rate_is_the_last_one_before(tmp_path: Path) -> None:
     laws = [r"\ddot x = -k x", r"\ddot x = -c x", r"\ddot y = k y"]
-    *_, of_the_second, of_the_first, of_both = verdicts(
+    *_, of_the_second, of_the_first, of_both = judged(
         tmp_path,
         *laws,
         r"\frac{d}{dt} (\dot x^2 + c x^2) = 0",
@@ -78,7 +76,7 @@ def test_a_law_of_each_rate_is_the_last_one_before(tmp_path: Path) -> None:
 def test_a_law_that_inverts_a_matrix_follows_and_leads_nowhere(tmp_path: Path) -> None:
     solved = r"\dot{\vec\omega} = J^{-1} (\vec L - \vec\omega \times J \vec\omega)"
     energy = r"\frac{d}{dt} (\frac{1}{2} \vec\omega \cdot J \vec\omega) = \vec\omega \cdot \vec L"
-    _, follows, by_the_first = verdicts(tmp_path, EULER, solved, energy)
+    _, follows, by_the_first = judged(tmp_path, EULER, solved, energy)
     assert follows.outcome is by_the_first.outcome is Outcome.CONDITIONAL
     assert "(L1)" in by_the_first.reason
 
@@ -97,13 +95,13 @@ def test_a_law_may_stand_in_a_sentence(tmp_path: Path) -> None:
 
 
 def test_a_rate_and_a_higher_one_have_laws_each(tmp_path: Path) -> None:
-    *_, held = verdicts(tmp_path, r"\dot x = F", r"\ddot x = \dot F", r"\dot x \ddot x = F \dot F")
+    *_, held = judged(tmp_path, r"\dot x = F", r"\ddot x = \dot F", r"\dot x \ddot x = F \dot F")
     assert held.outcome is Outcome.CONDITIONAL
 
 
 def test_two_laws_for_one_rate_contradict_nothing(tmp_path: Path) -> None:
     """They are of two motions; the later one is not false."""
-    for each in verdicts(tmp_path, r"\ddot x = -k x", r"\ddot x = -k x - c \dot x", r"\ddot x = k"):
+    for each in judged(tmp_path, r"\ddot x = -k x", r"\ddot x = -k x - c \dot x", r"\ddot x = k"):
         assert told(each) == "said"
 
 
@@ -111,14 +109,14 @@ def test_claims_that_a_law_may_imply_are_not_refuted(tmp_path: Path) -> None:
     """In motion without a torque, which words alone say, or by a law that stands behind."""
     rest = r"\frac{d}{dt} (\vec\omega \cdot J \vec\omega) = 0"
     for displays in ([EULER, rest], [rest, EULER]):
-        found = verdicts(tmp_path, *displays)[displays.index(rest)]
+        found = judged(tmp_path, *displays)[displays.index(rest)]
         assert told(found) != "refuted"
 
 
 def test_claims_false_under_every_law_are_refuted(tmp_path: Path) -> None:
-    *_, false = verdicts(tmp_path, r"\ddot x + x^2 = 0", r"\frac{d}{dt} (x \dot x \dot x) = \dot x^3")
+    *_, false = judged(tmp_path, r"\ddot x + x^2 = 0", r"\frac{d}{dt} (x \dot x \dot x) = \dot x^3")
     assert false.outcome is Outcome.REFUTED
-    alone, *_ = verdicts(tmp_path, r"\frac{d}{dt} (m \dot x \dot x) = m \ddot x")
+    alone, *_ = judged(tmp_path, r"\frac{d}{dt} (m \dot x \dot x) = m \ddot x")
     assert alone.outcome is Outcome.REFUTED
 
 
@@ -135,13 +133,13 @@ def test_constants_have_no_rate_in_the_frame_of_the_dot(tmp_path: Path) -> None:
     turning = "'{}^F\\vec\\omega^G' = 'angular velocity of G in F'\n"
     told = MOMENTUM.replace(r"\vec\omega", r"{}^N\vec\omega^B")
     displays = (told, told.replace("= J", "= 2 J"), r"\dot J = 0", r"\frac{d}{dt} (J J) = 0")
-    held, false, still, _ = found = verdicts(tmp_path, *displays, more=FRAMES + turning)
+    held, false, still, _ = found = judged(tmp_path, *displays, more=FRAMES + turning)
     assert held.outcome is Outcome.PROVED and false.outcome is Outcome.REFUTED
     assert still.outcome is not Outcome.REFUTED and "in which frame" in found[-1].reason
 
 
 def test_a_vector_may_be_the_angular_velocity_of_a_frame(tmp_path: Path) -> None:
-    meant, false = verdicts(tmp_path, MOMENTUM, MOMENTUM.replace("= J", "= 2 J"), more=FRAMES)
+    meant, false = judged(tmp_path, MOMENTUM, MOMENTUM.replace("= J", "= 2 J"), more=FRAMES)
     assert told(meant) == "doubtful" and "the angular velocity" in doubts(meant)
     assert false.outcome is Outcome.REFUTED
 
@@ -151,7 +149,7 @@ def test_a_vector_of_components_that_nothing_defines_may_be_any(tmp_path: Path) 
     axes = "axes = { B = ['\\hat b_x', '\\hat b_y', '\\hat b_z'] }\n"
     frames = FRAMES.replace('dot = "B"', 'dot = "N"')
     known = "'\\vec M' = 'x \\hat b_x + y \\hat b_y + F \\hat b_z'\n'\\vec u' = 'c \\hat b_x'\n"
-    law, false = verdicts(
+    law, false = judged(
         tmp_path,
         r"\frac{d}{dt} (c \hat b_x + k \hat b_y) = \vec M",
         r"\dot{\vec u} = 2 \vec u",
@@ -168,24 +166,24 @@ def test_a_fact_on_a_rate_does_not_replace_its_law(tmp_path: Path) -> None:
         r"x \dot x = k x y",
         r"x \ddot x + \dot x^2 = k y \dot x - k^2 x^2",
     ]
-    *_, followed, reversed_ = verdicts(tmp_path, *laws, r"\ddot x = -k^2 x", r"\ddot x = k^2 x")
+    *_, followed, reversed_ = judged(tmp_path, *laws, r"\ddot x = -k^2 x", r"\ddot x = k^2 x")
     assert followed.outcome is Outcome.CONDITIONAL and "(L3)" in followed.reason
     assert told(reversed_) == "refuted"
 
 
 def test_definitions_of_the_text_are_named_without_laws(tmp_path: Path) -> None:
-    *_, found = verdicts(tmp_path, r"\ddot x = -k x", r"F = \frac{1}{2} \dot x^2", r"\dot F = \dot x \ddot x")
+    *_, found = judged(tmp_path, r"\ddot x = -k x", r"F = \frac{1}{2} \dot x^2", r"\dot F = \dot x \ddot x")
     assert found.outcome is Outcome.CONDITIONAL and "(L3)" in found.reason
 
 
 def test_the_law_of_a_positive_number_is_not_that_of_its_root(tmp_path: Path) -> None:
-    (stated,) = verdicts(tmp_path, r"p \dot p = x")
+    (stated,) = judged(tmp_path, r"p \dot p = x")
     assert told(stated) == "said"
 
 
 def test_only_the_laws_that_it_takes_are_named(tmp_path: Path) -> None:
     laws = [r"\dot x = k y", r"\ddot y = c x \dot x", r"m \dot y = F - c y"]
-    *_, found = verdicts(tmp_path, *laws, r"\frac{d}{dt} (x^2 y) = 2 k x y^2 + x^2 \dot y")
+    *_, found = judged(tmp_path, *laws, r"\frac{d}{dt} (x^2 y) = 2 k x y^2 + x^2 \dot y")
     assert found.outcome is Outcome.CONDITIONAL and found.hypothesis == r"\dot{x} = k y"
 
 
@@ -225,14 +223,14 @@ def test_a_cart_and_its_pole(tmp_path: Path) -> None:
 @pytest.mark.parametrize("word", [r"= \text{const.}", r"\equiv \mathrm{const}", r"= \mbox{constant}"])
 def test_symbols_stated_constant_have_no_rate(tmp_path: Path, word: str) -> None:
     law, kept = r"\ddot y = k x \dot x", rf"\dot y - \frac{{k}}{{2}} x^2 {word}"
-    _, found, steps, rest = verdicts(tmp_path, law, kept, rf"c + c = 2 c {word}")
+    _, found, steps, rest = judged(tmp_path, law, kept, rf"c + c = 2 c {word}")
     assert (found.outcome, found.hypothesis) == (Outcome.CONDITIONAL, r"\ddot{y} = k x \dot{x}")
     assert found.read_back.endswith("= 0")
     assert steps.outcome is rest.outcome is Outcome.PROVED
-    _, lost = verdicts(tmp_path, law, kept.replace("k", "2 k"))
+    _, lost = judged(tmp_path, law, kept.replace("k", "2 k"))
     assert lost.outcome not in (Outcome.CONDITIONAL, Outcome.PROVED)
 
 
 def test_const_without_a_left_side_states_nothing(tmp_path: Path) -> None:
     for row in (r"\equiv \text{const}", r"x \equiv\equiv \text{const}"):
-        assert all(told(found) != "refuted" for found in verdicts(tmp_path, "x = y", row)[1:])
+        assert all(told(found) != "refuted" for found in judged(tmp_path, "x = y", row)[1:])

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import doubts, told
+from tests.texts.written import doubts, shown, symbols_of, told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
@@ -39,21 +39,18 @@ KINDS = {
 }  # fmt: skip
 
 
-def verdicts(folder: Path, *displays: str) -> list[Verdict]:
-    (folder / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in displays))
-    model = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
-    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{model}\n")
-    return [result.verdict for result in judge_paper(load_paper(folder / "p.toml"))]
+def judged(folder: Path, *displays: str) -> list[Verdict]:
+    return verdicts(folder, shown(*displays), symbols_of(KINDS))
 
 
 @pytest.mark.parametrize(("formula", "what", "false"), LEFT_OUT)
 def test_a_property_that_the_model_leaves_out_is_asked_for(
     tmp_path: Path, formula: str, what: str, false: str
 ) -> None:
-    (asked,) = verdicts(tmp_path, formula)
+    (asked,) = judged(tmp_path, formula)
     is_hinted = "the cosine" in what or "the identity" in what
     assert told(asked) == ("conditional" if is_hinted else "doubtful") and what in doubts(asked)
-    (refuted,) = verdicts(tmp_path, false)
+    (refuted,) = judged(tmp_path, false)
     assert refuted.outcome is Outcome.REFUTED
 
 
@@ -70,9 +67,9 @@ def test_a_matrix_of_numbers_may_be_an_example(tmp_path: Path) -> None:
     for no angle, since nothing in K is free, is false."""
     applied = r"K \begin{bmatrix} 1 \\ 0 \end{bmatrix} = \begin{bmatrix} 0 \\ 1 \end{bmatrix}"
     turning = r"K = \begin{bmatrix} \cos\Delta & -\sin\Delta \\ \sin\Delta & \cos\Delta \end{bmatrix}"
-    _, example = verdicts(tmp_path, turning, applied)
+    _, example = judged(tmp_path, turning, applied)
     assert told(example) == "said" and "says what" in doubts(example)
-    _, false = verdicts(tmp_path, r"K = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", applied)
+    _, false = judged(tmp_path, r"K = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", applied)
     assert false.outcome is Outcome.REFUTED
 
 

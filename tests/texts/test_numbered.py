@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.texts.written import shown, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers import load_paper
 
@@ -17,9 +18,7 @@ RANGE = r"\quad i = 1, 2, 3"
 
 
 def outcome(folder: Path, formula: str, model: str) -> str:
-    (folder / "p.md").write_text(f"$$ {formula} $$")
-    (folder / "p.toml").write_text(f"source = 'p.md'\n{model}")
-    return judge_paper(load_paper(folder / "p.toml"))[-1].verdict.outcome.value
+    return verdicts(folder, shown(formula), model)[-1].outcome.value
 
 
 @pytest.mark.parametrize(

@@ -6,15 +6,14 @@ from pathlib import Path
 
 import pytest
 
+from tests.texts.written import verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.paper_errors import PaperError
 from workbench.papers.load import load_paper
 
 
 def outcomes(folder: Path, text: str, model: str) -> list[str]:
-    (folder / "p.md").write_text(text)
-    (folder / "p.toml").write_text('source = "p.md"\n' + model)
-    return [str(result.verdict.outcome) for result in judge_paper(load_paper(folder / "p.toml"))]
+    return [str(each.outcome) for each in verdicts(folder, text, model)]
 
 
 POWERS = r"$$ \sin(x)^2 + \cos(x)^2 = 1 $$" "\n\n" r"$$ \sin(2x)^2 = 4\sin(x)^2\cos(x) $$"

@@ -5,9 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import told
-from workbench.app.pipeline.judge_claims import judge_paper
-from workbench.papers.load import load_paper
+from tests.texts.written import shown, symbols_of, told, verdicts
 
 KINDS = {**dict.fromkeys((r"\theta", r"\phi", "x", "y", "z", "m"), "scalar"), "v": "vector"}
 
@@ -48,12 +46,8 @@ OPEN = [
 
 
 def outcomes(folder: Path, said: str, *displays: str) -> list[str]:
-    (folder / "p.md").write_text(
-        f"Note this (${said}$)!\n\n" + "\n\n".join(f"$$ {each} $$" for each in displays)
-    )
-    kinds = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
-    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{kinds}\n")
-    return [told(result.verdict) for result in judge_paper(load_paper(folder / "p.toml"))]
+    text = f"Note this (${said}$)!\n\n{shown(*displays)}"
+    return [told(each) for each in verdicts(folder, text, symbols_of(KINDS))]
 
 
 @pytest.mark.parametrize(("said", "true", "false"), VALUES)

@@ -65,11 +65,22 @@ def paper_of(folder: Path, text: str, model: str, form: str) -> TextPaper:
     return load_paper(folder / "p.toml")
 
 
-def verdicts(folder: Path, text: str, model: str, form: str) -> list[Verdict]:
-    """The verdicts on the displays of the text, in their order."""
-    paper = paper_of(folder, text, model, form)
+def verdicts(folder: Path, text: str, model: str, form: str = "md") -> list[Verdict]:
+    """The verdicts on the displays of the text, in their order. model: with or without its `source`."""
+    source = "" if model.lstrip().startswith("source") else f"source = 'p.{form}'\n"
+    paper = paper_of(folder, text, source + model, form)
     assert not paper.faults
     return [result.verdict for result in judge_paper(paper, motions=False, jobs=1)]
+
+
+def shown(*displays: str) -> str:
+    """The displays as Markdown, one paragraph each."""
+    return "\n\n".join(f"$$ {each} $$" for each in displays)
+
+
+def symbols_of(kinds: dict[str, str]) -> str:
+    """The table [symbols] of a model."""
+    return "[symbols]\n" + "".join(f"'{name}' = '{kind}'\n" for name, kind in kinds.items())
 
 
 def told(verdict: Verdict) -> str:

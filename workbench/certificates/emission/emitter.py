@@ -197,7 +197,7 @@ class Emitter(Collector):
         if kind is None:
             raise NotCertified(emitted_nodes.named(symbol.type.kind))
         for said, obstacle in _BEYOND.items():
-            if said in symbol.declaration.flags:
+            if getattr(symbol.declaration, said):
                 raise NotCertified(obstacle)
         body = self.definitions.lookup(symbol)
         if any(not index.is_number for index in symbol.index):

@@ -138,6 +138,8 @@ def test_a_name_of_coq_is_spelt_otherwise():
         (r"T T = T", {"T": {"kind": "transform"}}, "a block matrix that nothing defines"),
         (r"T a = a", {"T": {"kind": "tensor", "symmetric": True}, "a": "vector"}, "a symmetric tensor"),
         (r"\dot{x} = t x", {"x": "scalar"}, "the time t"),
+        (r"f f = f", {"q": "scalar", "f": {"kind": "scalar", "of": ["q"]}}, "a function of other symbols"),
+        (r"q q = q", {"q": {"kind": "scalar", "independent": True}}, "that others are functions of"),
         (r"\|a\| = \frac{d}{dt} \|b\|", {"a": "vector", "b": "vector"}, "the derivative of a norm"),
         (r"a \cdot b \neq 0", {"a": "vector", "b": "vector"}, "an inequation to be proved"),
     ],

@@ -174,7 +174,7 @@ def _cells(column: Operation) -> tuple[Operation, ...]:
 
 
 def coordinates(formulas: Sequence[Formula]) -> set[str]:
-    r"""Returns the symbols by which, or by whose rates, formulas differentiate: q of \partial L/\partial\dot{q}."""
+    r"""Returns the symbols by which formulas differentiate: q of \partial L/\partial\dot{q}."""
     walker = Walker()
     found = set()
     for formula in formulas:

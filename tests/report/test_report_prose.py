@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
 import pytest
-from sample_report import claim, report_of
+from sample_report import claim, report_of, sample
 
 from workbench.app.pipeline.judged_files import judged_file
 from workbench.report import render
@@ -52,3 +53,18 @@ def test_row_of_a_sentence_names_what_its_edit_replaces() -> None:
         "base", "37", "4", "refuted", printed=r"P_0 = I", corrected={"latex": "P_1 = I", "verdict": "proved"}
     )
     assert document_of(*report_of([goal])).rows[0].of == ("P _{ 0 }",)
+
+
+def test_row_of_quoted_words_names_their_formula() -> None:
+    words = claim("unique", "Theorem 2", "4", "refuted", quote="a unique $P_n \\in A$ exists")
+    assert document_of(*report_of([words])).rows[0].of == ("P _{ n }",)
+
+
+def test_notice_has_the_names_of_crossref_and_jats() -> None:
+    """Names as in Crossref's REST interface (works) and in the JATS tag library 1.1 (related-article)."""
+    paper, results = sample()
+    notice = json.loads(render.render(paper, results)["errata.json"])
+    assert "type" not in notice and notice["article-type"] == "correction"
+    assert set(notice["update-to"][0]) == {"DOI", "type", "label"}
+    related = {"related-article-type", "ext-link-type", "xlink:href"}
+    assert [set(each) for each in notice["related-article"]] == [related]

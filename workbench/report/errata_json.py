@@ -20,13 +20,14 @@ def errata_json(document: Document) -> str:
     entries = {entry.id: entry for entry in document.entries}
     cited, doi = document.citation, document.citation.get("doi")
     data: dict[str, Any] = {
-        "type": "journal-article",
         "article-type": "correction",
         "title": [f"Errata: {document.title}"],
         **({"container-title": [cited["source"]]} if "source" in cited else {}),
         "update-to": [{"DOI": doi, "type": _TYPES["crossref"], "label": "Erratum"}] if doi else [],
         "related-article": (
-            [{"related-article-type": _TYPES["jats"], "ext-link-type": "doi", "href": doi}] if doi else []
+            [{"related-article-type": _TYPES["jats"], "ext-link-type": "doi", "xlink:href": doi}]
+            if doi
+            else []
         ),
         "counts": {each.kind.name: each.count for each in document.classes},
         "equations": document.counted,

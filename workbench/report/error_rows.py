@@ -12,7 +12,7 @@ from workbench.report.anchors import Place
 from workbench.report.counterexamples import Against
 from workbench.report.equation_entries import Entry, Equation
 from workbench.report.errata import Change
-from workbench.report.mixed_prose import is_one_formula
+from workbench.report.mixed_prose import is_one_formula, runs_of
 from workbench.report.shown_kinds import STATES
 from workbench.source.typeset.differences import Change as Difference
 from workbench.source.typeset.differences import difference
@@ -95,11 +95,13 @@ def _row(equation: Equation) -> ErrorRow:
 
 
 def _left_sides(wrong: Sequence[Entry], changes: Sequence[Change]) -> tuple[str, ...]:
-    """Returns up to two left sides, of the wrong formulas or else of the formulas that the edits replace."""
+    """Returns up to two left sides: of the wrong formulas, of the replaced ones, or of those in the wrong
+    sentences."""
     claims = [entry.result.claim for entry in wrong if not entry.result.claim.proof.goal]
     shown = [claim.displayed or claim.our_formula for claim in claims]
     replaced = [run.content for change in changes for run in change.old if is_one_formula(change.old)]
-    for formulas in (shown, replaced):
+    said = [run.content for c in claims for run in runs_of(c.sentence.quote or "") if run.is_math]
+    for formulas in (shown, replaced, said):
         if sides := [side for latex in formulas if latex and (side := left_side(latex)) is not None]:
             return tuple(dict.fromkeys(sides))[:2]
     return ()

@@ -16,7 +16,7 @@ from workbench.core.reasons import Reason
 from workbench.papers import PaperError
 
 #: The keys of an entry that make an example.
-EXAMPLES = ("example", "text", "paper", "command")
+EXAMPLES = ("example", "text", "paper", "command", "python")
 
 
 def told_codes(entry: Mapping[str, Any], folder: Path) -> set[str]:
@@ -25,8 +25,23 @@ def told_codes(entry: Mapping[str, Any], folder: Path) -> set[str]:
         _write(entry, folder)
         with folder_of(folder):
             return set(re.findall(r"\[(WB-[\w-]+)\]", "\n".join(run(entry["command"]))))
-    found = _of_formula(entry, folder) if "example" in entry else _of_file(_write(entry, folder))
+    if "python" in entry:
+        _write(entry, folder)
+        with folder_of(folder):
+            found = _of_session(entry["python"])
+    else:
+        found = _of_formula(entry, folder) if "example" in entry else _of_file(_write(entry, folder))
     return {label(code) for reason in found for code in reason.codes}
+
+
+def _of_session(source: str) -> list[Reason]:
+    """Returns the reasons in what the Python lines call `found`, or those of their error."""
+    names: dict[str, Any] = {}
+    try:
+        exec(source, names)  # of our own messages.toml
+    except ValueError as error:
+        return list(_reasons(list(error.args)))
+    return list(_reasons(names["found"]))
 
 
 def _of_formula(entry: Mapping[str, Any], folder: Path) -> list[Reason]:

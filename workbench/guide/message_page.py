@@ -143,6 +143,7 @@ def _example(said: Mapping[str, Any]) -> list[str]:
         ("text", "paper.md", ""),
         ("model", "paper.toml", "toml"),
         ("paper", "paper.toml", "toml"),
+        ("python", "Python", "python"),
     ):
         if key in said:
             lines += [f"Example, `{name}`:", "", f"```{language}", said[key].strip("\n\ufeff"), "```", ""]

@@ -19,4 +19,3 @@ class MotionCode(Code):
     NO_QUANTITY = "a definition of what Drake has no quantity for"
     PREMISES_NOT_MET = "nowhere on the motions is met what it supposes, so they test nothing of it"
     TOO_HIGH_AN_ORDER = "derivatives of too high an order"
-    WORDS = "a sentence, with no formula to evaluate"

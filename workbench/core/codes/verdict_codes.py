@@ -64,7 +64,6 @@ class VerdictCode(Code):
     )
     NEGATIVE_NORM = "a norm is not negative"
     NESTS_TOO_DEEP = "what it is made of nests too deep for the engines"
-    NONE_EXISTS = "there is none"
     NOT_AS_DRAFTED = "does not fit the drafted kinds and notation: {reason}"
     NOT_DEFINED_FOR_ALL = "{left} is not seen to be defined for all of these: {reason}"
     KEPT_IN_INTEGRAL = "what stands before the sign is the same throughout the integral"

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias, cast
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import number, relation
+from workbench.core.construct import relation
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.terms import IllFormed, Relation, Statement
@@ -256,10 +256,6 @@ class _Prover:
                 none = self.holds(sequent.of(All(variables, Implies(body, absurd))), then)
                 if none.outcome != Outcome.PROVED:
                     return none
-                if absurd.statement == relation("=", number(0), number(1)):
-                    return replace(
-                        none, outcome=Outcome.REFUTED, scope=None, reason=VerdictCode.NONE_EXISTS()
-                    )
                 return _with(self.refute(sequent.of(absurd), False_()), none)
             case Atom(statement), False_():
                 verdict = self._judge(_obligation(sequent, statement))

@@ -64,6 +64,15 @@ def test_behind_the_numbers_of_a_formula_the_premises_hold_too():
     assert found.outcome == Outcome.UNCHECKED
 
 
+@pytest.mark.parametrize("latex", ["f = g", "f + g = g + f", "f = g + 1"])
+@pytest.mark.parametrize("orders", ["n = 0..3", "m = 1..2, n = 0..3"])
+def test_orders_without_their_letter_change_nothing(latex, orders):
+    with_orders, without = judged(latex, orders=Orders.parse(orders)), judged(latex, orders=None)
+    assert with_orders == without and with_orders.scope is None
+    under = judged(latex, hypothesis="f = g", orders=Orders.parse(orders))
+    assert under == judged(latex, hypothesis="f = g", orders=None)
+
+
 def generic(text, *names):
     stated = tuple(Range(name, Linear(0), None, True) for name in names)
     return replace(Orders.parse(text), stated=stated)

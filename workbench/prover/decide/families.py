@@ -16,7 +16,7 @@ from typing import Protocol
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import relation
 from workbench.core.integer_expressions import Linear
-from workbench.core.integer_instances import instantiate
+from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.operations import GRADIENTS, PARTIALS
 from workbench.core.reasons import Reason, reason_of
 from workbench.core.terms import (
@@ -78,11 +78,11 @@ def judge_family(
     orders: OrderRanges | None,
 ) -> Verdict:
     """Returns the verdict on a statement whose integer variables are those of `orders`: that on its worst
-    member.
+    member. A statement without an integer variable is its only member.
 
     For unbounded indices, examples prove nothing, and equal indices refute nothing.
     """
-    if orders is None:
+    if orders is None or not any(map(free_integers, all_terms(_given(statement, assume, hypothesis)))):
         return _instance_for(judge, statement, assume, hypothesis, {})
     verdict = _family(judge, statement, assume, hypothesis, orders)
     if verdict.outcome is Outcome.REFUTED and orders.generic:
@@ -94,6 +94,12 @@ def judge_family(
         return _open(orders, VerdictCode.FAILS_FOR_SOME_SUMS())
     may_go_on = not verdict.is_for_all and bool(orders.generic or orders.endless)
     return _open(orders, VerdictCode.HOLDS_FOR(orders=orders)) if may_go_on else verdict
+
+
+def _given(
+    statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+) -> tuple[Statement, ...]:
+    return (statement, *assume) if hypothesis is None else (statement, *assume, hypothesis)
 
 
 def _open(orders: OrderRanges, seen: Reason) -> Verdict:
@@ -163,7 +169,7 @@ def _for_all(
     Returns None if the statement is not of that form or does not hold so, or if some definition does not
     apply for all of `orders`.
     """
-    statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
+    statements = _given(statement, assume, hypothesis)
     if any(map(has_sums, all_terms(statements))):
         return judge_addends(judge, statement)  # holds without the assumptions
     try:

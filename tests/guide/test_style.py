@@ -1,17 +1,21 @@
-"""The style of README, manual, messages and public docstrings: idioms to avoid, sentences of at most 30 words."""
+"""The style of README, manual, messages and docstrings: idioms to avoid, sentences of at most 30 words."""
 
 from __future__ import annotations
 
+import ast
 import inspect
 import re
 from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
 
 import pytest
 
+import workbench
 from workbench.app.commands.command_table import COMMANDS
 from workbench.core.code_labels import label
 from workbench.core.schema import SCHEMA
-from workbench.guide.api_page import FUNCTIONS, function_of
+from workbench.guide.api_page import FUNCTIONS, MEMBERS, PACKAGES, function_of, numerical
 from workbench.guide.message_page import all_codes, entries
 from workbench.guide.pages import FOLDER
 
@@ -35,6 +39,8 @@ IDIOMS = (
     (r"\bthat is nothing else\b", "unclear", "that consists of this only"),
 )
 MOST_WORDS = 30
+#: The members with a docstring of their own that are no routines.
+DESCRIBED = (property, cached_property, classmethod, staticmethod)
 _CODE = re.compile(r"^```(?s:.*?)^```$|^    .*$|^\|.*$|^#.*$|^>.*$", re.MULTILINE)
 _INLINE = re.compile(r"`[^`\n]*`|\\\w+")
 
@@ -65,9 +71,37 @@ def texts() -> Iterator[tuple[str, str]]:
         yield f"summary of {command.name}", command.summary
     for table, keys in SCHEMA.items():
         yield f"schema {table}", "\n\n".join(key.meaning for key in keys)
-    for name in FUNCTIONS:
-        text = (inspect.getdoc(function_of(name)) or "").split(">>>")[0]
-        yield f"docstring of {name}", re.sub(r"^ *\w+: ", "\n\n", prose(text), flags=re.MULTILINE)
+    for name, noun in nouns():
+        yield f"docstring of {name}", prose_of_docstring(inspect.getdoc(noun) or "")
+
+
+def nouns() -> Iterator[tuple[str, Any]]:
+    """Yields the public functions and classes with the members of their own, by name."""
+    public = {name: getattr(workbench, name) for name in MEMBERS}
+    for package in PACKAGES:
+        public |= numerical(package)
+    yield from ((name, function_of(name)) for name in FUNCTIONS)
+    for name, noun in public.items():
+        if callable(noun):
+            yield name, noun
+        for member, own in vars(noun).items() if inspect.isclass(noun) else ():
+            if not member.startswith("_") and (isinstance(own, DESCRIBED) or inspect.isroutine(own)):
+                yield f"{name}.{member}", own
+
+
+def prose_of_docstring(text: str) -> str:
+    """Returns the running text: without the session at its end; an argument begins a sentence."""
+    return re.sub(r"^ *\w+: ", "\n\n", prose(text.split(">>>")[0]), flags=re.MULTILINE)
+
+
+def all_docstrings() -> Iterator[tuple[str, str]]:
+    """Yields (where, running text) of each docstring of the package."""
+    for path in sorted((ROOT / "workbench").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef | ast.ClassDef | ast.Module) and (
+                said := ast.get_docstring(node)
+            ):
+                yield f"{path.stem}, {getattr(node, 'name', 'the file')}", prose_of_docstring(said)
 
 
 def long_sentences() -> list[str]:
@@ -80,9 +114,12 @@ def long_sentences() -> list[str]:
     ]
 
 
+ALL_DOCSTRINGS = tuple(all_docstrings())
+
+
 @pytest.mark.parametrize(("pattern", "why", "instead"), IDIOMS, ids=[row[0] for row in IDIOMS])
 def test_no_text_uses_the_idiom(pattern: str, why: str, instead: str) -> None:
-    found = [where for where, text in texts() if re.search(pattern, text)]
+    found = [where for where, text in (*texts(), *ALL_DOCSTRINGS) if re.search(pattern, text)]
     assert found == [], f"{why}; write: {instead}"
 
 

@@ -226,7 +226,7 @@ def test_the_value_of_a_symbol_is_a_statement() -> None:
 
 @pytest.mark.parametrize("condition", [r"s \geq 0", "s > 0", r"s \in \mathbb{N}"])
 def test_a_condition_on_a_symbol_is_not_dropped(condition: str) -> None:
-    with pytest.raises(ReadError, match="s is a symbol; what is assumed of symbols"):
+    with pytest.raises(ReadError, match="s is a symbol; an assumption about symbols"):
         read(f"a = b, {condition}", TABLE)
 
 

@@ -142,9 +142,9 @@ def _third_rate_across(inner: Sequence[Any], outer: Sequence[Any]) -> Any:
 def twist_derivatives(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
     """Returns ω̲ and its derivatives to order n of any number of cylindrical joints.
 
-    ``rates[i]`` holds n + 1 entries. Eq. (133) with the joints nested: the twist of the bodies from
-    joint i on has the derivatives ω̲ᵢ⁽ᵏ⁾ u̲ᵢ + Σⱼ C(k, j) Φ̲ⱼ(ω̲ᵢ u̲ᵢ) V̲⁽ᵏ⁻ʲ⁾, V̲ being that of the
-    bodies after it, as seen from joint i's body. Raises `ValueError` for counts that do not fit.
+    ``rates[i]`` holds n + 1 entries. Eq. (133) with the joints nested: the bodies from joint i on have
+    twists with the derivatives `ω̲ᵢ⁽ᵏ⁾ u̲ᵢ + Σⱼ C(k, j) Φ̲ⱼ(ω̲ᵢ u̲ᵢ) V̲⁽ᵏ⁻ʲ⁾`. There V̲ is the twist of the
+    bodies after joint i, as seen from its body. Raises `ValueError` for counts that do not fit.
 
     >>> x, z = Dual([1, 0, 0]), Dual([0, 0, 1])
     >>> [each.re.tolist() for each in twist_derivatives([z, x], [[1, 0], [2, 0]])]

@@ -48,7 +48,7 @@ def twist_from_points(points: ArrayLike, accelerations: ArrayLike) -> tuple[np.n
 
     points (..., P, 3); accelerations (N, ..., P, 3), accelerations[n-1] in m/sⁿ. Because the body is
     rigid, only ω⁽ⁿ⁻¹⁾ of Φₙ is not known from the orders below, and 3 points that are not collinear give
-    it: with dᵢ and rᵢ the arms and what is left of the accelerations about the centroid,
+    it. With the arms dᵢ and the remaining accelerations rᵢ about the centroid,
         Σᵢ (dᵢ² I - dᵢ ⊗ dᵢ) ω⁽ⁿ⁻¹⁾ = Σᵢ dᵢ × rᵢ.
     Raises ValueError for a wrong shape, fewer than 3 points, or collinear ones.
     """

@@ -124,7 +124,7 @@ COMMANDS = (
         "Print twists, accelerations and jerk of a robot's body.",
         (
             "workbench motion robot.urdf --body hand --order 4",
-            "workbench motion robot.urdf --body hand --trajectory samples.csv --limits limits.toml",
+            "workbench motion arm.urdf --body hand --trajectory q.csv --limits limits.toml",
         ),
     ),
     Entry(

@@ -41,7 +41,7 @@ class DeclarationCode(Code):
     INDEX_EXPECTED_NUMBER_OR = "the index {place}; expected a number, or one letter plus a number"
     INDICES_DIFFER_FROM_THOSE = "the indices of {alias} differ from those of {key}"
     LETTER_NOT_IN_MEANING = "where: {letter} does not stand in what it means"
-    LETTER_NOT_IN_NOTATION = "where: {letter} does not stand in it"
+    LETTER_NOT_IN_NOTATION = "where: {letter} does not occur in the spelling"
     NOTATION_WITHOUT_ARGUMENTS = "a notation without arguments is {symbol}"
     NO_DECLARED_SYMBOL = "of: {text} is no declared symbol"
     NO_FORMULA_SEARCHED_THIS = "no formula is searched for this; expected {FORMS}"

@@ -225,7 +225,7 @@ class SyntaxCode(Code):
     SUM_HAS_NO_BODY = "the sum has no body"
     SUM_HAS_NO_UPPER = "the sum has no upper bound"
     SUM_OVER_K_K = "a sum over k_1 + k_2 + … = k has no upper bound"
-    SYMBOL_WHAT_ASSUMED_SYMBOLS = "{name} is a symbol; what is assumed of symbols is written with = and \\neq"
+    SYMBOL_WHAT_ASSUMED_SYMBOLS = "{name} is a symbol; an assumption about symbols is written with = or \\neq"
     TENSOR_RATE_IN_FRAME = "the derivative of a tensor, in which frame? write out that of each factor"
     TEX_TAKES_ONLY_FIRST = "TeX takes only the first digit of {text} here; write {{…}}"
     THREE_VECTORS_BESIDE_EACH = "three vectors beside each other; write (a b) \\cdot c"

@@ -68,7 +68,7 @@ class TypeCode(Code):
     ROOT = "the root of a {type} is not read"
     ROOT_OF_WEIGHT = "the root of a quantity of weight {weight}"
     ROW_OF_ZEROS = "{message}; a row of zeros is written 0_{{1 \\times {size}}}"
-    SETS_AS_VALUES = "the values of the map are sets, and its codomain is none of sets"
+    SETS_AS_VALUES = "the values of the map are sets, but its codomain is not a set of sets"
     SIZE_OF_MATRIX = "the size of the matrix is {both}"
     TENSOR_UNDER_TILDE = "expected a vector under the tilde, got a tensor"
     TOO_MANY_ADDENDS = "a sum of {addends} addends; at most {most} are written out"

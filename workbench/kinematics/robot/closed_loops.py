@@ -159,9 +159,10 @@ class ClosedLoops:
         rates.
 
         q (..., positions): a closed position. driven: by the name of a velocity its rate and the
-        derivatives of that, (N, ...), in rad or m per s, s², … Raises SingularJacobian, a ValueError,
-        with the singular values, where they do not determine the motion; ValueError where no motion has
-        them, and for an open position."""
+        derivatives of that, (N, ...), in rad or m per s, s², ….
+
+        Raises SingularJacobian, a ValueError with the singular values, where they do not determine the
+        motion; ValueError where no motion has them, and for an open position."""
         q = self._coordinates(q)
         wanted = self._wanted(q, driven)
         self._require_closed(q, "q: expected a closed position (see `close`)")

@@ -173,8 +173,9 @@ class Robot(Structure):
     def on_objects(
         self, frame: str, q_derivatives: ArrayLike, order: int | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Returns the pose (4, 4) and the twists (N, 6) of a frame, of one state of Drake's Expression or
-        AutoDiffXd or of SymPy's symbols, q_derivatives (N + 1, positions): arrays of these.
+        """Returns the pose (4, 4) and the twists (N, 6) of a frame as arrays of objects.
+
+        q_derivatives (N + 1, positions): one state of Drake's Expression or AutoDiffXd, or SymPy's symbols.
 
         Twists are V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. The gradients of
         AutoDiffXd are the partial derivatives in closed form, see `RobotFrame.twist_partial`. order: N, as

@@ -348,7 +348,7 @@ class _Lettering:
         return Fault(scope.table.unknown(next(s for s in spellings if s is not None)), at)
 
     def resolved_rate(self, node: Accented, term: Term) -> Term | None:
-        """{}^F\\dot{x}, where the paper says that it is the components of \\dot{x} in F."""
+        """Returns {}^F\\dot{x} if the paper says that it has the components of \\dot{x} in F; else None."""
         known = self.scope.table.frames.resolved
         if node.accent == "~" or not isinstance(term, Symbol) or term.declaration.name not in known:
             return None

@@ -156,7 +156,7 @@ def _halves_exchanged(term: Term) -> Term:
 
 
 def _other_gradient(claim: Claim, known: Known) -> Iterator[Statement]:
-    """Yields the formula as it is read with gradients that are columns instead of rows, or rows."""
+    """Yields the formula read with gradients as columns instead of rows, or as rows instead of columns."""
     conventions = claim.notation.symbols.conventions
     if conventions.gradient is not None and _GUESSED in claim.context.guessed:
         other = next(each for each in Gradient if each is not conventions.gradient)

@@ -1,7 +1,7 @@
 """Fast test of candidates: the residual modulo a 61-bit prime at random points.
 
 A non-zero residual at a point where no denominator vanishes shows that the statement is false: the numerator
-is then not the zero polynomial, so it is non-zero at some rational point, also at one where all assumed
+is then not the zero polynomial, so the statement fails at some rational point, also at one where all assumed
 disequations hold (`Screen.certifies` tells where this argument applies). A zero residual proves nothing; the
 judge decides.
 

@@ -251,7 +251,7 @@ def _delimited(tokens: Sequence[Token], place: int) -> _Made | None:
 
 
 def _renamed(tokens: Sequence[Token], place: int) -> _Made:
-    """What any other command before `place` is called here; nothing for one that prints nothing."""
+    """Returns the spelling used here for any other command before `place`; empty if it prints nothing."""
     token = tokens[place - 1]
     word = token.word or ""
     if word in _STARRED:

@@ -126,7 +126,7 @@ class Priors:
     Attributes:
         functions: Letters before brackets.
         units: i, j and k, if they are those of quaternions.
-        parted: Symbols of which the text takes the scalar or the vector part.
+        parted: Symbols whose scalar or vector part the text takes.
         turning: Symbols T of formulas with a × (T a), which is 0 for a scalar.
     """
 

@@ -318,7 +318,7 @@ def test_judgements_that_take_too_long_are_cancelled(
     with monkeypatch.context() as patch:
         patch.setattr(page_app, "SECONDS", 0.3)
         patch.setattr(desk, "judged_file", slow)
-        status, told = scratch.call("check", text=FALSE)
+        status, told = scratch.call("check", text=FALSE, tab="new")
         assert status == 503 and "given up" in told["error"] and ended.wait(10)
     assert grades(scratch.call("check", text=FALSE)[1]) == ["warning"], "the next is judged"
 
@@ -326,6 +326,15 @@ def test_judgements_that_take_too_long_are_cancelled(
 def test_a_text_that_cannot_be_judged_says_why(scratch: Served) -> None:
     status, view = scratch.call("check", text="no formula")
     assert status == 200 and view["displays"] == [] and "no displayed equation" in view["faults"][0]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["no formula", "\\input{b} " + FALSE, "\\begin{equation} a = a \\] b", "\\def\\x{\\x} \\[ \\x = 1 \\]"],
+)
+def test_faults_of_a_pasted_text_name_no_folder(scratch: Served, text: str) -> None:
+    faults = scratch.call("check", text=text)[1]["faults"]
+    assert faults and not any("/" in each.replace("\\", "") for each in faults), faults
 
 
 @pytest.mark.parametrize(

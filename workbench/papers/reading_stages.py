@@ -14,6 +14,7 @@ from typing import Generic, TypeVar
 from workbench.core.codes.model_codes import ModelCode
 from workbench.core.paper_errors import PaperError, PaperErrors
 from workbench.core.reasons import Reason
+from workbench.runtime import stop_if_asked
 from workbench.source.toml.toml_file import TomlFile
 
 T = TypeVar("T")
@@ -54,6 +55,7 @@ def stage(read: Callable[..., T], *files: TomlFile) -> Stage[T]:
     """
     views, errors = files, list[PaperError]()
     while True:
+        stop_if_asked()
         try:
             return Stage(read(*views), tuple(errors), len(errors))
         except PaperError as error:

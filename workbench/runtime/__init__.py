@@ -6,6 +6,6 @@ What checks it? tests/test_budget.py, tests/test_memory.py.
 """
 
 from workbench.runtime.limits import STANDARD, Budget, OutOfBudget
-from workbench.runtime.workers import Workers, interruptible
+from workbench.runtime.workers import Workers, interruptible, stop_if_asked
 
-__all__ = ["STANDARD", "Budget", "OutOfBudget", "Workers", "interruptible"]
+__all__ = ["STANDARD", "Budget", "OutOfBudget", "Workers", "interruptible", "stop_if_asked"]

@@ -44,6 +44,12 @@ def interruptible(check: Callable[[], None]) -> Iterator[None]:
         _check.reset(before)
 
 
+def stop_if_asked() -> None:
+    """Raises what `check` of `interruptible` raises; long work in this process calls it now and then."""
+    if (check := _check.get()) is not None:
+        check()
+
+
 class Workers:
     """Calls of one function in up to `count` processes, each within the budget (None: no limits).
 

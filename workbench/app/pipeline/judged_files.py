@@ -59,11 +59,12 @@ class Loaded:
 
 @dataclass(frozen=True)
 class Judged:
-    """A text or a paper file with its results. draft: as in `Loaded`."""
+    """A text or a paper file with its results. draft: as in `Loaded`. answers: those that it has."""
 
     paper: Paper
     results: list[ClaimResult]
     draft: Draft | None = None
+    answers: tuple[Answer, ...] = ()
 
 
 def loaded_file(path: Path, memory: Memory | None = None, answers: Sequence[Answer] = ()) -> Loaded:
@@ -103,7 +104,7 @@ def judged_file(
     with unsaved(buffers or {}), within(folder), memory_of_verdicts(True) as memory:
         loaded = loaded_file(path, memory, answers)
         results = judge_paper(loaded.paper, (), partial(progress, loaded), 1, memory=memory, motions=motions)
-        return loaded.judged(results, memory=memory)
+        return replace(loaded.judged(results, memory=memory), answers=tuple(answers))
 
 
 def with_corrections(

@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
+from workbench.app.pipeline.changed_files import first_verdicts
 from workbench.app.pipeline.judged_files import (
     SEARCH_SECONDS,
     Judged,
@@ -75,29 +76,61 @@ class Turn:
         self._desk, self._text, self._number, self._folder = desk, text, number, folder
         self._loaded: Loaded | None = None
         self._results: list[ClaimResult] = []
+        self._changed: list[Judged] = []
 
     @property
     def judged(self) -> int:
         """The number of judged claims."""
         return len(self._results)
 
+    @property
+    def news(self) -> int:
+        """A number that grows when `at_once` has more to tell."""
+        return len(self._changed) or len(self._results)
+
+    @property
+    def has_standing(self) -> bool:
+        """True if the first verdicts are those on a change, beside those that stand."""
+        return bool(self._changed)
+
     def at_once(self) -> Judged | None:
-        """Returns the verdicts that are ready; None before the first, and if a later turn has begun."""
-        if self._loaded is None or not self._desk.is_of(self._text, self._number):
+        """Returns the verdicts that are ready; None before the first, and if a later turn has begun.
+
+        After a change they are those that stand, and those on what changed.
+        """
+        if not self._desk.is_of(self._text, self._number):
             return None
-        return self._loaded.at_once(list(self._results))
+        if self._changed:
+            return self._changed[-1]
+        return None if self._loaded is None else self._loaded.at_once(list(self._results))
 
     async def verdicts(
-        self, path: Path, buffers: Mapping[Path, str], answers: Sequence[Answer] = ()
+        self,
+        path: Path,
+        buffers: Mapping[Path, str],
+        answers: Sequence[Answer] = (),
+        before: Judged | None = None,
     ) -> Judged:
-        """Returns the verdicts on a file. Raises PaperError, and Superseded if a later turn has begun."""
+        """Returns the verdicts on a file. Raises PaperError, and Superseded if a later turn has begun.
+
+        before: the last verdicts on the file before it changed.
+        """
 
         def seen(loaded: Loaded, result: ClaimResult) -> None:
             self._loaded = loaded
             self._results.append(result)
             self._check()
 
-        judge = partial(judged_file, path, buffers, self._desk.motions, answers, seen, self._folder)
+        def told(judged: Judged) -> None:
+            self._changed.append(judged)
+            self._check()
+
+        def judge() -> Judged:
+            motions = self._desk.motions
+            if before is not None:
+                first_verdicts(path, before, buffers, motions, answers, told, self._folder)
+            return judged_file(path, buffers, motions, answers, seen, self._folder)
+
         return await self._run(judge)
 
     async def corrections(self, judged: Judged) -> Judged:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -23,18 +24,15 @@ from workbench.app.servers.lsp_answers import (
     lenses,
     write_model,
 )
-from workbench.app.servers.result_words import proved_form, told_of
+from workbench.app.servers.lsp_diagnostics import diagnostic_of, publish, range_of, whole_span
+from workbench.app.servers.result_words import told_of
 from workbench.app.servers.symbol_places import defining_places, sign_at
-from workbench.core.codes.syntax_codes import UNKNOWN_SYMBOLS
-from workbench.core.codes.verdict_codes import WAITS_FOR_ITS_AUTHOR
-from workbench.core.reasons import Code
 
 if TYPE_CHECKING:
     from lsprotocol.types import CodeAction, Diagnostic, Hover, Location, Position, Range
     from pygls.lsp.server import LanguageServer
     from pygls.workspace import ServerTextPosition
 
-    from workbench.core.spans import Span
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
     from workbench.report.findings import Finding
@@ -54,18 +52,27 @@ def lsp(motions: bool) -> None:
     server.start_io()
 
 
-#: Seconds without a keystroke after which a text is judged, and after which the first verdicts are shown
-#: while the others are not ready.
-_PAUSE, _SOON = 0.1, 0.2
+#: Seconds without a keystroke after which a text is judged.
+_PAUSE = 0.05
+#: Seconds between two looks for first verdicts, and after which they are shown where none stood before.
+_LOOK, _SOON = 0.02, 0.2
 
 
 @dataclass
 class Known:
-    """The results for one file, all or the first ones, and the files with published diagnostics."""
+    """The results for one file, all or the first ones, and the files with published diagnostics.
+
+    Attributes:
+        whole: The last results of the whole file.
+    """
 
     judged: Judged
     told: set[Path] = field(default_factory=set)
-    is_whole: bool = True
+    whole: Judged | None = None
+
+    @property
+    def is_whole(self) -> bool:
+        return self.judged is self.whole
 
 
 def server_for(motions: bool) -> LanguageServer:
@@ -122,7 +129,7 @@ def server_for(motions: bool) -> LanguageServer:
     @server.command(WRITE_MODEL)
     async def model_written(uri: str) -> None:
         own = known.get(_path_of(server, uri))
-        if own is not None and own.judged.draft is not None:
+        if own is not None and own.is_whole and own.judged.draft is not None:
             message = lsp_types.ShowMessageParams(lsp_types.MessageType.Info, write_model(own.judged))
             server.window_show_message(message)
             answers.pop(_path_of(server, uri), None)
@@ -179,8 +186,8 @@ def _at(
     """Returns the result for the formula at a position of a file, with its range."""
     for each in known:
         for result in each.judged.results:
-            where = _range(server, _whole(result))
-            if _whole(result).file.resolve() == path.resolve() and where.start <= position <= where.end:
+            where = range_of(server, whole_span(result))
+            if whole_span(result).file.resolve() == path.resolve() and where.start <= position <= where.end:
                 return each, result, where
     return None
 
@@ -206,7 +213,7 @@ def _definitions(
     lines, place = _own_place(server, uri, position)
     sign = sign_at(lines[place.line], place.character) if place.line < len(lines) else ""
     spans = defining_places(found[0].judged, found[1], sign)
-    return [lsp_types.Location(each.file.resolve().as_uri(), _range(server, each)) for each in spans]
+    return [lsp_types.Location(each.file.resolve().as_uri(), range_of(server, each)) for each in spans]
 
 
 def _own_place(server: LanguageServer, uri: str, at: Position) -> tuple[list[str], ServerTextPosition]:
@@ -278,11 +285,13 @@ async def _verdicts(
     """Returns the verdicts; publishes the first ones if the others take longer. Raises as the turn."""
     from workbench.report.findings import findings
 
-    judging = asyncio.ensure_future(turn.verdicts(path, buffers, answers))
-    told = 0
-    while not (await asyncio.wait({judging}, timeout=_SOON))[0]:
-        if turn.judged > told and (first := turn.at_once()) is not None:
-            told = turn.judged
+    before = known[path].whole if path in known else None
+    judging = asyncio.ensure_future(turn.verdicts(path, buffers, answers, before))
+    told, start = 0, monotonic()
+    while not (await asyncio.wait({judging}, timeout=_LOOK))[0]:
+        is_time = turn.has_standing or monotonic() - start > _SOON
+        if is_time and turn.news > told and (first := turn.at_once()) is not None:
+            told = turn.news
             _tell(server, known, path, findings(first.paper, first.results), first, is_whole=False)
     return judging.result()
 
@@ -315,84 +324,7 @@ def _tell(
         by_file.setdefault(each.span.file, []).append(each)
     by_id = {result.claim.id: result for result in judged.results} if judged else {}
     for file, own in by_file.items():
-        _publish(server, file, [_diagnostic(server, each, by_id.get(each.claim)) for each in own])
+        publish(server, file, [diagnostic_of(server, each, by_id.get(each.claim)) for each in own])
     if judged is not None:
-        known[path] = Known(judged, set(by_file), is_whole)
-
-
-def _publish(server: LanguageServer, file: Path, diagnostics: list[Diagnostic]) -> None:
-    from lsprotocol.types import PublishDiagnosticsParams
-
-    server.text_document_publish_diagnostics(PublishDiagnosticsParams(file.resolve().as_uri(), diagnostics))
-
-
-#: Codes that wait for the author and are no faults.
-_HINTS: frozenset[Code] = WAITS_FOR_ITS_AUTHOR | UNKNOWN_SYMBOLS
-
-
-def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | None) -> Diagnostic:
-    from lsprotocol.types import Diagnostic, DiagnosticSeverity
-
-    levels = {"error": DiagnosticSeverity.Error, "warning": DiagnosticSeverity.Warning}
-    severity = levels.get(finding.level, DiagnosticSeverity.Information)
-    reason = result.verdict.reason if result is not None else None
-    waits = finding.code == "definition" or (reason is not None and not reason.codes.isdisjoint(_HINTS))
-    if finding.level == "note" and waits:
-        severity = DiagnosticSeverity.Hint
-    data: dict[str, Any] = {"claim": finding.claim}
-    if result is not None:
-        data |= _quick_fix(server, result)
-    return Diagnostic(
-        _range(server, finding.span),
-        finding.message,
-        severity,
-        code=finding.code,
-        source="workbench",
-        data=data,
-    )
-
-
-def _quick_fix(server: LanguageServer, result: ClaimResult) -> dict[str, Any]:
-    """Returns the title and the edits of a proved correction: (file, start, end, new text); empty if none is
-    known."""
-    from workbench.source.typeset.plain_text import in_plain_text
-
-    edits = [(each.span, each.new) for each in result.edits]
-    title = in_plain_text(result.proposed[0].edit) if result.proposed else ""
-    if not edits and (fix := proved_form(result)) is not None:
-        edits, title = [(_whole(result), fix)], f"replace by what is proved: {fix}"
-    if not edits:
-        return {}
-    told = []
-    for span, new in edits:
-        where = _range(server, span)
-        told.append(
-            (
-                span.file.resolve().as_uri(),
-                where.start.line,
-                where.start.character,
-                where.end.line,
-                where.end.character,
-                new,
-            )
-        )
-    return {"title": title[:1].upper() + title[1:], "edits": told}
-
-
-def _whole(result: ClaimResult) -> Span:
-    """Returns the span of the whole claim."""
-    from workbench.report.findings import place_of
-
-    return result.claim.context.span or place_of(result)
-
-
-def _range(server: LanguageServer, span: Span) -> Range:
-    """Returns the range in the units that the client counts."""
-    from lsprotocol.types import Position, Range
-
-    document = server.workspace.get_text_document(span.file.resolve().as_uri())
-    lines = [f"{line}\n" for line in document.source.split("\n")]
-    whole = Range(
-        Position(span.line - 1, span.column - 1), Position(span.end_line - 1, max(0, span.end_column - 1))
-    )
-    return document.position_codec.range_to_client_units(lines, whole)
+        whole = judged if is_whole else known[path].whole if path in known else None
+        known[path] = Known(judged, set(by_file), whole)

@@ -116,7 +116,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
 
     given: symbols whose kinds are known. They may have any value of their kinds.
     """
-    text, fences = _with_fences(text, macros)
+    text, fences = with_fences(text, macros)
     inline, prose = _words(text, given)
     steps = _steps(text.displays, frozenset())
     functions = functions_in((step.spelled()[0], display.line) for display, step in steps)
@@ -222,7 +222,7 @@ def _dot(proposals: Sequence[Proposal]) -> str:
 
 def inferred_of(path: Path, macros: Path | None = None) -> Inference:
     """Returns the kinds inferred for the symbols of a text. Raises as `ingest`."""
-    text, _ = _with_fences(read_text(path, macros), macros)
+    text, _ = with_fences(read_text(path, macros), macros)
     return _inferred(text, _steps(text.displays, frozenset()), _words(text)[1])
 
 
@@ -244,7 +244,7 @@ def _words(text: Text, given: Sequence[Guess] = ()) -> tuple[list[Display], Pros
     return inline, Prose("\n".join(source.text for source in text.sources[:1]), inline, text.displays, given)
 
 
-def _with_fences(text: Text, macros: Path | None) -> tuple[Text, dict[str, str]]:
+def with_fences(text: Text, macros: Path | None) -> tuple[Text, dict[str, str]]:
     """Returns the text, and what the macros that only TeX can expand seem to print."""
     fences = letters_in_bold(text.displays) | {f"\\{name}": body for name, body in text.fences.items()}
     if fences:

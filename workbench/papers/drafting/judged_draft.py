@@ -19,7 +19,7 @@ from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_n
 from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
-from workbench.papers.drafting.redefinitions import given_in
+from workbench.papers.drafting.redefinitions import Scope, given_in
 from workbench.papers.drafting.typefaces import flat
 from workbench.papers.paper_cache import Kept
 from workbench.papers.texts.load_texts import model_beside
@@ -40,10 +40,11 @@ _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDIT
 
 @dataclass(frozen=True)
 class Draft:
-    """A text under a drafted model."""
+    """A text under a drafted model. scopes: those of the draft that the model keeps."""
 
     ingested: Ingested
     paper: TextPaper
+    scopes: tuple[Scope, ...] = ()
 
     @property
     def summary(self) -> str:
@@ -78,10 +79,9 @@ def newest_draft(text: Text, store: Store | None) -> Draft:
 def draft_from(ingested: Ingested) -> Draft:
     """Returns a text under the model of a draft. Raises PaperError."""
     path = ingested.text.path
-    _, model = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
-    return Draft(
-        ingested, text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))
-    )
+    _, model, scopes = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
+    paper = text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))
+    return Draft(ingested, paper, scopes)
 
 
 def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:

@@ -25,8 +25,11 @@ def model_text(ingested: Ingested, path: Path) -> str:
     return loaded_model(ingested, path, is_confirmed=False)[0]
 
 
-def loaded_model(ingested: Ingested, path: Path, is_confirmed: bool) -> tuple[str, TextModel]:
-    """Returns the model as text and as loaded. is_confirmed: nothing is listed as guessed."""
+def loaded_model(
+    ingested: Ingested, path: Path, is_confirmed: bool
+) -> tuple[str, TextModel, tuple[Scope, ...]]:
+    """Returns the model as text and as loaded, and the scopes that it can keep. is_confirmed: nothing is
+    listed as guessed."""
     chosen = [proposed for proposed in ingested.definitions if proposed.sure]
     refused: dict[str, str] = {}
     ingested = replace(ingested, scopes=list(ingested.scopes))
@@ -47,7 +50,7 @@ def loaded_model(ingested: Ingested, path: Path, is_confirmed: bool) -> tuple[st
             continue
         if refused.keys() >= wrong.keys():
             faults.stop()
-            return written, model
+            return written, model, tuple(ingested.scopes)
         refused |= wrong
         chosen = [proposed for proposed in chosen if proposed.name not in refused]
 

@@ -37,6 +37,11 @@ class Answer:
         return f"[{self.table}]", f"{self.key} = {self.value}"
 
     @property
+    def symbol(self) -> str:
+        """The symbol that it is about, of an entry."""
+        return next(iter(tomllib.loads(self.lines[1])))
+
+    @property
     def is_entry(self) -> bool:
         """True if its lines are one entry of a table that a draft has: of a text, or of [points] a table."""
         expected = {"symbols": str, "definitions": str, "points": dict}.get(self.table)

@@ -21,6 +21,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, unclaimed
 from workbench.papers.drafting.drafted_functions import DraftedFunction, with_functions
 from workbench.papers.drafting.typefaces import ADJOINT, LABELLED, Guess, bare_name, flat
+from workbench.runtime import stop_if_asked
 
 #: e with an exponent that is no transpose and no number.
 EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")
@@ -74,6 +75,7 @@ class Reader:
 
     def read(self, latex: str) -> Outcome:
         """Returns the outcome for the formula, after declaring the symbols that it needs."""
+        stop_if_asked()
         for _ in range(_MOST_SYMBOLS):
             outcome = self._attempt(latex)
             if outcome.statements is not None or outcome.ill_formed:

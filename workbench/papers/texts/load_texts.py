@@ -51,7 +51,18 @@ def load_model(toml: TomlFile) -> TextPaper:
     paper = text_paper(
         text, model, title or own_title(text) or text.path.name, doi, (toml.path, text.path), citation
     )
-    return replace(paper, budget=budget)
+    return replace(paper, budget=budget, model_text=toml.places.text)
+
+
+def text_of_model(paper: TextPaper) -> Text | None:
+    """Returns the text of a paper with a model, read again; None if it has none, or the model has changed.
+    Raises PaperError."""
+    model = next((path for path in paper.paths if path.suffix == ".toml"), None)
+    if model is None or paper.model_text is None:
+        return None
+    toml = TomlFile(model)
+    path = _beside(toml, "source")
+    return None if path is None or toml.places.text != paper.model_text else _with_macros(toml, path)
 
 
 def _with_macros(toml: TomlFile, path: Path) -> Text:

@@ -17,13 +17,18 @@ from workbench.source.rows.chains import Step
 
 @dataclass(frozen=True)
 class Placed:
-    """A step with the id and the notation of its claim."""
+    """A step with the id and the notation of its claim.
+
+    Attributes:
+        is_first: Whether the step belongs to the first formula of its display.
+    """
 
     id: str
     display: Display
     step: Step
     notation: Notation
     chain: tuple[str, ...]
+    is_first: bool = True
 
 
 def assigned(

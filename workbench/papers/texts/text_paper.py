@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -50,10 +50,18 @@ _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 @dataclass(frozen=True)
 class TextPaper(Paper):
-    """A paper that was read from a text. warnings: parts that could not be read as TeX would read them."""
+    """A paper that was read from a text.
+
+    Attributes:
+        warnings: Parts that could not be read as TeX would read them.
+        keyed: The ids of the claims of which the model says something.
+        model_text: The content of the model, if it is a file.
+    """
 
     text: Text | None = None
     warnings: tuple[PaperError, ...] = ()
+    keyed: frozenset[str] = frozenset()
+    model_text: str | None = None
 
 
 def text_paper(
@@ -98,6 +106,7 @@ def text_paper(
         text=text,
         faults=tuple(faults),
         warnings=tuple(text.warnings),
+        keyed=frozenset(entries),
     )
 
 
@@ -135,21 +144,30 @@ def _refuse_other_meaning(
 
 def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> Iterator[Claim]:
     """Yields the claims with the facts of the text; none for a claim with a closed context."""
+    claims = with_own_facts(claims, placed, text)
+    for claim in with_facts_of_formulas(claims, [each.display for each in placed]):
+        yield claim.with_context(act=(Act.ASSERT, None), facts=()) if claim.context.alone else claim
+
+
+def with_own_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> list[Claim]:
+    """Returns the claims with what sentences and conditions say of them."""
     unread = said_unread(claims, text.inline)
     spoken = InlineFormulas(text.inline)
     sentences = TextSentences(text.inline, spoken, placed[0].notation)
-    first = {id(each.display): each.id for each in reversed(placed)}
-    claims = [
+    return [
         claim.with_context(
             facts=tuple(dict.fromkeys((*claim.context.facts, *own))),
-            properties=_properties(claim, each) if first[id(each.display)] in (each.id, *each.chain) else (),
+            properties=_properties(claim, each),
         )
         for claim, each in zip(claims, placed, strict=True)
         for own in [_own_facts(claim, each, text, unread, sentences, spoken)]
     ]
-    displays = [each.display for each in placed]
-    for claim in with_laws(with_formula_facts(with_acts(claims), displays)):
-        yield claim.with_context(act=(Act.ASSERT, None), facts=()) if claim.context.alone else claim
+
+
+def with_facts_of_formulas(claims: Sequence[Claim], displays: Sequence[Display]) -> list[Claim]:
+    """Returns the claims of a text in its order with what its other formulas say of them. displays: where
+    each claim stands."""
+    return with_laws(with_formula_facts(with_acts(claims), displays))
 
 
 def _own_facts(
@@ -189,7 +207,9 @@ def _properties(claim: Claim, placed: Placed) -> tuple[tuple[str, str], ...]:
     A sentence says what the first formula of its display gives.
     """
     statement = claim.printed.statement
-    words = None if statement is None else stated_rotation(placed.display, statement)
+    if statement is None or not placed.is_first:
+        return ()
+    words = stated_rotation(placed.display, statement)
     return () if words is None else (("rotation", words),)
 
 
@@ -197,8 +217,12 @@ def _names_of(formula: Formula) -> frozenset[Name]:
     return frozenset() if formula.statement is None else frozenset(names_in(formula.statement))
 
 
-def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:
-    taken: set[str] = set()
+def placed_steps(
+    displays: Sequence[Display], notations: Sequence[tuple[int, Notation]], taken: Collection[str] = ()
+) -> Iterator[Placed]:
+    """Yields the steps of the displays. notations: each with the index of the display from which on it holds.
+    taken: ids of other claims."""
+    taken = {*taken}
     for index, display in enumerate(displays):
         notation = [known for start, known in notations if start <= index][-1]
         lines = steps_of(display, notation.words)
@@ -213,7 +237,7 @@ def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Not
                 while name in taken:
                     name += "'"
                 taken.add(name)
-                yield Placed(name, display, step, notation, tuple(before))
+                yield Placed(name, display, step, notation, tuple(before), line is lines[0])
                 before.append(name)
 
 
@@ -236,10 +260,10 @@ def _spoils(fault: PaperError, chain: Sequence[TomlFile]) -> bool:
 
 
 def _usable_claim(placed: Placed, entries: Sequence[Entry], model: TextModel) -> Claim:
-    claim = model.faults.whole(with_entries(partial(_claim, placed, guessed=model.guessed), entries))
+    claim = model.faults.whole(with_entries(partial(claim_of, placed, guessed=model.guessed), entries))
     if claim is not None:
         return claim
-    return _unusable(_claim(placed, (), model.guessed))
+    return _unusable(claim_of(placed, (), model.guessed))
 
 
 def _unusable(claim: Claim) -> Claim:
@@ -247,7 +271,7 @@ def _unusable(claim: Claim) -> Claim:
     return replace(claim, printed=replace(claim.printed, statement=None, ill_formed=None, unread=why))
 
 
-def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> Claim:
+def claim_of(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> Claim:
     """Returns the claim. Raises PaperError for a key of the model that cannot be used."""
     tables = [entry.table for entry in entries]
     display, step = placed.display, placed.step

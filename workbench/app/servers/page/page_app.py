@@ -55,11 +55,17 @@ class Refused(Exception):
 
 @dataclass
 class Tab:
-    """The last verdicts of one browser tab, and its running turn."""
+    """The last verdicts of one browser tab, and its running turn.
+
+    Attributes:
+        number: The browser's number of the turn.
+        before: The last verdicts of an earlier turn on the same path.
+    """
 
     turn: Turn
-    count: int = 0
+    number: int = 0
     judged: Judged | None = None
+    before: Judged | None = None
     answers: tuple[Answer, ...] = ()
     text: str = ""
     path: Path = Path()
@@ -179,15 +185,17 @@ class Page:
         path, folder = self._place(data)
         text, answers = _text_of(data), _answers_of(data)
         name = _string(data, "tab")
-        tab = Tab(self._desk.turn(name, folder), answers=answers, text=text, path=path)
-        self._tabs.pop(name, None)
+        tab = Tab(self._desk.turn(name, folder), _number(data), answers=answers, text=text, path=path)
+        last = self._tabs.pop(name, None)
+        if last is not None and last.path == path:
+            tab.before = last.judged or last.before
         self._tabs[name] = tab
         while len(self._tabs) > _MOST_TABS:
             del self._tabs[next(iter(self._tabs))]
         try:
-            tab.judged = await tab.turn.verdicts(path, {path: text}, answers)
+            tab.judged = await tab.turn.verdicts(path, {path: text}, answers, tab.before)
         except PaperError as error:
-            return fault_view(error.faults)
+            return fault_view(error.faults, path)
         return page_view(tab.judged, path, text, answers)
 
     async def _corrections(self, data: dict[str, Any]) -> dict[str, Any]:
@@ -198,8 +206,16 @@ class Page:
         return page_view(tab.judged, tab.path, tab.text, tab.answers)
 
     async def _progress(self, data: dict[str, Any]) -> dict[str, Any]:
+        """Returns how many claims are judged; after a change, also the first verdicts, if there are more than
+        the page was told."""
         tab = self._tabs.get(_string(data, "tab"))
-        return {"judged": tab.turn.judged if tab else 0}
+        if tab is None or tab.number != _number(data):
+            return {"judged": 0}
+        turn = tab.turn
+        told = {"judged": turn.judged, "news": turn.news}
+        if not turn.has_standing or turn.news == data.get("told") or (first := turn.at_once()) is None:
+            return told
+        return {**told, "view": page_view(first, tab.path, tab.text, tab.answers)}
 
     async def _save(self, data: dict[str, Any]) -> dict[str, Any]:
         """Writes the text into its file."""
@@ -276,6 +292,13 @@ def _string(data: dict[str, Any], key: str, most: int = 200) -> str:
     value = data.get(key)
     if not isinstance(value, str) or len(value) > most:
         raise Refused(400, f"{key}: expected a string of at most {most:,} characters")
+    return value
+
+
+def _number(data: dict[str, Any]) -> int:
+    value = data.get("number", 0)
+    if not isinstance(value, int):
+        raise Refused(400, "number: expected an integer")
     return value
 
 

@@ -21,6 +21,7 @@ from workbench.report.mixed_prose import condition_as_prose, runs_with_symbols
 from workbench.source.documents.source_edits import SourceEdit
 
 if TYPE_CHECKING:
+    from workbench.core.paper_errors import PaperError
     from workbench.papers.drafting.judged_draft import Draft
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
@@ -65,17 +66,29 @@ def page_view(judged: Judged, file: Path, text: str, answers: Sequence[Answer] =
             for each in findings(paper, results)
             if each.span.file.resolve() == own and each.level != "note"
         ],
-        "faults": [str(fault) for fault in (*paper.faults, *paper.warnings)],
+        "faults": _told((*paper.faults, *paper.warnings), file),
         "drafted": judged.draft is not None,
         "questions": list(_questions(judged.draft, results)) if judged.draft else [],
         "assumptions": list(_assumptions(judged.draft, answers)) if judged.draft else [],
     }
 
 
-def fault_view(faults: Sequence[object]) -> dict[str, Any]:
-    """Returns the JSON of a text that cannot be judged."""
+def fault_view(faults: Sequence[PaperError], file: Path) -> dict[str, Any]:
+    """Returns the JSON of a text that cannot be judged. file: the text, which its faults need not name."""
     empty: dict[str, Any] = {"counts": {}, "displays": [], "findings": [], "questions": [], "assumptions": []}
-    return {"summary": "", "faults": [str(fault) for fault in faults], "drafted": False, **empty}
+    return {"summary": "", "faults": _told(faults, file), "drafted": False, **empty}
+
+
+def _told(faults: Sequence[PaperError], file: Path) -> list[str]:
+    """Returns the messages of faults, without the folder; those of the text in the editor with the line
+    only."""
+    made = []
+    for fault in faults:
+        other = "" if str(fault.file) == str(file) or fault.file is None else Path(fault.file).name
+        line = f"line {fault.line}" if fault.line else ""
+        place = ", ".join(part for part in (other, line) if part)
+        made.append(f"{place}: {fault.message}" if place else str(fault.message))
+    return made
 
 
 def _display(row: Row, places: Places, own: Path) -> dict[str, Any]:

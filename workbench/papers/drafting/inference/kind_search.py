@@ -11,6 +11,7 @@ from workbench.papers.drafting.inference.kind_operations import Operation
 from workbench.papers.drafting.inference.kind_signatures import MISFIT, SCALAR, Kind
 from workbench.papers.drafting.inference.priors import Priors, face, likeness
 from workbench.papers.drafting.inference.tables import Costs
+from workbench.runtime import stop_if_asked
 
 #: Costs in tenths: of different kinds for two symbols that are written alike; the weight of an inline formula
 #: relative to a display.
@@ -84,6 +85,7 @@ class Search:
         own = tuple([change.get(n) or now[n] for n in names] if change else [now[n] for n in names])
         known = self._known.get(key := (place, own))
         if known is None:
+            stop_if_asked()
             formula, kinds = self.formulas[place], dict(zip(names, own, strict=True))
             total = sum(self.costs.least(tree, kinds) for tree in formula.trees)
             known = self._known[key] = total * _INLINE // 10 if formula.inline else total

@@ -3,7 +3,7 @@ import { showAssumptions, showDisplays } from "./displays.js";
 import { createEditor } from "./editor.js";
 import { GRADE_OF, button, counted, make, sign } from "./marks.js";
 
-const PAUSE = 300, LOOK = 2000, SLOW = 600;
+const PAUSE = 60, LOOK = 2000, SOON = 60, SLOW = 600;
 const EXAMPLES = [
   ["Cross product, wrong order", "The product of vectors $\\mathbf{a}$ and $\\mathbf{b}$ is\n\\begin{equation}\n  \\mathbf{a} \\times \\mathbf{b} = \\mathbf{b} \\times \\mathbf{a} .\n\\end{equation}\n"],
   ["Square of a skew matrix", "For a vector $\\mathbf{a}$ with the skew matrix $[\\mathbf{a}]_\\times$,\n\\begin{equation}\n  [\\mathbf{a}]_\\times^2 = \\mathbf{a} \\mathbf{a}^T - (\\mathbf{a} \\cdot \\mathbf{a}) \\mathbf{I} .\n\\end{equation}\n"],
@@ -75,14 +75,21 @@ async function judge() {
   const start = performance.now();
   const isNew = () => number === state.number;
   at("displays").setAttribute("aria-busy", "true");
-  const slow = setInterval(async () => {
-    const { judged } = await call("progress").catch(() => ({}));
-    if (isNew() && judged != null) at("status").textContent = `Judging: ${judged} formulas done`;
-  }, SLOW);
+  let told = 0, slow = null;
+  const look = async () => {
+    const { judged, news, view } = await call("progress", { number, told }).catch(() => ({}));
+    if (!isNew() || slow === null) return;
+    if (view) show(view, text, performance.now() - start);
+    told = news ?? told;
+    if (judged != null && performance.now() - start > SLOW) at("status").textContent = `Judging: ${judged} formulas done`;
+    slow = setTimeout(look, SOON);
+  };
   try {
-    const asked = { text, answers: state.answers };
-    const view = await call("check", asked);
+    const asked = call("check", { text, answers: state.answers, number });
+    slow = setTimeout(look, SOON);
+    const view = await asked;
     if (!isNew()) return;
+    slow = clearTimeout(slow) ?? null;
     calm();
     show(view, text, performance.now() - start);
     if (view.displays.some(each => ["error", "warning"].includes(each.grade))) {
@@ -93,7 +100,7 @@ async function judge() {
   } catch (error) {
     if (isNew() && !isQuiet(error)) at("status").textContent = "";
   } finally {
-    clearInterval(slow);
+    slow = clearTimeout(slow) ?? null;
     if (isNew()) at("displays").removeAttribute("aria-busy");
   }
 }

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from workbench.app.servers.mcp import check_text, draft_model
+from workbench.app.servers.mcp import check_text, draft_model, propose_correction
 
 mcp = pytest.importorskip("mcp")
 stdio = pytest.importorskip("mcp.client.stdio")
@@ -68,6 +68,29 @@ def test_assistant_reads_no_file_of_the_machine(tmp_path: Path) -> None:
     assert "mathbf{s}" not in draft_model(text)["model"]
     answer = check_text(TEXT, f"macros = '{tmp_path}/secret.tex'\n" + MODEL)
     assert "outside of the folder" in answer["errors"][0]
+
+
+@pytest.mark.parametrize(
+    ("text", "model", "told"),
+    [
+        ("no formula", "", "text.tex: no displayed equation in it"),
+        (TEXT, "[symbols", "text.toml, line 2: not TOML"),
+        (TEXT, "[symbols]\n'a' = { kind = 'spinor' }\n", "text.toml, line 3: a: kind is 'spinor'"),
+    ],
+)
+def test_errors_name_no_folder_of_the_server(text: str, model: str, told: str) -> None:
+    (error,) = check_text(text, model)["errors"]
+    assert error.startswith(told)
+
+
+def test_assistant_is_told_what_is_not_read() -> None:
+    (told,) = check_text(TEXT.replace("Let", "\\input{other} Let"))["not_read"]
+    assert told.startswith("line 2") and "other" in told
+
+
+def test_no_correction_without_a_verdict() -> None:
+    answer = propose_correction(r"a \times")
+    assert answer["proposed"] == [[]] and "cannot be read" in answer["formulas"][0]["because"]
 
 
 def test_assistant_gets_the_questions_of_a_draft() -> None:

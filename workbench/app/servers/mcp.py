@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from workbench.app.commands.options import Unusable
+from workbench.app.servers.result_words import faults_in_words
 
 if TYPE_CHECKING:
     from mcp.server.mcpserver import MCPServer
@@ -113,7 +114,7 @@ def propose_correction(latex: str, symbols: dict[str, str] | None = None) -> dic
         lines, inferred = judged_formula(latex, symbols or {}, ())
         found = [line.repair(Limits(seconds=SEARCH_SECONDS)).proposed() for line in lines]
         told = [[{"latex": each.latex, "edit": each.edit} for each in own] for own in found]
-        return {"taken_as": inferred, "proposed": told}
+        return {"taken_as": inferred, "formulas": [_told(each.result) for each in lines], "proposed": told}
 
     return _answer(proposed)
 
@@ -132,7 +133,8 @@ def _checked_text(folder: Path, text: str, model: str, suffix: str) -> dict[str,
     judged = with_corrections(judged)
     summary = listing(judged.paper, judged.results).summary if isinstance(judged.paper, TextPaper) else ""
     formulas = [_told(result) for result in judged.results]
-    return {"summary": summary, "formulas": formulas, "questions": _questions(judged)}
+    faults = faults_in_words((*judged.paper.faults, *getattr(judged.paper, "warnings", ())), path)
+    return {"summary": summary, "formulas": formulas, "questions": _questions(judged), "not_read": faults}
 
 
 def _questions(judged: Judged) -> list[dict[str, Any]]:
@@ -206,5 +208,5 @@ def _answer(work: Any) -> dict[str, Any]:
         answer: dict[str, Any] = work()
         return answer
     except (ValueError, LookupError) as error:
-        faults = getattr(error, "faults", [error])
-        return {"errors": [str(fault) for fault in faults]}
+        faults = getattr(error, "faults", None)
+        return {"errors": [str(error)] if faults is None else faults_in_words(faults, Path("text.tex"))}

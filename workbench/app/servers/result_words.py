@@ -1,12 +1,15 @@
-"""A result in words for a hover, and the form that a quick fix writes."""
+"""A result in words for a hover, the form that a quick fix writes, and faults of a text in words."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from workbench.core.code_labels import suffix
 
 if TYPE_CHECKING:
+    from workbench.core.paper_errors import PaperError
     from workbench.prover.results.claim_results import ClaimResult
 
 
@@ -47,3 +50,14 @@ def proved_form(result: ClaimResult) -> str | None:
         return proved[0]
     left, sign, right = proved[0].partition("=")
     return f"{sign}{right}" if same_formula(left, claim.printed.latex.partition("=")[0]) else None
+
+
+def faults_in_words(faults: Sequence[PaperError], file: Path) -> list[str]:
+    """Returns the messages of faults, without the folder; those of the text itself with the line only."""
+    made = []
+    for fault in faults:
+        other = "" if str(fault.file) == str(file) or fault.file is None else Path(fault.file).name
+        line = f"line {fault.line}" if fault.line else ""
+        place = ", ".join(part for part in (other, line) if part)
+        made.append(f"{place}: {fault.message}" if place else str(fault.message))
+    return made

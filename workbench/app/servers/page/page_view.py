@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from markupsafe import escape
 
 from workbench.app.pipeline.judged_files import Judged
+from workbench.app.servers.result_words import faults_in_words
 from workbench.core.spans import Span
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.texts.text_paper import TextPaper
@@ -66,7 +67,7 @@ def page_view(judged: Judged, file: Path, text: str, answers: Sequence[Answer] =
             for each in findings(paper, results)
             if each.span.file.resolve() == own and each.level != "note"
         ],
-        "faults": _told((*paper.faults, *paper.warnings), file),
+        "faults": faults_in_words((*paper.faults, *paper.warnings), file),
         "drafted": judged.draft is not None,
         "questions": list(_questions(judged.draft, results)) if judged.draft else [],
         "assumptions": list(_assumptions(judged.draft, answers)) if judged.draft else [],
@@ -76,19 +77,7 @@ def page_view(judged: Judged, file: Path, text: str, answers: Sequence[Answer] =
 def fault_view(faults: Sequence[PaperError], file: Path) -> dict[str, Any]:
     """Returns the JSON of a text that cannot be judged. file: the text, which its faults need not name."""
     empty: dict[str, Any] = {"counts": {}, "displays": [], "findings": [], "questions": [], "assumptions": []}
-    return {"summary": "", "faults": _told(faults, file), "drafted": False, **empty}
-
-
-def _told(faults: Sequence[PaperError], file: Path) -> list[str]:
-    """Returns the messages of faults, without the folder; those of the text in the editor with the line
-    only."""
-    made = []
-    for fault in faults:
-        other = "" if str(fault.file) == str(file) or fault.file is None else Path(fault.file).name
-        line = f"line {fault.line}" if fault.line else ""
-        place = ", ".join(part for part in (other, line) if part)
-        made.append(f"{place}: {fault.message}" if place else str(fault.message))
-    return made
+    return {"summary": "", "faults": faults_in_words(faults, file), "drafted": False, **empty}
 
 
 def _display(row: Row, places: Places, own: Path) -> dict[str, Any]:

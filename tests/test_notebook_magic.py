@@ -51,7 +51,7 @@ def test_the_kind_of_a_symbol_may_be_given(shell) -> None:
     assert [str(r.shown) for r in check_cell("-s A=tensor -s B=tensor", "A B = B A").results] == ["error"]
 
 
-@pytest.mark.parametrize("line", ["-s", "-x a=vector", "a=vector", "-s a", "-s 'a"])
+@pytest.mark.parametrize("line", ["-s", "-x a=vector", "a=vector", "-s a", "-s 'a", "-s a=spinor"])
 def test_bad_options_are_one_error(shell, line: str) -> None:
     with pytest.raises(UsageError):
         shell.run_cell_magic("check", line, "a = a")

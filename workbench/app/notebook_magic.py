@@ -105,6 +105,7 @@ def _as_text(cell: str) -> tuple[str, str]:
 
 
 def _kinds(line: str) -> Iterator[Answer]:
+    from workbench.language.naming.symbols import SymbolTable
     from workbench.papers.drafting.model_file import string
     from workbench.papers.drafting.questions_to_author import Answer
 
@@ -113,6 +114,7 @@ def _kinds(line: str) -> Iterator[Answer]:
         name, sign, kind = next(words, "").strip("'\"").partition("=")
         if word not in ("-s", "--symbol") or not (name and sign and kind):
             raise ValueError(f"%%check: expected -s NAME=KIND, as in -s a=vector, got {line!r}")
+        SymbolTable().with_specs({name: {"kind": kind}})  # raises ValueError for a kind that there is not
         yield Answer("symbols", string(name), string(kind))
 
 

@@ -191,7 +191,9 @@ def _until(process: subprocess.Popen, words: str) -> str:
 
 
 @pytest.mark.slow
-def test_a_scheduler_that_dies_and_comes_back_loses_no_verdict(tmp_path: Path) -> None:
+def test_a_scheduler_that_dies_and_comes_back_loses_no_verdict(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
     path = tmp_path / "many.toml"
     claims = (
         TRUE.replace("'true'", f"'{n}'").replace("a \\times b =", f"{n} a \\times b = {n - 1} a \\times b")
@@ -237,6 +239,8 @@ def test_a_scheduler_that_dies_and_comes_back_loses_no_verdict(tmp_path: Path) -
         for process in running:
             process.kill()
     assert outcomes(found) == [["proved"] * 40] and sorted(seen) == sorted(set(seen))
+    told = [each for each in caplog.messages if "Traceback" in each or "the scheduler is gone" in each]
+    assert len(told) == 1 and "the scheduler is gone" in told[0]
 
 
 def test_a_folder_is_its_texts_without_their_parts(tmp_path: Path) -> None:

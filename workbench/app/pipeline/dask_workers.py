@@ -7,6 +7,7 @@ a judgement must be interruptible, so each worker talks to a separate process.
 
 from __future__ import annotations
 
+import logging
 import os
 import pickle
 import secrets
@@ -78,6 +79,8 @@ def _may_be_read(path: Path) -> bool:
     return path.is_file() and path.suffix in suffixes and path.stat().st_size < 2_000_000
 
 
+_LOG = logging.getLogger(__name__)
+
 #: Seconds in which a scheduler must answer.
 CONNECT = 10
 #: Seconds in which a scheduler that died must be back.
@@ -99,6 +102,7 @@ class Cluster:
         except ImportError:
             message = "a scheduler needs the extra dask: pip install 'kinematics-workbench[dask]'"
             raise ValueError(message) from None
+        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # a lost scheduler is told below
         try:
             return Client(self._address, timeout=CONNECT)
         except (OSError, ValueError) as error:
@@ -165,6 +169,7 @@ class Cluster:
         """Waits for a scheduler at the same address. Raises ValueError if none comes back in time."""
         with suppress(Exception):  # of a client without a scheduler
             self._client.close(timeout=1)
+        _LOG.warning("%s: the scheduler is gone; waiting for it for %d s", self._address, RETURN)
         end = monotonic() + RETURN
         while True:
             try:

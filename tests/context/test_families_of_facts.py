@@ -36,3 +36,9 @@ def test_fact_decides_in_its_range_only(tmp_path: Path, said: str, right: str) -
     for elsewhere in (r"n \geq 5", r"n = 5, \dots, 7", "n = 5, 6, 7"):
         *_, outside = judged(tmp_path, text_of([rf"{said}, \quad {elsewhere}", claim]), MODEL)
         assert outside.outcome is not Outcome.CONDITIONAL
+
+
+def test_number_for_a_sum_over_a_family_ends_in_no_error(tmp_path: Path) -> None:
+    tables = MODEL + '\n[definitions]\ns = "J_1 + q_6"\n'
+    *_, value = judged(tmp_path, text_of([DEFINED, "s = 4"]), tables.replace('e_n"', 's" = "scalar"\n"e_n"'))
+    assert value.grade is not Grade.OK

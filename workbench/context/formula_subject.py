@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -164,7 +164,7 @@ class Subject:
         """The symbols that an equation may say something of: those that stand once in it, or all that may be
         given if its sides have no common free symbol, or one of them is a number."""
         if self.conditioned:
-            return [symbol(min(self.conditioned, key=lambda each: str(each.name)))]
+            return _symbols_of(self.conditioned)[:1]
         if once := self._single:
             return once
         left, right = (free_in([side], self.definitions) for side in sides_of(self.statement))
@@ -172,7 +172,7 @@ class Subject:
         if left and right and left.isdisjoint(right):
             inside = self._symbols
         elif self._is_example:
-            inside = [symbol(each) for each in sorted(left | right, key=lambda each: str(each.name))]
+            inside = _symbols_of(left | right)
         return [each for each in inside if self._may_be_given(each)]
 
     @property
@@ -232,6 +232,12 @@ def derived(term: Term) -> tuple[Symbol | None, int]:
         places = [each for each in term.children if not isinstance(each, Number | Zero)]
         return derived(places[0]) if len(places) == 1 else (None, 0)
     return None, 0
+
+
+def _symbols_of(declarations: Collection[Declaration]) -> list[Symbol]:
+    """Returns the symbols of declarations by name; families and functions have more than one each."""
+    single = (each for each in declarations if not (each.indices or each.parameters))
+    return [symbol(each) for each in sorted(single, key=lambda each: str(each.name))]
 
 
 def _components_of(body: Term) -> tuple[Symbol, ...]:

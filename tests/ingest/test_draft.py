@@ -156,3 +156,19 @@ def test_draft_prints_the_model_to_standard_output(tmp_path: Path) -> None:
     result = CliRunner().invoke(main, ["draft", str(path), "--out", "-"])
     assert result.exit_code == 0 and "[symbols]" in result.output and "symbols guessed" not in result.output
     assert not (tmp_path / "p.toml").exists() and not Path("-").exists()
+
+
+def test_argument_inside_an_argument_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(
+        "The rotation about the axis $n$ is $R_n$.\n"
+        r"$$ \mathbf{x}(t) = R_n(\alpha(t)) \mathbf{x}_0 $$"
+        "\n"
+        r"$$ R_n(\alpha(t)) R_n(\alpha(t))^T = I $$"
+        "\n"
+        r"$$ R_n(\alpha(t)) R_n(\beta(t)) = R_n(\alpha(t) + \beta(t)) $$"
+        "\n"
+    )
+    _, orthogonal, other = judged(path)
+    assert orthogonal.verdict.outcome is Outcome.PROVED
+    assert other.verdict.outcome is Outcome.UNCHECKED

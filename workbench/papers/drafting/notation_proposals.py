@@ -23,7 +23,7 @@ _SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Z
 _DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"
 _LABELLED = rf"{_DOTTED}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
 _BEHIND = r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
-_BRACKET = re.compile(rf"{_BEHIND}({_SYMBOL})\s*(?:\\right)?\)")
+_BRACKET = re.compile(rf"{_BEHIND}({_SYMBOL}(?:\s*_\s*(?:\w|\{{\s*\w+\s*\}}))?)\s*(?:\\right)?\)")
 _LIST = re.compile(rf"{_BEHIND}({_LABELLED}(?:\s*,\s*{_LABELLED})+)\s*(?:\\right)?\)")
 #: (∂f/∂x)^T, in a text whose gradients are then columns.
 _TRANSPOSED_SLOPE = re.compile(
@@ -71,7 +71,7 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
         trigger = re.escape(unit) if len(unit) > 1 else r"(?<![A-Za-z\\{])I(?![A-Za-z])"
         yield replace(unit_tensor(unit), trigger=re.compile(trigger), stands=True)
     yield _prime(("scalar", "vector", "tensor", *(["quaternion"] if speaks_of_quaternions(prose) else [])))
-    for inside in dict.fromkeys(match[1] for match in _BRACKET.finditer(together)):
+    for inside in _arguments(together):
         question = f"Does ({inside}) only say what a symbol depends on?"
         found = re.compile(re.escape(inside))
         yield _conventions("arguments", f"['{inside}']", "a bracket with one symbol", question, found)
@@ -99,6 +99,16 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
     )
     if "\\hat" in inference.skew_marks:
         yield hat
+
+
+def _arguments(formulas: str) -> dict[str, None]:
+    """Returns the symbols that stand alone in a bracket behind a letter, the innermost ones first: t and α
+    of R_n(α(t))."""
+    found: dict[str, None] = {}
+    while new := dict.fromkeys(match[1] for match in _BRACKET.finditer(formulas)):
+        found |= new
+        formulas = _BRACKET.sub("", formulas)
+    return found
 
 
 def unit_tensor(name: str) -> Proposal:

@@ -11,7 +11,9 @@ from workbench.source.documents import Display
 
 _WORDS = (
     (
-        re.compile(r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine"),
+        re.compile(
+            r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine|\bdcm\b"
+        ),
         "rotation",
     ),
     (re.compile(r"quaternion"), "quaternion"),
@@ -21,7 +23,7 @@ _WORDS = (
     (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
     (
         re.compile(
-            r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"
+            r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b|\btimes?\b|\binstant\b"
             r"|\bmoments of inertia|\bprincipal inertia"
         ),
         "scalar",

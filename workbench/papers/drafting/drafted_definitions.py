@@ -23,6 +23,9 @@ from workbench.source.documents import Display
 _WHERE = re.compile(r"\b(?:where|with|in which|let|denote)\b[^.;:]{0,40}$", re.IGNORECASE)
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
 
+#: A side that is one symbol in square brackets.
+_DIMENSION = re.compile(r"\s*(?:\\left\s*)?\[[^\[\]+\-]*\]\s*=")
+
 
 @dataclass(frozen=True)
 class Formula:
@@ -96,6 +99,8 @@ def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> 
         return
     if not (is_assigned or name in new or _says_where(formula.display, said)):
         return
+    if said.left.type.kind == "scalar" and gives_dimension(formula.latex):
+        return
     _, sign, written = re.split("(:=|=|$)", formula.latex, maxsplit=1)
     body = written.strip() if sign and is_only else to_latex(said.right)
     words = _DEFINES.search(formula.display.before)
@@ -106,6 +111,11 @@ def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> 
 def _says_where(display: Display, said: Relation) -> bool:
     """True if words before the display say that it gives an earlier symbol, and it gives no number."""
     return bool(_WHERE.search(display.before)) and any(isinstance(t, Symbol) for t in said.right.walk())
+
+
+def gives_dimension(latex: str) -> bool:
+    """True for a formula like [x] = L/T, which gives the dimension of x if x is a number."""
+    return bool(_DIMENSION.match(latex))
 
 
 def _lone_left(statement: Statement) -> str | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
 from workbench.core.terms import Relation, Symbol, sides_of
-from workbench.core.verdict import Outcome, Strength, Verdict
+from workbench.core.verdict import Grade, Outcome, Strength, Verdict
 from workbench.papers.drafting.draft_model import Ingested, ingest, ingested
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
@@ -26,6 +26,7 @@ from workbench.papers.texts.load_texts import model_beside
 from workbench.papers.texts.text_paper import TextPaper, text_paper
 from workbench.prover.explain.field_alternatives import TRANSPOSED
 from workbench.prover.results.claim_results import ClaimResult
+from workbench.runtime import Budget
 from workbench.runtime.store import Store
 from workbench.source.documents import Text, is_text, read_text
 from workbench.source.documents.titles import own_title
@@ -34,6 +35,11 @@ from workbench.source.documents.titles import own_title
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The libraries whose versions a draft depends on, beside the files of its text.
 DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
+
+#: The limits of each judgement under a drafted model: what guesses do not decide soon, a model may.
+_BUDGET = Budget(seconds=5.0)
+#: The most doubts about symbols that a verdict names.
+_MOST_DOUBTS = 3
 
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
@@ -81,15 +87,19 @@ def draft_from(ingested: Ingested) -> Draft:
     path = ingested.text.path
     _, model, scopes = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
     paper = text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))
-    return Draft(ingested, paper, scopes)
+    return Draft(ingested, replace(paper, budget=_BUDGET), scopes)
 
 
 def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:
     """Returns the results with the confidence of drafted kinds.
 
-    A false claim is not decided if a kind that it uses rests on its own formula only.
+    A false claim is not decided if a kind that it uses rests on its own formula only. A guess that no true
+    formula bears out is one more doubt if another falsehood rests on it, too, or if it is a definition of
+    another section.
     """
-    return [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
+    judged = [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
+    records = Records.of(draft, judged)
+    return [replace(result, verdict=records.doubted(result)) for result in judged]
 
 
 def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
@@ -122,7 +132,10 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if (own := _defined_elsewhere(draft, claim)) is not None:
         doubts.append(own)
     doubts += [name for name in _given_anew(draft, claim) if name not in doubts]
-    unless = ["the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3])]
+    unless = [
+        "the drafted kinds are others",
+        *(f"{name} is something else" for name in doubts[:_MOST_DOUBTS]),
+    ]
     if not doubts and verdict.counterexample is not None and may_say_what_symbols_are(claim):
         unless.append("it says what its symbols are")
     said = [doubt for doubt in map(_of_the_text, verdict.unless) if doubt]
@@ -147,17 +160,73 @@ def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
     """Returns the symbol alone on the left that another section defines, which may be another one here."""
     match claim.printed.statement:
         case Relation(left=Symbol(declaration=declaration)):
-            name = str(declaration.name)
-        case _:
-            return None
-    displays = draft.ingested.text.displays
+            return next(iter(_of_other_sections(draft, claim, {str(declaration.name)})), None)
+    return None
+
+
+def _of_other_sections(draft: Draft, claim: Claim, names: Collection[str]) -> list[str]:
+    """Returns those of the names that the draft defines by a display of another section than the claim's."""
+    displays, own = draft.ingested.text.displays, claim.source.section
     sections = {display.line: f"{display.section} {display.heading}".strip() or None for display in displays}
-    lines = (each.line for each in draft.ingested.definitions if each.symbol == name and each.sure)
-    return (
-        name
-        if any(sections.get(line, claim.source.section) != claim.source.section for line in lines)
-        else None
-    )
+    known = (each for each in draft.ingested.definitions if each.sure and each.symbol in names)
+    return list(dict.fromkeys(each.symbol for each in known if sections.get(each.line, own) != own))
+
+
+@dataclass(frozen=True)
+class Records:
+    """The formulas of a text that hold with each symbol, and those that would be false.
+
+    Attributes:
+        true: Name → section → formulas.
+        false: Name → formulas.
+    """
+
+    draft: Draft
+    true: Mapping[str, Mapping[str | None, frozenset[str]]]
+    false: Mapping[str, frozenset[str]]
+
+    @staticmethod
+    def of(draft: Draft, results: Sequence[ClaimResult]) -> Records:
+        true: dict[str, dict[str | None, frozenset[str]]] = {}
+        false: dict[str, frozenset[str]] = {}
+        for result in results:
+            claim, outcome = result.claim, result.verdict.outcome
+            if outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
+                for name in _reached(draft, claim):
+                    own = true.setdefault(name, {})
+                    section = claim.source.section
+                    own[section] = own.get(section, frozenset()) | {claim.printed.latex}
+            elif _is_warning(result):
+                for name in _names(claim):
+                    false[name] = false.get(name, frozenset()) | {claim.printed.latex}
+        return Records(draft, true, false)
+
+    def doubted(self, result: ClaimResult) -> Verdict:
+        """Returns the verdict with the guesses that are not borne out as doubts."""
+        verdict, claim = result.verdict, result.claim
+        if not _is_warning(result):
+            return verdict
+        inference, confirmed = self.draft.ingested.inference, self.draft.ingested.confirmed
+        defined = {each.symbol for each in self.draft.ingested.definitions if each.sure}
+        shared = [
+            name
+            for name in _names(claim)
+            if name not in inference.firm | confirmed | defined
+            and len(self.false[name] - {claim.printed.latex})
+            > sum(map(len, self.true.get(name, {}).values()))
+        ]
+        reached = _reached(self.draft, claim) - confirmed
+        anew = [
+            name
+            for name in _of_other_sections(self.draft, claim, reached)
+            if claim.source.section not in self.true.get(name, {})
+        ]
+        doubts = dict.fromkeys(f"{name} is something else" for name in (*shared, *anew))
+        return replace(verdict, unless=(*verdict.unless, *list(doubts)[:_MOST_DOUBTS]))
+
+
+def _is_warning(result: ClaimResult) -> bool:
+    return result.verdict.outcome is Outcome.REFUTED and result.verdict.grade is Grade.WARNING
 
 
 def _given_anew(draft: Draft, claim: Claim) -> list[str]:

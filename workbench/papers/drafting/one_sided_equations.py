@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from workbench.context.claims import Claim, Notation
 from workbench.context.free_symbols import free_in
 from workbench.core.terms import Definition, Derivative, Relation, Symbol
+from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
+from workbench.papers.drafting.drafted_definitions import gives_dimension
 from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.decide_under_facts import Decider
 
@@ -14,17 +18,30 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
     """True if an equation gives a sequence, or has no free symbol on both sides and is true for some values.
 
     An identity relates what stands on both sides; F + G = 0 and AᵀP + PA = -1 rather state a law or a
-    condition of the text, and x_n = x_{n-1} + v_n Δt says how x proceeds.
+    condition of the text, and x_n = x_{n-1} + v_n Δt says how x proceeds. If no value of a single symbol
+    without properties suits, as in i² = -1, the symbol is of another kind than the drafted one. [x] = L/T
+    gives the dimension of a number x.
     """
     statement = claim.printed.statement
     if not isinstance(statement, Relation) or statement.operator != "=":
         return False
-    if _is_recurrence(statement):
+    if _is_recurrence(statement) or (
+        statement.left.type.kind == "scalar" and gives_dimension(claim.printed.latex)
+    ):
         return True
     said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
     definitions = Definitions([*claim.notation.definitions, *said]) if said else claim.notation.definitions
     left, right = (free_in([side], definitions) for side in (statement.left, statement.right))
-    return left.isdisjoint(right) and not Decider(claim, _judge, True).is_impossible(())
+    if not left.isdisjoint(right):
+        return False
+    return _is_about_one(left | right) or not Decider(claim, _judge, True).is_impossible(())
+
+
+def _is_about_one(symbols: Collection[Declaration]) -> bool:
+    """True for one symbol that may have any value of its kind."""
+    return len(symbols) == 1 and not any(
+        each.rotation or each.transform or each.unit or each.symmetric for each in symbols
+    )
 
 
 def _is_recurrence(statement: Relation) -> bool:

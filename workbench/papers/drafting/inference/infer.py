@@ -107,6 +107,7 @@ class Inference:
         thin: Kinds that rest on one formula only.
         orthogonal: Matrices with A Aᵀ = 1, det A = 1 or in a set of such matrices.
         moving: Symbols with a rate.
+        firm: Symbols whose kinds words or a typeface state.
     """
 
     kinds: Mapping[str, Inferred]
@@ -115,6 +116,7 @@ class Inference:
     thin: tuple[Thin, ...]
     orthogonal: frozenset[str]
     moving: frozenset[str]
+    firm: frozenset[str]
 
     def doubtful(self, latex: str) -> set[str]:
         """Returns the symbols whose kinds are doubtful for judging a formula.
@@ -185,6 +187,7 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
         thin,
         frozenset(_orthogonal(trees)),
         frozenset(_moving(trees)),
+        frozenset(filter(search.is_firm, search.users)),
     )
 
 
@@ -274,7 +277,7 @@ def _sizes(trees: Iterable[Operation], prose: Prose, has_joints: bool) -> list[K
 
 
 def _gives_entries(operation: Operation) -> bool:
-    return operation.op == "equal" and [each.op for each in operation.parts] == [SYMBOL, "matrix"]
+    return operation.op == "equal" and {each.op for each in operation.parts} == {SYMBOL, "matrix"}
 
 
 def _misfits(search: Search, formula: Formula) -> Iterable[Operation]:

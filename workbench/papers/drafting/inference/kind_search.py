@@ -20,6 +20,8 @@ _UNLIKE, _INLINE = 12, 4
 _STRANGE = 12
 #: The typefaces of vectors; formulas with several such letters fit only if all of them are vectors.
 _OF_VECTORS = ("hat", "marked", "bold small")
+#: The typefaces of one kind, for authors who have typefaces of kinds.
+_OF_MARKS = (*_OF_VECTORS, "bold capital", "component")
 #: The operations that relate values which other operations make.
 _OF_SIDES = ("add", "equal")
 _ROUNDS, _MOST_OPTIONS, _MOST_MENDED, _MOST_OTHERS = 12, 10, 3, 3
@@ -296,16 +298,22 @@ class Search:
             for other, cost in enumerate(self._now)
             if cost >= MISFIT // 2 and not self.formulas[other].inline
         ]
-        found = set()
+        found: set[str] = set()
         for other in misfit:
             if self.formulas[other].line == line:
                 continue
             alike = {likeness(name) for name in self.names[other]}
             shared = {name for name in self.names[place] if likeness(name) in alike}
+            found.update(name for name in shared if not (self.is_firm(name) or self._fits(name, place)))
             if self._is_same_misfit(place, other):
                 found |= shared
             found |= {name for name in shared if self._may_be_wrong(name, (place, other), misfit)}
         return found
+
+    def _fits(self, name: str, place: int) -> bool:
+        """True if at least as many displays fit with a symbol as other displays do not."""
+        costs = [self._now[p] for p in self.users[name] if p != place and not self.formulas[p].inline]
+        return sum(cost < MISFIT // 2 for cost in costs) * 2 >= len(costs)
 
     def _is_same_misfit(self, place: int, other: int) -> bool:
         """True if the same operation on the same symbol fits in neither formula: a notation is misread."""
@@ -345,6 +353,11 @@ class Search:
         others = (other for other in self.users[name] if other != place)
         breaks = any(self._cost(other, change) - self._now[other] >= MISFIT // 2 for other in others)
         return breaks or name in self.said
+
+    def is_firm(self, name: str) -> bool:
+        """True if words or a marked typeface state the present kind of a symbol, and not only formulas."""
+        own = self.prior[name]
+        return own[self.kinds[name]] == min(own.values()) and (face(name) in _OF_MARKS or name in self.said)
 
     def needed_once(self) -> Iterator[tuple[str, int, Kind]]:
         """Yields symbols whose kind rests on one display only, its index, and the kind without it."""

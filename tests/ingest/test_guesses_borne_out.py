@@ -1,0 +1,57 @@
+"""A falsehood that rests on guesses is shown if the text bears them out, and is a note if it does not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.ingest.test_draft import judged
+from workbench.core.verdict import Grade
+from workbench.papers.drafting.judged_draft import draft_of
+
+TRUE = [r"(x + y)^2 = x^2 + 2 x y + y^2", r"(x - y)(x + y) = x^2 - y^2", r"(x - y)^2 + 4 x y = (x + y)^2"]
+FALSE = [r"(x - y)^2 = x^2 + 2 x y + y^2", r"x (x + y) = x^2 + y^2"]
+
+
+def grades(folder: Path, *parts: str) -> list[Grade]:
+    """Returns the grades of the displays of a text; a part without an equation is a sentence."""
+    (folder / "p.md").write_text("\n\n".join(f"$$ {part} $$" if "=" in part else part for part in parts))
+    return [result.verdict.grade for result in judged(folder / "p.md")]
+
+
+def test_single_falsehood_is_a_warning(tmp_path: Path) -> None:
+    assert grades(tmp_path, FALSE[0]) == [Grade.WARNING]
+
+
+def test_falsehoods_without_a_true_formula_are_notes(tmp_path: Path) -> None:
+    assert grades(tmp_path, *FALSE) == [Grade.NOTE] * 2
+
+
+def test_true_formulas_bear_kinds_out(tmp_path: Path) -> None:
+    assert grades(tmp_path, *TRUE, *FALSE)[3:] == [Grade.WARNING] * 2
+
+
+def test_marked_letters_need_no_true_formula(tmp_path: Path) -> None:
+    wrong = [
+        r"\vec{a} \times \vec{b} = \vec{b} \times \vec{a}",
+        r"\vec{a} \cdot \vec{b} = -\vec{b} \cdot \vec{a}",
+    ]
+    assert grades(tmp_path, *wrong) == [Grade.WARNING] * 2
+
+
+@pytest.mark.parametrize(("more", "grade"), [((), Grade.NOTE), (("x (y + 1) = x y + x",), Grade.WARNING)])
+def test_definition_of_another_section(tmp_path: Path, more: tuple[str, ...], grade: Grade) -> None:
+    first = ["# One", "We set", "x = 2 y + z"]
+    *_, last = grades(tmp_path, *first, "# Two", *more, "x + y = 3 y - z")
+    assert last is grade
+
+
+@pytest.mark.parametrize("formula", ["i^2 = -1", "s^2 + 1 = 0"])
+def test_equation_that_no_number_fulfils_is_no_warning(tmp_path: Path, formula: str) -> None:
+    assert grades(tmp_path, formula) == [Grade.NOTE]
+
+
+def test_dimension_is_neither_a_definition_nor_a_warning(tmp_path: Path) -> None:
+    assert Grade.WARNING not in grades(tmp_path, r"[v] = \frac{L}{T}", r"[w] = \frac{1}{T}", "v = 2 w L")
+    assert not draft_of(tmp_path / "p.md").ingested.definitions

@@ -69,7 +69,7 @@ def test_a_guess_that_no_model_can_hold_is_left_out(tmp_path: Path) -> None:
     path.write_text("$$m = 2 k$$\n")
     drafted = ingest(path)
     members = {name: Guess(name, "scalar") for name in (r"\eta_{n+1}", r"\eta_{n-1}")}
-    text, model = loaded_model(
+    text, model, _ = loaded_model(
         replace(drafted, guesses=drafted.guesses | members), path.with_suffix(".toml"), False
     )
     assert not model.faults and text.count("refused: ") == 1 and text.count("\n'm' = ") == 1

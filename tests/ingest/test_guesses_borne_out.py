@@ -53,5 +53,5 @@ def test_equation_that_no_number_fulfils_is_no_warning(tmp_path: Path, formula: 
 
 
 def test_dimension_is_neither_a_definition_nor_a_warning(tmp_path: Path) -> None:
-    assert Grade.WARNING not in grades(tmp_path, r"[v] = \frac{L}{T}", r"[w] = \frac{1}{T}", "v = 2 w L")
+    assert Grade.WARNING not in grades(tmp_path, r"[v] = \frac{L}{T}", r"[w] = \frac{1}{T}")
     assert not draft_of(tmp_path / "p.md").ingested.definitions

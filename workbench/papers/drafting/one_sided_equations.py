@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from workbench.context.claims import Claim, Notation
-from workbench.context.free_symbols import free_in
+from workbench.context.free_symbols import free_in, terms_of
 from workbench.core.terms import Definition, Derivative, Relation, Symbol
 from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
@@ -34,7 +34,8 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
     left, right = (free_in([side], definitions) for side in (statement.left, statement.right))
     if not left.isdisjoint(right):
         return False
-    return _is_about_one(left | right) or not Decider(claim, _judge, True).is_impossible(())
+    written = {term.declaration for term in terms_of(statement) if isinstance(term, Symbol)}
+    return _is_about_one((left | right) & written) or not Decider(claim, _judge, True).is_impossible(())
 
 
 def _is_about_one(symbols: Collection[Declaration]) -> bool:

@@ -80,7 +80,9 @@ OPERATORS: dict[Head, Operator] = {
     "norm": Operator(signatures.norm),
     "root": Operator(signatures.root, ("sqrt",)),
     "exp": Operator(signatures.exp, ("exp",)),
-    "log": Operator(signatures.log, ("log",)),
+    "log": Operator(signatures.log, ("log", "ln")),
+    # x^y of scalars, where y is no integer
+    "pow": Operator(signatures.power_of_scalars),
     "sin": Operator(_SCALARS, ("sin",), partner="cos", takes="angle"),
     "cos": Operator(_SCALARS, ("cos",), partner="sin", takes="angle"),
     "arccos": Operator(_SCALARS, ("arccos", "acos"), takes="angle"),
@@ -110,16 +112,18 @@ QUOTIENTS: dict[str, tuple[Head | None, Head]] = {
 }  # fmt: skip
 #: Functions that are read as sums of e^x and e^{-x}, or as a quotient of such sums.
 HYPERBOLIC = ("sinh", "cosh", "tanh")
+#: Functions that are read as x/|x|.
+SIGNS_OF = ("sgn", "sign")
 
 #: Name of a function in a paper → head of the term, or of the term that it is read as.
 FUNCTIONS = {word: head for head, operator in OPERATORS.items() for word in operator.words} | {
-    name: name for name in (*QUOTIENTS, *HYPERBOLIC)
+    name: name for name in (*QUOTIENTS, *HYPERBOLIC, *SIGNS_OF)
 }
 SIGNS: dict[str, Head] = {operator.sign: head for head, operator in OPERATORS.items() if operator.sign}
 
 #: Functions that have a TeX command of the same name.
 TEX_FUNCTIONS = frozenset(
-    ("det", "exp", "log", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS, *HYPERBOLIC)
+    ("det", "exp", "log", "ln", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS, *HYPERBOLIC)
 )
 
 
@@ -135,6 +139,8 @@ OF_TENSORS = _heads(lambda operator: operator.takes == "tensor")
 #: Sine, cosine and their quotients.
 CIRCULAR = frozenset({"sin", "cos", *QUOTIENTS})
 OF_ANGLES = _heads(lambda operator: operator.takes == "angle") | {*QUOTIENTS, *HYPERBOLIC}
+#: Functions of scalars whose argument may be written without brackets.
+OF_SCALARS = OF_ANGLES | {"exp", "log"}
 GRADIENTS = _heads(lambda operator: operator.by_place)
 #: Operations that differentiate by a variable other than time or place.
 PARTIALS = frozenset(("partial", "total"))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.integer_expressions import Linear
 from workbench.core.shapes import filling, has_open_zeros, is_sized, shaped, sizes, stretched
-from workbench.core.terms import Apply, Block, Identity, IllFormed, Symbol, Term, Unsupported, Zero
+from workbench.core.terms import Apply, Block, Identity, IllFormed, Number, Symbol, Term, Unsupported, Zero
 from workbench.core.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
 Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
@@ -285,13 +285,32 @@ def exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def log(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """Returns the type and weight of the logarithm of a square matrix or of a quaternion."""
+    """Returns the type and weight of the logarithm of a scalar, a square matrix or a quaternion."""
     type_ = arguments[0].type
-    if type_.kind == "scalar" or type_.dual:
+    if type_.dual:
         raise Unsupported(TypeCode.LOGARITHM(type=type_))
     if not type_.is_square:
-        _expect(arguments, {"tensor", "quaternion"})
+        _expect(arguments, {"scalar", "tensor", "quaternion"})
     return type_, weightless(arguments)
+
+
+def power_of_scalars(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """Returns the type and weight of x^y for two real scalars; the weight of x^y is known for a number y."""
+    _expect(arguments, {"scalar"}, {"scalar"})
+    if _dual(arguments):
+        raise Unsupported(TypeCode.POWER(type=arguments[0].type))
+    base, exponent = arguments
+    if base.weight is None or base.weight == Linear(0):
+        weightless((exponent,))
+        return SCALAR, base.weight
+    share = (
+        exponent.value * base.weight.constant
+        if isinstance(exponent, Number) and base.weight.is_number
+        else None
+    )
+    if share is None or share.denominator != 1:
+        raise Unsupported(TypeCode.ROOT_OF_WEIGHT(weight=base.weight))
+    return SCALAR, Linear(int(share))
 
 
 def dot(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:

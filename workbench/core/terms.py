@@ -45,6 +45,7 @@ Head = Literal[
     "root",
     "exp",
     "log",
+    "pow",
     "sin",
     "cos",
     "arccos",

@@ -8,7 +8,7 @@ import pytest
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.angle_combinations import angles_of, sum_of_products, with_parts_of_angles
 from workbench.engines.inventory.divisions import never_divides
-from workbench.engines.inventory.exponentials import without_exponentials
+from workbench.engines.inventory.elementary_functions import without_functions
 from workbench.engines.inventory.inventory import take_inventory
 from workbench.engines.inventory.parameters import parts
 from workbench.engines.inventory.rodrigues import angle_and_axis, rotation_vector
@@ -234,7 +234,7 @@ def test_the_parts_that_a_symbol_depends_on_are_found(latex, order, found):
 )
 def test_exponentials_get_their_premises(formula, supposed):
     (said,) = read_formula(formula, TABLE, {}).statements
-    assert list(map(to_latex, without_exponentials(said, DEFINITIONS).supposed)) == supposed
+    assert list(map(to_latex, without_functions(said, DEFINITIONS).supposed)) == supposed
 
 
 @pytest.mark.parametrize(
@@ -243,7 +243,7 @@ def test_exponentials_get_their_premises(formula, supposed):
 def test_unsupported_exponentials_are_not_exact(formula):
     (said,) = read_formula(formula, TABLE, {}).statements
     with pytest.raises(NotExact):
-        without_exponentials(said, DEFINITIONS)
+        without_functions(said, DEFINITIONS)
 
 
 @pytest.mark.parametrize(

@@ -119,7 +119,6 @@ TWO = "two different inverse functions of angles"
         (r"\arccos f + \alpha = \arccos f", ALONE),
         (r"2 \arccos f = \arccos g", TWO),
         (r"\arccos f = \arcsin g", TWO),
-        (r"\operatorname{atan2}(f, g) = \operatorname{atan2}(g, f)", TWO),
     ],
 )
 def test_where_nothing_is_said(claim, reason):

@@ -68,7 +68,7 @@ class VerdictCode(Code):
     NOT_DEFINED_FOR_ALL = "{left} is not seen to be defined for all of these: {reason}"
     KEPT_IN_INTEGRAL = "what stands before the sign is the same throughout the integral"
     NOT_FROM_LINEARITY = "it does not follow from the linearity of the integral"
-    NOT_FROM_EXPONENTIALS = "does not follow from the derivatives of e^x"
+    NOT_FROM_FUNCTIONS = "neither follows from what is known of its functions, nor fails at a real point"
     NOT_SHOWN = "not shown"
     NO_BOUND = "it has no bound"
     NO_COUNTEREXAMPLE = "the residual is not 0 in the exact ring, but no small counterexample was found"

@@ -15,14 +15,15 @@ from dataclasses import dataclass, field
 from workbench.core.construct import apply, rebuild, relation, symbol, zero
 from workbench.core.names import Name
 from workbench.core.terms import Apply, Relation, Symbol, Term
-from workbench.core.types import VECTOR, Declaration
+from workbench.core.types import SCALAR, VECTOR, Declaration
 from workbench.engines.inventory import Lookup, NoDefinitions
 from workbench.engines.inventory.rodrigues import angle_and_axis, rotation_vector, twist_parts
 from workbench.language.printing.printer import to_latex
 
 
 def is_logarithm(term: Term) -> bool:
-    return isinstance(term, Apply) and term.head == "log"
+    """True for the logarithm of a matrix or a quaternion."""
+    return isinstance(term, Apply) and term.head == "log" and term.type != SCALAR
 
 
 @dataclass
@@ -43,7 +44,7 @@ class LogarithmValues:
         """Returns the term with values for its logarithms."""
         children = [self.without(child) for child in term.children]
         term = rebuild(term, children) if children else term
-        if not (isinstance(term, Apply) and term.head == "log"):
+        if not (isinstance(term, Apply) and is_logarithm(term)):
             return term
         (turn,) = term.arguments
         value = self._of_transform(turn) if turn.type.kind == "matrix" else self._of_rotation(turn)

@@ -84,7 +84,7 @@ class ResidueRing:
 class RationalRing:
     """The rationals, for counterexamples that a person can check; integers are Python integers."""
 
-    def __init__(self, entries: tuple[int, ...] = (-1, 0, 1)) -> None:
+    def __init__(self, entries: tuple[Fraction | int, ...] = (-1, 0, 1)) -> None:
         self._entries = entries
 
     def constant(self, numerator: int, denominator: int) -> Fraction | int:
@@ -100,7 +100,7 @@ class RationalRing:
             raise NotExact(f"{square} has no rational root")
         return _whole(Fraction(p, q))
 
-    def random(self, random: Random) -> int:
+    def random(self, random: Random) -> Fraction | int:
         return random.choice(self._entries)
 
 

@@ -11,7 +11,7 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
-from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_TENSORS, word_of
+from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_SCALARS, OF_TENSORS, word_of
 from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term, is_rate
 from workbench.language.elaboration.angles import goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
@@ -206,7 +206,7 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         if first.term.type.kind == "scalar" and end < len(row.items):
             raise Fault(SyntaxCode.HOW_FAR_DOES_REACH(name=name), leaf.at)
         return row.multiply(run), end
-    of_numbers = head in OF_ANGLES | {"exp"}
+    of_numbers = head in OF_SCALARS
     numeric = isinstance(first.term, Number | Integer) and of_numbers
     if numeric and end < len(row.items):
         run.append(row.factor(end))

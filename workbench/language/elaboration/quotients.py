@@ -11,7 +11,7 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.names import Name
-from workbench.core.operations import HYPERBOLIC, QUOTIENTS
+from workbench.core.operations import HYPERBOLIC, QUOTIENTS, SIGNS_OF
 from workbench.core.terms import Head, IllFormed, Number, Term, Unsupported, Zero
 from workbench.core.types import Type
 from workbench.language.grammar.syntax import (
@@ -165,6 +165,8 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
         above, below = (construct.apply("exp", x) for x in (argument, construct.apply("neg", argument)))
         below = below if head == "cosh" else construct.apply("neg", below)
         return construct.apply("mul", construct.number(Rational(1, 2)), construct.apply("add", above, below))
+    if head in SIGNS_OF:
+        return construct.apply("div", argument, construct.apply("norm", argument))
     if head == "exp":
         argument = scope.quaternion_of_four(argument)
         if argument.type.kind == "vector":

@@ -10,6 +10,7 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Apply, Derivative, Symbol, Term
+from workbench.core.types import SCALAR
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -101,6 +102,17 @@ def _halves(node: Node | None) -> int | None:
     return int(texts[0]) if texts in (["1", "2"], ["3", "2"], ["5", "2"]) else None
 
 
+def _power_of_scalars(scope: Scope, term: Term, sup: Node) -> Term | None:
+    """Returns x^y of two scalars, where y is no integer; None for other superscripts."""
+    if term.type.kind != "scalar" or term.type.dual:
+        return None
+    try:
+        exponent = scope.term(with_quotients(sup))
+    except Fault:
+        return None
+    return scope.apply(sup.at, "pow", term, exponent) if exponent.type == SCALAR else None
+
+
 def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:
     """Returns the entry that fits the term, applied to it. Raises Fault."""
     for entry in entries:
@@ -144,6 +156,8 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
         root = rooted(scope, sup.at, term)
         return scope.build(sup.at, integer_instances.raised, root, Linear(halves))
     exponent = linear(inner, scope.variables)
+    if exponent is None and (found := _power_of_scalars(scope, term, sup)) is not None:
+        return found
     if exponent is None:
         known = "an integer, -1, T, -T, *, or an order in round brackets"
         raise Fault(

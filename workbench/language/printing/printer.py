@@ -316,8 +316,8 @@ def _apply(term: Apply) -> Text:
         case "triple":
             inner = ", ".join(_print(a).text for a in arguments)
             return Text(f"\\left\\langle {inner}\\right\\rangle", ATOM)
-        case "root":
-            return Text(f"\\sqrt{{{_print(arguments[0]).text}}}", FACTOR)
+        case "pow" | "root":
+            return _power(*map(_print, arguments))
         case "quaternion" | "atan2":
             inner = ", ".join(_print(a).text for a in arguments)
             return Text(f"{command_of(head)}{bracket(inner)}", FACTOR)
@@ -325,6 +325,10 @@ def _apply(term: Apply) -> Text:
             over = _under_accents(term)
             return over or Text(f"\\widetilde{{{_print(arguments[0]).text}}}", ATOM)
     return _function(head, arguments[0])
+
+
+def _power(base: Text, exponent: Text | None = None) -> Text:
+    return Text(f"\\sqrt{{{base.text}}}", FACTOR) if exponent is None else _raised(base, exponent.text)
 
 
 def _product_with(sign: str, left: Term, right: Term) -> Text:

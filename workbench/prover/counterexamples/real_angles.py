@@ -1,4 +1,4 @@
-"""Points with real sines and cosines of their angles, and real exponentials, evaluated in balls by Arb.
+"""Points with real sines and cosines of their angles, and real functions of scalars, in balls by Arb.
 
 A rational point of the circle belongs to no rational angle except 0. If an angle also occurs outside its
 sine, or is a product such as ω t, a claim is refuted at rational values by a ball that excludes 0. So is a
@@ -7,25 +7,35 @@ claim about e^x, which is no rational number.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from math import comb
+from math import factorial
 from random import Random
 from typing import Any, cast
 
-from flint import arb, ctx, fmpq
+from flint import arb, arb_series, ctx, fmpq
 
-from workbench.core.terms import Relation, Symbol, Term
+from workbench.core.construct import apply
+from workbench.core.terms import Head, Relation, Symbol, Term
+from workbench.core.types import PI
 from workbench.engines.inventory import Lookup, NotExact
+from workbench.engines.inventory.elementary_functions import Value
 from workbench.engines.inventory.inventory import Inventory
 from workbench.engines.inventory.parameters import Parameter
+from workbench.engines.inventory.partial_derivatives import indices
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource, RationalRing, sample
 from workbench.prover.counterexamples.rational_points import Trial
 
 PRECISION = 200
-NONE: Mapping[Symbol, Term] = {}
-_STAGES = (((-1, 0, 1), 20), ((-2, -1, 1, 2, 3), 20))
+#: The evidence of a difference at such a point, where π is the number.
+AT_REAL_POINT = "real balls (Arb)"
+NONE: Mapping[Symbol, Value] = {}
+_STAGES: tuple[tuple[tuple[Fraction | int, ...], int], ...] = (
+    ((-1, 0, 1), 20),
+    ((-2, -1, 1, 2, 3), 20),
+    (tuple(Fraction(n, 4) for n in (-3, -2, -1, 1, 2, 3)), 20),
+)
 
 
 class BallRing:
@@ -46,11 +56,11 @@ class BallRing:
 
 
 def real_trials(
-    inventory: Inventory, definitions: Lookup, exponents: Mapping[Symbol, Term] = NONE
+    inventory: Inventory, definitions: Lookup, functions: Mapping[Symbol, Value] = NONE
 ) -> Iterator[Trial]:
     """Yields small rational points with the real sines and cosines of their angles.
 
-    exponents: the exponent of each symbol that stands for an exponential.
+    functions: the function of scalars that a symbol stands for.
     """
     random = Random(0)
     for entries, count in _STAGES:
@@ -58,7 +68,7 @@ def real_trials(
             point = sample(inventory, RationalRing(entries), random, lambda _: random.random() < 0.8)
             with ctx.workprec(PRECISION):
                 try:
-                    yield _trial(point, inventory, definitions, exponents)
+                    yield _trial(point, inventory, definitions, functions)
                 except (NotExact, ZeroDivisionError):
                     continue
 
@@ -67,30 +77,33 @@ def _trial(
     point: dict[Parameter, Fraction],
     inventory: Inventory,
     definitions: Lookup,
-    exponents: Mapping[Symbol, Term],
+    functions: Mapping[Symbol, Value],
 ) -> Trial:
     balls = {p: arb(fmpq(v.numerator, v.denominator)) for p, v in point.items()}
-    engine = JetEngine(PointSource(BallRing(), balls), definitions)
-    waiting: list[Term] = [*inventory.angles, *inventory.circles.values()]
-    known = {p: v for p, v in balls.items() if p.part != "circle" and p.symbol not in exponents}
-    waiting += exponents
+    known = {p: v for p, v in balls.items() if p.part != "circle" and p.symbol not in functions}
+    known |= {p: arb.pi() for p in known if is_pi(p.symbol) and not p.order}
+    waiting: list[tuple[Term, bool]] = [
+        (angle, False) for angle in (*inventory.angles, *inventory.circles.values())
+    ]
+    waiting += [(own, True) for own in functions]
+
+    def values(term: Term, order: int) -> list[Any]:
+        found = JetEngine(PointSource(BallRing(), known), definitions).value(term, order)
+        return [arb(array.item()) for array in found.re]
+
     while waiting:
         later = []
-        for term in waiting:
-            order = inventory.orders.get(cast("Symbol", term), 0) if term in exponents else 0
-            of = exponents.get(cast("Symbol", term), term)
+        for term, is_function in waiting:
             try:
-                value = JetEngine(PointSource(BallRing(), known), definitions).value(of, order)
+                if is_function:
+                    own = cast("Symbol", term)
+                    known |= _of_function(own, functions[own], inventory.orders.get(own, 0), known, values)
+                else:
+                    (x,) = values(term, 0)
+                    known[Parameter(term, "circle", 0, 0)] = x.cos()
+                    known[Parameter(term, "circle", 0, 1)] = x.sin()
             except (KeyError, NotExact):
-                later.append(term)
-                continue
-            x = [arb(array.item()) for array in value.re]
-            if term in exponents:
-                rates = enumerate(_exponential(x))
-                known |= {Parameter(term, "value", k, 0): rate for k, rate in rates}
-            else:
-                known[Parameter(term, "circle", 0, 0)] = x[0].cos()
-                known[Parameter(term, "circle", 0, 1)] = x[0].sin()
+                later.append((term, is_function))
         if len(later) == len(waiting):
             raise NotExact("angles of angles")
         waiting = later
@@ -98,12 +111,66 @@ def _trial(
     return Trial(cast("dict[Parameter, Fraction]", known), engine, real=True)
 
 
-def _exponential(x: Sequence[Any]) -> list[Any]:
-    """Returns e^x and its rates from those of x: E⁽ⁿ⁺¹⁾ = Σⱼ C(n, j) x⁽ʲ⁺¹⁾ E⁽ⁿ⁻ʲ⁾."""
-    found = [x[0].exp()]
-    for n in range(len(x) - 1):
-        found.append(sum(comb(n, j) * x[j + 1] * found[n - j] for j in range(n + 1)))
-    return found
+def _of_function(
+    own: Symbol,
+    value: Value,
+    order: int,
+    known: dict[Parameter, Any],
+    values: Callable[[Term, int], list[Any]],
+) -> dict[Parameter, Any]:
+    """Returns the value of f(u, …) with its rates, or as a function of coordinates with its slopes."""
+    if not own.declaration.of:
+        rates = _series(value.head, [values(u, order) for u in value.arguments])
+        return {Parameter(own, "value", k, 0): rate for k, rate in enumerate(rates)}
+    of = own.declaration.of
+    if any(each.type.kind != "scalar" for each in of):
+        raise NotExact("a function of columns")
+    (now,) = _series(value.head, [values(u, 0) for u in value.arguments])
+    known[Parameter(own, "value", 0, 0)] = now
+    for degree in range(1, order + 1):
+        for place, coordinates in enumerate(indices(len(of), degree)):
+            first, *more = (of[i] for i in coordinates)
+            slope = value.slope(lambda u, by=first: apply("partial", u, by))  # type: ignore[misc]
+            for by in more:
+                slope = apply("partial", slope, by)
+            (known[Parameter(own, f"slope{degree}", 0, place)],) = values(slope, 0)
+    return {}
+
+
+def _series(head: Head, arguments: Sequence[Sequence[Any]]) -> list[Any]:
+    """Returns the value of the function and its rates, from those of its arguments."""
+    size = len(arguments[0])
+    series = [arb_series([x / factorial(k) for k, x in enumerate(jet)], prec=size) for jet in arguments]
+    found = list(SERIES[head](*series).coeffs())
+    found += [arb(0)] * (size - len(found))
+    return [arb(x) * factorial(k) for k, x in enumerate(found[:size])]
+
+
+def _atan2(y: arb_series, x: arb_series) -> arb_series:
+    rate = (x * y.derivative() - y * x.derivative()) / (x * x + y * y)
+    return arb_series([arb.atan2(y[0], x[0])], prec=y.prec) + rate.integral()
+
+
+#: The series of each function from those of its arguments.
+SERIES: Mapping[Head, Callable[..., arb_series]] = {
+    "exp": arb_series.exp,
+    "log": arb_series.log,
+    "arcsin": arb_series.asin,
+    "arccos": arb_series.acos,
+    "arctan": arb_series.atan,
+    "atan2": _atan2,
+}
+
+
+def is_pi(term: Term) -> bool:
+    return isinstance(term, Symbol) and term.declaration.name == PI.name
+
+
+def surely_positive(trial: Trial, term: Term) -> bool:
+    """True if the scalar is certainly > 0."""
+    with ctx.workprec(PRECISION):
+        values = trial.components(term)
+    return values is not None and all(arb(cast(arb, value)) > 0 for value in values)
 
 
 def surely_differ(trial: Trial, relation: Relation) -> bool:
@@ -111,3 +178,11 @@ def surely_differ(trial: Trial, relation: Relation) -> bool:
     with ctx.workprec(PRECISION):
         differences = trial.differences(relation)
     return differences is not None and any(not arb(cast(arb, d)).contains(0) for d in differences)
+
+
+def surely_no_right_angle(trial: Trial, relation: Relation) -> bool:
+    """True if left − right of two scalars is certainly no multiple of π/2."""
+    with ctx.workprec(PRECISION):
+        differences = trial.differences(relation)
+        quarters = [arb(cast(arb, d)) * 2 / arb.pi() for d in differences or ()]
+        return any(each.is_finite() and not each.contains_integer() for each in quarters)

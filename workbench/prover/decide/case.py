@@ -30,7 +30,7 @@ from workbench.prover.counterexamples.rational_points import (
     trial_at,
     trials,
 )
-from workbench.prover.counterexamples.real_angles import real_trials, surely_differ
+from workbench.prover.counterexamples.real_angles import AT_REAL_POINT, real_trials, surely_differ
 from workbench.prover.counterexamples.solution_points import solved_points
 from workbench.prover.decide.both_engines import Engines
 from workbench.prover.decide.ideals import impossible, square_of
@@ -204,6 +204,6 @@ class Case:
         """Returns the verdict that the relation, or the statement that it is part of, fails at the trial's
         point."""
         example = self.counterexample(trial, relation)
-        method = "real balls (Arb)" if trial.real else "rational point, exact arithmetic"
+        method = AT_REAL_POINT if trial.real else "rational point, exact arithmetic"
         evidence = Evidence(method, "the two sides differ")
         return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))

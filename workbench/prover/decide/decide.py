@@ -26,7 +26,7 @@ from workbench.core.terms import (
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact, WithoutDefinitions
 from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
-from workbench.engines.inventory.exponentials import holds_exponentials, without_exponentials
+from workbench.engines.inventory.elementary_functions import holds_functions, holds_roots, without_functions
 from workbench.engines.inventory.first_order import to_first_order
 from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
@@ -34,6 +34,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.closed_formulas import judge_closed
 from workbench.prover.decide.disequation import judge_inequation
+from workbench.prover.decide.elementary_equations import judge_functions
 from workbench.prover.decide.equation import IN_FORCE, Equation
 from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
@@ -44,7 +45,6 @@ from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm,
 from workbench.prover.decide.matrix_exponentials import refuted_by_commutator
 from workbench.prover.decide.orders_past_literals import OrderRanges
 from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
-from workbench.prover.decide.refuted_exponentials import refuted_exponential
 
 
 @dataclass(frozen=True)
@@ -156,13 +156,13 @@ class Judge(Setting):
             case Conjunction(parts=parts):
                 return self._of_parts(parts, assume)
             case Relation() if holds_arc(statement):
-                return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
+                return self._inverse_angle(statement, assume)
             case Relation(operator="=") if holds_integral(statement, self.definitions):
                 return self._integral(statement, assume)
             case Relation(operator="=") if holds_logarithm(statement, self.definitions):
                 return self._logarithm(statement, assume)
-            case Relation(operator="=") if holds_exponentials(statement, self.definitions):
-                return self._exponential(statement, assume)
+            case Relation(operator="=") if holds_functions(statement, self.definitions):
+                return self._elementary(statement, assume)
             case Relation(operator="="):
                 return self._equation(statement, assume)
             case Relation(operator="≈"):
@@ -187,6 +187,8 @@ class Judge(Setting):
             if found is None:
                 with suppress(NotExact):
                     found = refuted_by_commutator(said, lambda other: self._judge(other, assume))
+            if found is None and holds_roots(said, self.definitions):
+                found = self._elementary(said, assume, True)
             if found is None:
                 raise
             return found
@@ -237,18 +239,36 @@ class Judge(Setting):
 
         return judge_integrals(said, self.definitions, judge)
 
-    def _exponential(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
-        found = without_exponentials(said, self.definitions)
+    def _inverse_angle(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        """Returns the verdict by the branch of an inverse function alone on its side, else by its rates."""
+        try:
+            return judge_branch(said, self.definitions, lambda other: self._judge(other, assume))
+        except NotExact:
+            if said.operator != "=":
+                raise
+            verdict = self._elementary(said, assume)
+            if verdict.code is VerdictCode.NOT_FROM_FUNCTIONS:
+                raise
+            return verdict
+
+    def _elementary(self, said: Relation, assume: tuple[Statement, ...], roots: bool = False) -> Verdict:
+        """Returns the verdict on an equation of functions of scalars; roots: also of roots."""
+        found = without_functions(said, self.definitions, roots)
         is_definition = isinstance(said.left, Symbol) and self.definitions.lookup(said.left) == said.right
-        judged = _difference(found.relation) if is_definition else found.relation
-        verdict = self._judge(judged, (*assume, *found.supposed))
+        is_idle = said.left != said.right and found.relation.left == found.relation.right
+        judged = replace(found, relation=_difference(found.relation)) if is_definition or is_idle else found
+        is_last = roots or not holds_roots(said, self.definitions)
+        try:
+            verdict = judge_functions(judged, assume, (self.definitions, self.laws), self._judge)
+        except NotExact:
+            if is_last:
+                raise
+            return self._elementary(said, assume, True)
+        if verdict.code is VerdictCode.NOT_FROM_FUNCTIONS and not is_last:
+            return self._elementary(said, assume, True)
         if is_definition and verdict.outcome is Outcome.PROVED:
             return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
-        if verdict.outcome is Outcome.REFUTED or verdict.code is VerdictCode.NO_COUNTEREXAMPLE:
-            refuted = refuted_exponential(found, assume, self.definitions, self.laws)
-            return refuted or Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_EXPONENTIALS())
-        evidence = Evidence("exponentials", "any functions E that are nowhere 0, with the rates of e^x")
-        return replace(verdict, evidence=(*verdict.evidence, evidence))
+        return verdict
 
     def _approximated(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         compared = to_first_order(said, assume, self.definitions)

@@ -42,7 +42,7 @@ def law_of_logarithm(said: Relation, definitions: Lookup) -> Symbol | None:
 def _alone(side: Term) -> Term | None:
     """Returns the logarithm of a side that is a multiple of it, or the vector of one; else None."""
     match side:
-        case Apply(head="log"):
+        case Apply(head="log") if is_logarithm(side):
             return side
         case Apply(head="neg" | "vect" | "vector part", arguments=(inner,)):
             return _alone(inner)
@@ -79,7 +79,7 @@ def _as_exponential(said: Relation, values: LogarithmValues, judge: Judge) -> Ve
     """Returns the verdict on exp X = Y for log Y = X, where X has the form of a logarithm."""
     sides = [expand(side, values.definitions) for side in (said.left, said.right)]
     for logarithm, exponent in (sides, sides[::-1]):
-        if not (isinstance(logarithm, Apply) and logarithm.head == "log") or any(
+        if not (isinstance(logarithm, Apply) and is_logarithm(logarithm)) or any(
             is_logarithm(part) for part in exponent.walk()
         ):
             continue

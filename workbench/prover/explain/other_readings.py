@@ -23,6 +23,7 @@ from workbench.core.verdict import Counterexample, Verdict
 from workbench.engines.inventory.angle_combinations import sum_of_products
 from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.naming.reading_conventions import Relaxation
+from workbench.prover.counterexamples.real_angles import AT_REAL_POINT
 from workbench.prover.decide.closed_formulas import is_of_numbers
 from workbench.prover.decide.mapped_statements import mapped
 from workbench.prover.explain.decide_under_facts import Decider
@@ -40,11 +41,15 @@ def other_reading(claim: Claim, refuted: Verdict, decider: Decider) -> Reason | 
         return VerdictCode.EQUAL_IN_PLACES()
     if (name := _of_two_indices(claim)) is not None:
         return ContextCode.TWO_INDICES(symbol=name)
-    if not is_of_numbers(refuted) and _is_of_pi(claim):
+    if not _has_the_number_pi(refuted) and _is_of_pi(claim):
         return ContextCode.OF_PI()
     if _holds_nearby(claim, decider):
         return ContextCode.REACH()
     return ContextCode.OF_QUATERNIONS() if _holds_for_quaternions(claim, decider) else None
+
+
+def _has_the_number_pi(refuted: Verdict) -> bool:
+    return is_of_numbers(refuted) or any(each.method == AT_REAL_POINT for each in refuted.evidence)
 
 
 def is_rounded(latex: str, against: Counterexample) -> bool:

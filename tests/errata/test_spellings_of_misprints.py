@@ -45,14 +45,19 @@ READ: list[tuple[str, str, str, Mapping[str, str]]] = [
     ("d(f g)", r"g\, df + f\, dg", r"g\, df - f\, dg", {}),
     (r"\operatorname{vec}(A X B)", r"(B^T \otimes A) \operatorname{vec} X", r"(A \otimes B^T) \operatorname{vec} X", {}),
     (r"\int a \times b\, dm", r"-\int b \times a\, dm", r"\int b \times a\, dm", {}),
+    (r"\exp(A) \exp(-A)", r"\mathbf{I}_2", r"\mathbf{I}_2 + A", {}),
+    (r"\det \exp(M)", r"e^{\operatorname{tr} M}", r"e^{\det M}", {}),
+    (
+        r"\exp(\begin{bmatrix} f & 0 \\ 0 & g \end{bmatrix})",
+        r"\begin{bmatrix} e^f & 0 \\ 0 & e^g \end{bmatrix}",
+        r"\begin{bmatrix} e^g & 0 \\ 0 & e^f \end{bmatrix}",
+        {},
+    ),
     (r"\lim_{h \to 0} (f + g)", r"\lim_{h \to 0} f + \lim_{h \to 0} g", r"\lim_{h \to 0} f - \lim_{h \to 0} g", {}),
 ]  # fmt: skip
 #: What is not judged yet: a true formula.
 OPEN = [
     r"\cos(l \phi) \tan l\phi = \sin(l \phi)",
-    r"\exp(A) \exp(-A) = \mathbf{I}_2",
-    r"\det \exp(M) = e^{\operatorname{tr} M}",
-    r"\exp(\begin{bmatrix} f & 0 \\ 0 & g \end{bmatrix}) = \begin{bmatrix} e^f & 0 \\ 0 & e^g \end{bmatrix}",
     r"\lim_{h \to 0} \frac{(f + h)^2 - f^2}{h} = 2 f",
     r"\int_0^1 h\, dh = \frac{1}{2}",
     r"SE(3) = \left\{ \begin{bmatrix} R & x \\ 0 & 1 \end{bmatrix} \mid R \in SO(3), x \in \mathbb{R}^3 \right\}",

@@ -30,7 +30,6 @@ class VerdictCode(Code):
     DENOMINATOR_OPEN = "{denominator} is not seen to be non-zero, and no point was found where it vanishes"
     DENOMINATOR_ZERO = "a denominator is identically zero"
     DIFFERENT_TO_FIRST_ORDER = "to first order the sides differ; to order 0 is open"
-    DOES_NOT_COMMUTE = "{exponent} commutes with its exponential, and not with the other side"
     EMPTY_SET = "the set is empty: nothing satisfies its conditions"
     EMPTY_SIDE = "nothing satisfies one of its sides"
     ENDLESS_RANGE = "no proof for all of the endless range of {variables} was found"

@@ -17,7 +17,7 @@ from functools import reduce
 from math import lcm
 from typing import NamedTuple
 
-from workbench.core.construct import apply, block, derivative, number, power, rebuild, relation, symbol, zero
+from workbench.core.construct import apply, derivative, number, power, rebuild, relation, symbol, zero
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import raised
 from workbench.core.names import Name
@@ -26,6 +26,7 @@ from workbench.core.terms import Apply, Derivative, Head, Number, Power, Relatio
 from workbench.core.types import SCALAR, Declaration
 from workbench.engines.inventory import Lookup, NotExact, reached
 from workbench.engines.inventory.angle_combinations import sum_of_products
+from workbench.engines.inventory.functions_of_scalars import FUNCTIONS, ONE, over
 from workbench.language.definitions import expand, number_behind
 from workbench.language.printing.printer import to_latex
 
@@ -33,77 +34,6 @@ from workbench.language.printing.printer import to_latex
 _HIGHEST, _LARGEST = 4, 20
 #: Largest number whose prime factors are looked for.
 _FACTORED = 10**6
-
-
-class Elementary(NamedTuple):
-    """A function of scalars. u: its arguments, own: its value.
-
-    slopes: ∂f/∂u.   domain: terms that are > 0 where the function is defined and smooth.
-    circle: the cosine and the sine of the value, times a length: (cos, sin, length).
-    """
-
-    slopes: Callable[[Sequence[Term], Term], list[Term]]
-    domain: Callable[[Sequence[Term]], list[Term]] = lambda u: []
-    circle: Callable[[Sequence[Term]], tuple[Term, Term, Term]] | None = None
-
-
-def _less(one: Term, other: Term) -> Term:
-    return apply("add", one, apply("neg", other))
-
-
-def _over(one: Term, other: Term) -> Term:
-    return apply("div", one, other)
-
-
-def _squared(term: Term) -> Term:
-    return power(term, 2)
-
-
-_ONE = number(1)
-
-
-def _cofunction(u: Sequence[Term]) -> Term:
-    return apply("root", _less(_ONE, _squared(u[0])))
-
-
-def _length(u: Sequence[Term]) -> Term:
-    return apply("norm", block([[u[1]], [u[0]]]))
-
-
-def _one_more(u: Sequence[Term]) -> Term:
-    return apply("add", _ONE, _squared(u[0]))
-
-
-def _of_two(u: Sequence[Term], own: Term) -> list[Term]:
-    y, x = u
-    below = apply("add", _squared(x), _squared(y))
-    return [_over(x, below), apply("neg", _over(y, below))]
-
-
-#: The functions by their heads.
-FUNCTIONS: Mapping[Head, Elementary] = {
-    "exp": Elementary(lambda u, own: [own]),
-    "log": Elementary(lambda u, own: [_over(_ONE, u[0])], list),
-    "arcsin": Elementary(
-        lambda u, own: [_over(_ONE, _cofunction(u))],
-        lambda u: [_less(_ONE, _squared(u[0]))],
-        lambda u: (_cofunction(u), u[0], _ONE),
-    ),
-    "arccos": Elementary(
-        lambda u, own: [apply("neg", _over(_ONE, _cofunction(u)))],
-        lambda u: [_less(_ONE, _squared(u[0]))],
-        lambda u: (u[0], _cofunction(u), _ONE),
-    ),
-    "arctan": Elementary(
-        lambda u, own: [_over(_ONE, _one_more(u))],
-        circle=lambda u: (_ONE, u[0], apply("root", _one_more(u))),
-    ),
-    "atan2": Elementary(
-        _of_two,
-        lambda u: [apply("add", _squared(u[0]), _squared(u[1]))],
-        lambda u: (u[1], u[0], _length(u)),
-    ),
-}  # fmt: skip
 
 
 class Value(NamedTuple):
@@ -160,7 +90,7 @@ def without_functions(said: Relation, definitions: Lookup, roots: bool = False) 
         made.all(sides)
         made = _Pass(definitions, bool(varied), roots, made.sizes, made.domain)
     left, right = made.all(sides)
-    highest = max(map(_order, sides))
+    highest = max(map(derivative_order, sides))
     if highest > _HIGHEST:
         raise NotExact(f"a derivative of order {highest} of an exponential")
     supposed: list[Statement] = []
@@ -258,7 +188,7 @@ class _Pass:
     def _logarithm(self, term: Term) -> Term:
         """Returns ln term, as a sum over the factors that are known to be positive, and over the rest."""
         addends: list[Term] = []
-        rest: Term = _ONE
+        rest: Term = ONE
         for factor, count in self._factors(term):
             if isinstance(factor, Number):
                 rest = apply("mul", rest, number(-1)) if factor.value < 0 else rest
@@ -272,7 +202,7 @@ class _Pass:
                 rest = apply("mul", rest, raised(factor, Linear(int(count))))
             else:
                 raise NotExact("the root of a factor whose sign is not known")
-        if rest != _ONE:
+        if rest != ONE:
             addends.append(self._log_of(rest))
         return _total(addends)
 
@@ -327,7 +257,7 @@ class _Pass:
         return self._own(apply("log", term), ("log", self._key(term)))
 
     def _power(self, exponent: Term) -> Term:
-        result: Term = _ONE
+        result: Term = ONE
         for factors, coefficient in sum_of_products(exponent, self.definitions).items():
             size = self.sizes[factors] = lcm(self.sizes.get(factors, 1), coefficient.denominator)
             count = coefficient * size
@@ -399,8 +329,8 @@ class _Pass:
             of = FUNCTIONS[value.head].circle
             assert of is not None, "an inverse function"
             cosine, sine, length = map(self.term, of(value.arguments))
-            yield relation("=", apply("cos", own), _over(cosine, length))
-            yield relation("=", apply("sin", own), _over(sine, length))
+            yield relation("=", apply("cos", own), over(cosine, length))
+            yield relation("=", apply("sin", own), over(sine, length))
 
 
 def _total(parts: Iterable[Term]) -> Term:
@@ -439,9 +369,9 @@ def _differentiated_by(sides: Sequence[Term]) -> list[Term]:
     return list(dict.fromkeys(by for by in found if by.type == SCALAR))
 
 
-def _order(term: Term) -> int:
+def derivative_order(term: Term) -> int:
     """Returns the nesting depth of time derivatives in the term, counted with their orders."""
     if isinstance(term, Derivative) and not term.order.is_number:
         raise NotExact("a derivative of order n of an exponential")
     own = int(term.order) if isinstance(term, Derivative) else 0
-    return own + max(map(_order, term.children), default=0)
+    return own + max(map(derivative_order, term.children), default=0)

@@ -19,7 +19,7 @@ from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.differentials import INCREMENT
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.quotients import Rate, slope, value_of
-from workbench.language.elaboration.superscripts import is_transpose, raised, rooted
+from workbench.language.elaboration.superscripts import is_inverse, is_transpose, raised, rooted
 from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,
@@ -68,6 +68,12 @@ def function(row: Row, place: int) -> Factor:
     behind = row.items[place + 1]
     if item is leaf and (found := of_angle_between(row.scope, head, behind)) is not None:
         return Factor(found, leaf.at, place + 2, item)
+    if item is leaf and isinstance(behind, Scripted) and _is_inverse_or_transpose(head, behind):
+        inner = row.scope.term(behind.nucleus)
+        if inner.type.is_square and inner.type.kind != "scalar":
+            term = row.scope.build(leaf.at, value_of, row.scope, head, inner)
+            assert behind.sup is not None, "an inverse or a transpose"
+            return Factor(raised(row.scope, term, behind.sup), leaf.at, place + 2, item)
     if item is leaf and isinstance(behind, Scripted) and _is_power_of_value(row, head, behind):
         item, argument, end = replace(behind, nucleus=leaf), row.scope.term(behind.nucleus), place + 2
     else:
@@ -89,6 +95,12 @@ def _is_power_of_value(row: Row, head: str, behind: Node) -> bool:
     """True for \\sin(x)^2 if the paper states that it is (\\sin x)^2."""
     is_power = isinstance(behind, Scripted) and isinstance(behind.nucleus, Bracket) and behind.sup is not None
     return is_power and head in OF_ANGLES and row.scope.allows(Relaxation.POWERS_OF_VALUES)
+
+
+def _is_inverse_or_transpose(head: str, behind: Scripted) -> bool:
+    """True for \\exp(A)^{-1}, the inverse of the exponential, and \\exp(A)^T, which is that of A^T, too."""
+    is_plain = isinstance(behind.nucleus, Bracket) and behind.sub is None and not behind.primes
+    return head == "exp" and is_plain and (is_transpose(behind.sup) or is_inverse(behind.sup))
 
 
 def _of_the_paper(row: Row, item: Any, leaf: Leaf, place: int) -> Factor | None:

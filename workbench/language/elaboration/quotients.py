@@ -171,7 +171,7 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
         argument = scope.quaternion_of_four(argument)
         if argument.type.kind == "vector":
             raise Unsupported(TypeCode.EXPONENTIAL_OF_VECTOR())
-        if argument.type.kind == "matrix" and argument.type != Type(4, 4):
+        if argument.type.kind == "matrix" and not argument.type.is_square:
             raise Unsupported(TypeCode.EXPONENTIAL(type=argument.type))
     if head == "log" and scope.allows(Relaxation.LOGARITHM_AS_COLUMN):
         return _coordinates(construct.apply("log", scope.quaternion_of_four(argument)))

@@ -72,6 +72,14 @@ def is_transpose(sup: Node | None) -> bool:
     return isinstance(inner, Leaf) and inner.text == "T"
 
 
+def is_inverse(sup: Node | None) -> bool:
+    """True for the −1 of A^{-1}."""
+    inner = core(sup)
+    return isinstance(inner, Sum) and [(s, getattr(a, "text", "")) for s, _, a in inner.addends] == [
+        ("-", "1")
+    ]
+
+
 def with_quotients(node: Node) -> Node:
     """Returns the exponent of e with / as a quotient, not as part of a label."""
     match node:

@@ -25,6 +25,7 @@ from workbench.engines.inventory.parameters import Parameter
 from workbench.engines.inventory.partial_derivatives import indices
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource, RationalRing, sample
+from workbench.prover.counterexamples.matrix_exponential_balls import exponential_at
 from workbench.prover.counterexamples.rational_points import Trial
 
 PRECISION = 200
@@ -87,9 +88,11 @@ def _trial(
     ]
     waiting += [(own, True) for own in functions]
 
+    def jets(term: Term, order: int) -> Sequence[Any]:
+        return JetEngine(PointSource(BallRing(), known), definitions).value(term, order).re
+
     def values(term: Term, order: int) -> list[Any]:
-        found = JetEngine(PointSource(BallRing(), known), definitions).value(term, order)
-        return [arb(array.item()) for array in found.re]
+        return [arb(array.item()) for array in jets(term, order)]
 
     while waiting:
         later = []
@@ -97,7 +100,11 @@ def _trial(
             try:
                 if is_function:
                     own = cast("Symbol", term)
-                    known |= _of_function(own, functions[own], inventory.orders.get(own, 0), known, values)
+                    value, order = functions[own], inventory.orders.get(own, 0)
+                    if own.type.kind == "scalar":
+                        known |= _of_function(own, value, order, known, values)
+                    else:
+                        known |= exponential_at(own, jets(value.arguments[0], order))
                 else:
                     (x,) = values(term, 0)
                     known[Parameter(term, "circle", 0, 0)] = x.cos()

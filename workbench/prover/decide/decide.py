@@ -27,6 +27,7 @@ from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact, WithoutDefinitions
 from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
 from workbench.engines.inventory.elementary_functions import holds_functions, holds_roots, without_functions
+from workbench.engines.inventory.exponentials_of_matrices import holds_matrix_exponentials
 from workbench.engines.inventory.first_order import to_first_order
 from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
@@ -42,7 +43,7 @@ from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
 from workbench.prover.decide.linear_integrals import holds_integral, judge_integrals
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
-from workbench.prover.decide.matrix_exponentials import refuted_by_commutator
+from workbench.prover.decide.matrix_exponentials import judge_matrix_exponentials
 from workbench.prover.decide.orders_past_literals import OrderRanges
 from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
 
@@ -161,6 +162,10 @@ class Judge(Setting):
                 return self._integral(statement, assume)
             case Relation(operator="=") if holds_logarithm(statement, self.definitions):
                 return self._logarithm(statement, assume)
+            case Relation(operator="=") if holds_matrix_exponentials(statement, self.definitions):
+                return judge_matrix_exponentials(
+                    statement, assume, (self.definitions, self.laws), self._judge
+                )
             case Relation(operator="=") if holds_functions(statement, self.definitions):
                 return self._elementary(statement, assume)
             case Relation(operator="="):
@@ -184,9 +189,6 @@ class Judge(Setting):
             verdict = Equation(self, said, assume).verdict()
         except NotExact:
             found = self._by_premise(said, assume)
-            if found is None:
-                with suppress(NotExact):
-                    found = refuted_by_commutator(said, lambda other: self._judge(other, assume))
             if found is None and holds_roots(said, self.definitions):
                 found = self._elementary(said, assume, True)
             if found is None:

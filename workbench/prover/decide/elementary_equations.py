@@ -15,7 +15,8 @@ from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import sum_of_products
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.elementary_functions import FUNCTIONS, Replaced
+from workbench.engines.inventory.elementary_functions import Replaced
+from workbench.engines.inventory.functions_of_scalars import FUNCTIONS
 from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.language.definitions import number_behind
 from workbench.language.printing.printer import to_latex
@@ -48,7 +49,7 @@ def judge_functions(
     try:
         verdict = judge(found.relation, (*assume, *found.supposed))
     except NotExact:
-        refuted = _refuted(found, assume, definitions, laws)
+        refuted = refuted_at_real_point(found, assume, definitions, laws)
         if refuted is None:
             raise
         return refuted
@@ -57,7 +58,7 @@ def judge_functions(
             raise
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_FUNCTIONS())
     if verdict.outcome is Outcome.REFUTED or verdict.code is VerdictCode.NO_COUNTEREXAMPLE:
-        refuted = _refuted(found, assume, definitions, laws)
+        refuted = refuted_at_real_point(found, assume, definitions, laws)
         return refuted or Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_FUNCTIONS())
     if found.only_exponentials:
         return _with_evidence(
@@ -123,7 +124,9 @@ def _holds_somewhere(found: Replaced, assume: Sequence[Statement], definitions: 
     return count > 0
 
 
-def _refuted(found: Replaced, assume: Sequence[Statement], definitions: Lookup, laws: bool) -> Verdict | None:
+def refuted_at_real_point(
+    found: Replaced, assume: Sequence[Statement], definitions: Lookup, laws: bool
+) -> Verdict | None:
     """Returns the verdict at a real point where the sides differ; None if none is found."""
     apart = _apart(assume)
     if apart is None:

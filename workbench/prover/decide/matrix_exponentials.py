@@ -1,30 +1,53 @@
-"""Refutes exp A = B by a law of the exponential, A exp A = exp A A, where no engine has a value of exp A."""
+"""Decides equations of exponentials of matrices that have no formula: by their laws, and at real points."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, relation
-from workbench.core.terms import Apply, Relation, Statement, Symbol, Term
+from workbench.core.construct import apply, zero
+from workbench.core.construct import relation as equated
+from workbench.core.terms import Relation, Statement, Symbol
 from workbench.core.verdict import Evidence, Outcome, Verdict
-from workbench.language.printing.printer import to_latex
+from workbench.engines.inventory import Lookup, reached
+from workbench.engines.inventory.elementary_functions import without_functions
+from workbench.engines.inventory.exponentials_of_matrices import without_matrix_exponentials
+from workbench.prover.decide.elementary_equations import refuted_at_real_point
 
 
-def refuted_by_commutator(said: Relation, judge: Callable[[Statement], Verdict]) -> Verdict | None:
-    """Returns the refutation of exp A = B by a point where A B and B A differ; None if there is none."""
-    for one, other in ((said.left, said.right), (said.right, said.left)):
-        if not _is_matrix_exponential(one) or isinstance(other, Symbol):
-            continue  # R = exp A may say what R is
-        (exponent,) = one.children
-        verdict = judge(relation("=", apply("mul", exponent, other), apply("mul", other, exponent)))
-        if verdict.outcome is Outcome.REFUTED:
-            evidence = Evidence("law of the exponential", "A exp A = exp A A; the sides are A B and B A")
-            reason = VerdictCode.DOES_NOT_COMMUTE(exponent=to_latex(exponent))
-            return replace(verdict, reason=reason, evidence=(*verdict.evidence, evidence))
-    return None
+def judge_matrix_exponentials(
+    said: Relation,
+    assume: Sequence[Statement],
+    setting: tuple[Lookup, bool],
+    judge: Callable[[Statement, tuple[Statement, ...]], Verdict],
+) -> Verdict:
+    """Returns the verdict.
 
-
-def _is_matrix_exponential(term: Term) -> bool:
-    return isinstance(term, Apply) and term.head == "exp" and term.type.kind in ("tensor", "matrix")
+    setting: the definitions, and whether an equation that can be solved for a rate states a law. R = exp A
+    may say what R is, and is not refuted. Raises NotExact where no exponential is replaced.
+    """
+    definitions, laws = setting
+    found = without_matrix_exponentials(said, definitions)
+    sides = said.left, said.right
+    names_it = any(
+        isinstance(side, Symbol)
+        and definitions.lookup(side) is None
+        and side not in reached(other, definitions)
+        for side, other in (sides, sides[::-1])
+    )
+    if not (names_it and laws):
+        free = without_functions(found.free, definitions)
+        free = replace(free, values={**free.values, **found.values})
+        refuted = refuted_at_real_point(free, assume, definitions, laws)
+        if refuted is not None:
+            return refuted
+    relation = found.relation
+    if relation.left == relation.right and said.left != said.right:
+        nothing = apply("add", relation.left, apply("neg", relation.right))
+        relation = equated("=", nothing, zero(nothing.type))
+    verdict = judge(relation, (*assume, *found.supposed))
+    if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_FUNCTIONS())
+    evidence = Evidence("exponentials of matrices", "any polynomials of the exponents with their rates")
+    return replace(verdict, evidence=(*verdict.evidence, evidence))

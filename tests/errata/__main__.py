@@ -9,6 +9,7 @@ import json
 import os
 import sys
 import time
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -18,6 +19,9 @@ sys.path.insert(0, str(HERE))
 
 from errata_cases import SECONDS, Row, cases, measured  # noqa: E402
 from errata_table import differences, expected, table, write_expected  # noqa: E402
+
+from workbench.core.formula_errors import ReadError  # noqa: E402
+from workbench.core.paper_errors import PaperError  # noqa: E402
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -34,7 +38,11 @@ def main(arguments: Sequence[str]) -> int:
     rows: dict[Row, float] = {}
     for case in cases(options.folder):
         if not options.case or case.name in options.case:
-            row, seconds = measured(case, options.drafted, options.seconds)
+            try:
+                row, seconds = measured(case, options.drafted, options.seconds)
+            except (PaperError, ReadError, OSError, tomllib.TOMLDecodeError) as fault:
+                print(f"{case.name}: {fault}", file=sys.stderr)
+                return 2
             rows[row] = seconds
             print(f"{row.name}: {seconds:.1f} s", file=sys.stderr)
     if options.json:

@@ -45,6 +45,9 @@ READ: list[tuple[str, str, str, Mapping[str, str]]] = [
     ("d(f g)", r"g\, df + f\, dg", r"g\, df - f\, dg", {}),
     (r"\operatorname{vec}(A X B)", r"(B^T \otimes A) \operatorname{vec} X", r"(A \otimes B^T) \operatorname{vec} X", {}),
     (r"\int a \times b\, dm", r"-\int b \times a\, dm", r"\int b \times a\, dm", {}),
+    (r"\cos\theta f", r"f \cos\theta", r"\cos(\theta f)", {}),
+    (r"\langle a, b \rangle", r"b \cdot a", r"- b \cdot a", {}),
+    (r"\sqrt{f^2 - 2 f g + g^2}", r"|f - g|", r"|f + g|", {}),
     (r"\exp(A) \exp(-A)", r"\mathbf{I}_2", r"\mathbf{I}_2 + A", {}),
     (r"\det \exp(M)", r"e^{\operatorname{tr} M}", r"e^{\det M}", {}),
     (

@@ -96,7 +96,6 @@ def test_logarithm_that_says_what_a_free_symbol_is(latex: str) -> None:
     ("latex", "why"),
     [
         (r"\log R = x", "as a matrix, or as the column"),
-        (r"\ln \theta = 1", "logarithm of a scalar"),
         (r"\operatorname{Log}(R) = x", "two logarithms"),
     ],
 )

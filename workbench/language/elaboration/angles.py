@@ -11,6 +11,7 @@ _ANGLES = frozenset(
     {
         "\\alpha",
         "\\beta",
+        "\\nu",
         "\\gamma",
         "\\theta",
         "\\vartheta",
@@ -57,6 +58,12 @@ def goes_on(argument: Term, following: Term) -> bool:
         return False
     is_whole = any(is_angle(part) for part in argument.walk())
     return is_angle(following) and not is_whole
+
+
+def ends_with_angle(argument: Term, following: Term) -> bool:
+    """True if a factor after a sine multiplies it, as in \\cos\\theta x: an angle, and a symbol of a length."""
+    is_symbol = isinstance(following, Symbol) and following.type.kind == "scalar"
+    return is_symbol and is_angle(argument) and not is_angle(following) and not _is_time(argument)
 
 
 def _is_time(term: Term) -> bool:

@@ -13,7 +13,7 @@ from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_SCALARS, OF_TENSORS, word_of
 from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term, is_rate
-from workbench.language.elaboration.angles import goes_on, of_angle_between
+from workbench.language.elaboration.angles import ends_with_angle, goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.differentials import INCREMENT
@@ -232,7 +232,13 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         following = row.factor(end)
         own = isinstance(following.node, Leaf | Scripted) and is_function(following.node)
         mixes = head not in OF_ANGLES or following.term.type.kind == "scalar"
-        if mixes and not own and not (head in OF_ANGLES and _is_rate_beside(following.term, run)):
+        goes_beside = head in CIRCULAR and len(run) == 1 and ends_with_angle(run[0].term, following.term)
+        if (
+            mixes
+            and not own
+            and not goes_beside
+            and not (head in OF_ANGLES and _is_rate_beside(following.term, run))
+        ):
             said = _OR_A_FACTOR if may_be_factor else ""
             raise Fault(SyntaxCode.REACH_OF_FUNCTION(name=name, said=said), leaf.at)
     return row.multiply(run), end

@@ -9,7 +9,6 @@ from fractions import Fraction
 from typing import cast
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, zero
 from workbench.core.construct import relation as equated
 from workbench.core.terms import (
     Conjunction,
@@ -26,7 +25,7 @@ from workbench.core.terms import (
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact, WithoutDefinitions
 from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
-from workbench.engines.inventory.elementary_functions import holds_functions, holds_roots, without_functions
+from workbench.engines.inventory.elementary_functions import holds_functions, holds_roots
 from workbench.engines.inventory.exponentials_of_matrices import holds_matrix_exponentials
 from workbench.engines.inventory.first_order import to_first_order
 from workbench.engines.inventory.inventory import has_gradient
@@ -35,7 +34,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.closed_formulas import judge_closed
 from workbench.prover.decide.disequation import judge_inequation
-from workbench.prover.decide.elementary_equations import judge_functions
+from workbench.prover.decide.elementary_equations import difference, judge_functions, judge_roots
 from workbench.prover.decide.equation import IN_FORCE, Equation
 from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
@@ -163,9 +162,8 @@ class Judge(Setting):
             case Relation(operator="=") if holds_logarithm(statement, self.definitions):
                 return self._logarithm(statement, assume)
             case Relation(operator="=") if holds_matrix_exponentials(statement, self.definitions):
-                return judge_matrix_exponentials(
-                    statement, assume, (self.definitions, self.laws), self._judge
-                )
+                setting = self.definitions, self.laws
+                return judge_matrix_exponentials(statement, assume, setting, self._judge)
             case Relation(operator="=") if holds_functions(statement, self.definitions):
                 return self._elementary(statement, assume)
             case Relation(operator="="):
@@ -190,7 +188,7 @@ class Judge(Setting):
         except NotExact:
             found = self._by_premise(said, assume)
             if found is None and holds_roots(said, self.definitions):
-                found = self._elementary(said, assume, True)
+                found = judge_roots(said, assume, (self.definitions, self.laws), self._judge)
             if found is None:
                 raise
             return found
@@ -253,24 +251,8 @@ class Judge(Setting):
                 raise
             return verdict
 
-    def _elementary(self, said: Relation, assume: tuple[Statement, ...], roots: bool = False) -> Verdict:
-        """Returns the verdict on an equation of functions of scalars; roots: also of roots."""
-        found = without_functions(said, self.definitions, roots)
-        is_definition = isinstance(said.left, Symbol) and self.definitions.lookup(said.left) == said.right
-        is_idle = said.left != said.right and found.relation.left == found.relation.right
-        judged = replace(found, relation=_difference(found.relation)) if is_definition or is_idle else found
-        is_last = roots or not holds_roots(said, self.definitions)
-        try:
-            verdict = judge_functions(judged, assume, (self.definitions, self.laws), self._judge)
-        except NotExact:
-            if is_last:
-                raise
-            return self._elementary(said, assume, True)
-        if verdict.code is VerdictCode.NOT_FROM_FUNCTIONS and not is_last:
-            return self._elementary(said, assume, True)
-        if is_definition and verdict.outcome is Outcome.PROVED:
-            return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
-        return verdict
+    def _elementary(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        return judge_functions(said, assume, (self.definitions, self.laws), self._judge)
 
     def _approximated(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         compared = to_first_order(said, assume, self.definitions)
@@ -293,7 +275,7 @@ class Judge(Setting):
         verdicts, idle = [], []
         for part, verdict in judged:
             if verdict.code is VerdictCode.SAME_TERM and isinstance(part, Relation):
-                verdict = self._judge(_difference(part), assume)
+                verdict = self._judge(difference(part), assume)
                 idle.append(
                     Evidence("trivial part", VerdictCode.SAME_TERM.template, {"formula": to_latex(part)})
                 )
@@ -332,7 +314,7 @@ class Judge(Setting):
         except Unsatisfiable:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SET())
         for term in terms:  # equality of the value everywhere implies that it is defined everywhere
-            verdict = self._judge(_difference(term), (*assume, *said.given))
+            verdict = self._judge(difference(term), (*assume, *said.given))
             if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
                 reason = VerdictCode.NOT_DEFINED_FOR_ALL(left=to_latex(term.left), reason=verdict.reason)
                 return replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
@@ -352,9 +334,9 @@ class Judge(Setting):
             and isinstance(claim, Relation)
             and premise.operator == claim.operator == "≠"
         ):
-            given, said = (equated("=", *[_difference(r).left] * 2) for r in (premise, claim))
+            given, said = (equated("=", *[difference(r).left] * 2) for r in (premise, claim))
             turned = self._implied(_equation(claim), _equation(premise), (*assume, given))
-            defined = self._judge(_difference(said), (*assume, premise))
+            defined = self._judge(difference(said), (*assume, premise))
             return turned if defined.outcome is Outcome.PROVED else _together([turned, defined])
         return self._supposing((premise,), claim, assume)
 
@@ -387,11 +369,6 @@ class Judge(Setting):
 
 def _equation(inequation: Relation) -> Relation:
     return equated("=", inequation.left, inequation.right)
-
-
-def _difference(same: Relation) -> Relation:
-    nothing = apply("add", same.left, apply("neg", same.right))
-    return equated("=", nothing, zero(same.left.type))
 
 
 def _together(verdicts: list[Verdict]) -> Verdict:

@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, derivative
+from workbench.core.construct import apply, derivative, power, relation, zero
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term
 from workbench.core.types import SCALAR
@@ -15,10 +15,10 @@ from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import sum_of_products
 from workbench.engines.inventory.assumptions import Unsatisfiable
-from workbench.engines.inventory.elementary_functions import Replaced
+from workbench.engines.inventory.elementary_functions import Replaced, holds_roots, without_functions
 from workbench.engines.inventory.functions_of_scalars import FUNCTIONS
 from workbench.engines.inventory.inventory import Inventory, take_inventory
-from workbench.language.definitions import number_behind
+from workbench.language.definitions import expand, number_behind
 from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import Trial, counterexample
 from workbench.prover.counterexamples.real_angles import (
@@ -29,22 +29,70 @@ from workbench.prover.counterexamples.real_angles import (
     surely_no_right_angle,
     surely_positive,
 )
+from workbench.prover.decide.equation import IN_FORCE
 from workbench.prover.decide.law_statements import law_for
 
 #: Real points at which a proved equation is evaluated.
 _POINTS = 3
 
 
+Judge = Callable[[Statement, tuple[Statement, ...]], Verdict]
+
+
 def judge_functions(
-    found: Replaced,
-    assume: Sequence[Statement],
+    said: Relation,
+    assume: tuple[Statement, ...],
     setting: tuple[Lookup, bool],
-    judge: Callable[[Relation, tuple[Statement, ...]], Verdict],
+    judge: Judge,
+    roots: bool = False,
 ) -> Verdict:
-    """Returns the verdict on the relation of symbols for functions.
+    """Returns the verdict on an equation of functions of scalars, at last also of roots.
 
     setting: the definitions, and whether an equation that can be solved for a rate states a law.
     """
+    definitions, _ = setting
+    found = without_functions(said, definitions, roots)
+    is_definition = isinstance(said.left, Symbol) and definitions.lookup(said.left) == said.right
+    is_idle = said.left != said.right and found.relation.left == found.relation.right
+    if is_definition or is_idle:
+        found = replace(found, relation=difference(found.relation))
+    is_last = roots or not holds_roots(said, definitions)
+    try:
+        verdict = _judged(found, assume, setting, judge)
+    except NotExact:
+        if is_last:
+            raise
+        return judge_functions(said, assume, setting, judge, True)
+    if verdict.code is VerdictCode.NOT_FROM_FUNCTIONS and not is_last:
+        return judge_functions(said, assume, setting, judge, True)
+    if is_definition and verdict.outcome is Outcome.PROVED:
+        return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
+    return verdict
+
+
+def judge_roots(
+    said: Relation, assume: tuple[Statement, ...], setting: tuple[Lookup, bool], judge: Judge
+) -> Verdict:
+    """Returns the verdict on an equation of roots: by its squares, if both sides are roots or lengths."""
+    if (squares := _squares_of_roots(said, setting[0])) is not None:
+        with suppress(NotExact):
+            verdict = judge(squares, assume)
+            if verdict.outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
+                return _with_evidence(
+                    verdict, "roots", "neither side is negative, and their squares are equal"
+                )
+    return judge_functions(said, assume, setting, judge, True)
+
+
+def difference(same: Relation) -> Relation:
+    """Returns left − right = 0."""
+    nothing = apply("add", same.left, apply("neg", same.right))
+    return relation("=", nothing, zero(same.left.type))
+
+
+def _judged(
+    found: Replaced, assume: tuple[Statement, ...], setting: tuple[Lookup, bool], judge: Judge
+) -> Verdict:
     definitions, laws = setting
     try:
         verdict = judge(found.relation, (*assume, *found.supposed))
@@ -72,6 +120,18 @@ def judge_functions(
     method = "any values with the rates of these functions" + (", and their equations" if where else "")
     verdict = _with_evidence(verdict, "elementary functions", method)
     return _with_evidence(verdict, "domain", f"where {where}") if where else verdict
+
+
+def _squares_of_roots(said: Relation, definitions: Lookup) -> Relation | None:
+    """Returns the equation of the squares if both sides are roots or lengths; else None."""
+    sides = [expand(side, definitions) for side in (said.left, said.right)]
+    squares = [_square(side) for side in sides if isinstance(side, Apply) and side.head in ("root", "norm")]
+    return relation("=", *squares) if len(squares) == 2 else None
+
+
+def _square(side: Apply) -> Term:
+    (inside,) = side.arguments
+    return inside if side.head == "root" else power(inside, 2)
 
 
 def _with_evidence(verdict: Verdict, kind: str, method: str) -> Verdict:
@@ -131,10 +191,10 @@ def refuted_at_real_point(
     apart = _apart(assume)
     if apart is None:
         return None
-    relation = found.relation
+    said = found.relation
     inventory = _inventory(found, apart, definitions)
     try:
-        law = law_for(relation, inventory, definitions) if laws else None
+        law = law_for(said, inventory, definitions) if laws else None
     except NotExact:
         return None
     if law is not None and not _is_rate_of_function(law, found, inventory):
@@ -144,10 +204,10 @@ def refuted_at_real_point(
         return None
     for trial in _real_points(found, apart, definitions, inventory):
         with suppress(NotExact):
-            if differ(trial, relation):
+            if differ(trial, said):
                 hidden = {s for s in inventory.orders if s in found.values or is_pi(s)}
                 known = {s: order for s, order in inventory.orders.items() if s not in hidden}
-                example = counterexample(trial, relation, replace(inventory, orders=known), ())
+                example = counterexample(trial, said, replace(inventory, orders=known), ())
                 evidence = Evidence(AT_REAL_POINT, "the two sides differ")
                 shown = replace(example, defined={}, behind=())
                 return Verdict(Outcome.REFUTED, counterexample=shown, evidence=(evidence,))

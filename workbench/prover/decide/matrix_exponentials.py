@@ -6,14 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, zero
-from workbench.core.construct import relation as equated
 from workbench.core.terms import Relation, Statement, Symbol
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, reached
 from workbench.engines.inventory.elementary_functions import without_functions
 from workbench.engines.inventory.exponentials_of_matrices import without_matrix_exponentials
-from workbench.prover.decide.elementary_equations import refuted_at_real_point
+from workbench.prover.decide.elementary_equations import difference, refuted_at_real_point
 
 
 def judge_matrix_exponentials(
@@ -44,8 +42,7 @@ def judge_matrix_exponentials(
             return refuted
     relation = found.relation
     if relation.left == relation.right and said.left != said.right:
-        nothing = apply("add", relation.left, apply("neg", relation.right))
-        relation = equated("=", nothing, zero(nothing.type))
+        relation = difference(relation)
     verdict = judge(relation, (*assume, *found.supposed))
     if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_FUNCTIONS())

@@ -61,7 +61,7 @@ def goes_on(argument: Term, following: Term) -> bool:
 
 
 def ends_with_angle(argument: Term, following: Term) -> bool:
-    """True if a factor after a sine multiplies it, as in \\cos\\theta x: an angle, and a symbol of a length."""
+    """True if a factor after a sine multiplies it, as in \\cos\\theta x: an angle before another symbol."""
     is_symbol = isinstance(following, Symbol) and following.type.kind == "scalar"
     return is_symbol and is_angle(argument) and not is_angle(following) and not _is_time(argument)
 

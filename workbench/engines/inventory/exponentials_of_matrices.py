@@ -70,15 +70,15 @@ def _is_open(term: Term, definitions: Lookup) -> bool:
     """True for the exponential of a matrix of which no formula of Rodrigues gives the value."""
     if not (isinstance(term, Apply) and term.head == "exp") or not term.type.is_square or term.type.dual:
         return False
-    if term.type.kind not in ("tensor", "matrix"):
+    (turning,) = term.arguments
+    if term.type.kind == "matrix":
+        parts = twist_parts(turning, definitions)
+        if parts is None:
+            return True
+        turning = parts[0]
+    elif term.type.kind != "tensor":
         return False
-    (exponent,) = term.arguments
-    recognized = (angle_and_axis, rotation_vector) if term.type.kind == "tensor" else (twist_parts,)
-    known = [of(exponent, definitions) for of in recognized]
-    if term.type.kind == "matrix" and known[0] is not None:
-        turning = known[0][0]
-        known = [angle_and_axis(turning, definitions), rotation_vector(turning, definitions)]
-    return all(each is None for each in known)
+    return angle_and_axis(turning, definitions) is None and rotation_vector(turning, definitions) is None
 
 
 def without_matrix_exponentials(said: Relation, definitions: Lookup) -> MatrixExponentials:
@@ -280,7 +280,7 @@ def _characteristic(core: Term) -> list[Term]:
 
 
 def _scalar(factors: tuple[Term, ...], size: int, is_negative: bool) -> Term:
-    share = number(Fraction(-1 if is_negative else 1, size))
+    share: Term = number(Fraction(-1 if is_negative else 1, size))
     return reduce(lambda one, other: apply("mul", one, other), factors, share)
 
 

@@ -293,7 +293,9 @@ class _Pass:
             of = self._coordinates(value.arguments) if self.varied else ()
             if constant is None:
                 constant = not any(isinstance(part, Symbol) for part in value.walk())
-            own = Declaration(Name(name, of=value.arguments), SCALAR, Linear(0), constant=constant, of=of)
+            own = Declaration(Name(name, of=value.arguments), SCALAR, Linear(0), of=of).with_flags(
+                constant=constant
+            )
             made = self.known[key] = symbol(own)
             self.values[made] = Value(value.head, value.arguments, ())
             slopes = tuple(map(self.term, FUNCTIONS[value.head].slopes(value.arguments, made)))

@@ -79,7 +79,9 @@ def symbol(
 ) -> Symbol:
     places = tuple(as_linear(i) for i in index)
     if len(places) != declaration.indices:
-        raise ValueError(f"{declaration.name} takes {declaration.indices} indices, got {len(places)}")
+        raise IllFormed(
+            TypeCode.INDEX_COUNT(name=declaration.name, indices=declaration.indices, count=len(places))
+        )
     if len(arguments) != declaration.parameters:
         raise IllFormed(
             TypeCode.FUNCTION_ARGUMENT_COUNT(
@@ -238,6 +240,8 @@ def as_quaternion(term: Term) -> Term:
 
 def _with_shapes(terms: Sequence[Term], types: Sequence[Type]) -> tuple[Term, ...]:
     """Returns the terms, with each zero given the corresponding type."""
+    if len(terms) != len(types):
+        raise IllFormed(TypeCode.ARGUMENT_COUNT(expected=len(types), count=len(terms)))
     pairs = zip(terms, types, strict=True)
     return tuple(shaped(term, type_) if filling(term) == "zero" else term for term, type_ in pairs)
 

@@ -19,3 +19,4 @@ class MotionCode(Code):
     NO_QUANTITY = "a definition of what Drake has no quantity for"
     PREMISES_NOT_MET = "nowhere on the motions is met what it supposes, so they test nothing of it"
     TOO_HIGH_AN_ORDER = "derivatives of too high an order"
+    WORDS = "a sentence, with no formula to evaluate"

@@ -13,6 +13,7 @@ class TypeCode(Code):
 
     ABBREVIATED_SUMMAND = "{message}; is meant {usual}? a `reading` says it"
     ADDENDS_OF_DIFFERENT_WEIGHTS = "addends of the sum over {variables} differ in weight: {weight}"
+    ARGUMENT_COUNT = "expected {expected} arguments, got {count}"
     ARGUMENT_WITH_WEIGHT = "the argument of a transcendental function has weight {weight}, expected 0"
     ATAN2_ARGUMENTS = "atan2 takes two real scalars of one weight"
     COLUMN_BESIDE_QUATERNION = "a column of four beside a quaternion, whose scalar part stands first"
@@ -36,6 +37,7 @@ class TypeCode(Code):
     FUNCTION_ARGUMENT_COUNT = "{name} takes {expected} arguments, got {count}"
     FUNCTION_ARGUMENT_TYPE = "{name} takes a {type}, got a {type_2}"
     FUNCTION_ARGUMENT_WEIGHT = "{name} takes an argument of weight {weight}, got {weight_2}"
+    INDEX_COUNT = "{name} takes {indices} indices, got {count}"
     INTEGRAL_OF_OPERATOR = "an integral of an operator is not read"
     INVERSE = "the inverse of a {type}"
     LOGARITHM = "the logarithm of a {type}; of rotations, transforms and unit quaternions it is read"

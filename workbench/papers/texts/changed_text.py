@@ -43,7 +43,8 @@ class ChangedText:
 
 def kept_displays(before: Text, now: Text) -> dict[int, int]:
     """Returns the displays that did not change: the index of each, and the one that it had before."""
-    matcher = SequenceMatcher(None, *([_content(d) for d in text.displays] for text in (before, now)), False)
+    old, new = ([_content(display) for display in text.displays] for text in (before, now))
+    matcher = SequenceMatcher(None, old, new, autojunk=False)
     return {b + k: a + k for a, b, size in matcher.get_matching_blocks() for k in range(size)}
 
 

@@ -23,6 +23,7 @@ from workbench.app.pipeline.judged_files import Loaded, loaded_file
 from workbench.app.pipeline.many_papers import judge_papers
 from workbench.app.pipeline.verdict_keys import Memory
 from workbench.app.servers import watch
+from workbench.runtime import Budget
 from workbench.source.documents import texts_in
 
 HEAD = 'title = "p"\n[symbols]\na = { kind = "vector" }\nb = { kind = "vector" }\n'
@@ -188,6 +189,19 @@ def _until(process: subprocess.Popen, words: str) -> str:
         assert line, told
         told += line
     return told
+
+
+def test_a_worker_keeps_few_papers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    closed: list[str] = []
+    monkeypatch.setattr(dask_workers.PaperJudge, "close", lambda judge: closed.append(judge.paper.title))
+    judges: dict = {}
+    for number in range(dask_workers._KEPT + 2):
+        path = tmp_path / f"{number}.toml"
+        path.write_text(HEAD + TRUE)
+        bundle = dask_workers.Bundle.of(loaded_file(path).paper, str(path))
+        told = dask_workers._judged(judges, bundle, "true", "printed", "another key", {}, Budget.of(), b"s")
+        assert "its verdict does not count" in told
+    assert len(judges) == dask_workers._KEPT and len(closed) == 2
 
 
 @pytest.mark.slow

@@ -81,6 +81,8 @@ def _may_be_read(path: Path) -> bool:
 
 _LOG = logging.getLogger(__name__)
 
+#: How many papers a worker keeps, each with a process that judges; more than a client sends at once.
+_KEPT = 10
 #: Seconds in which a scheduler must answer.
 CONNECT = 10
 #: Seconds in which a scheduler that died must be back.
@@ -269,6 +271,8 @@ def _judged(
 ) -> dict[str, Any] | str:
     place = (bundle.digest, repr(sorted(options.items())), budget)
     if place not in judges:
+        while len(judges) >= _KEPT:
+            judges.pop(next(iter(judges))).close()
         judges[place] = PaperJudge(bundle.load(), budget=budget, **options)
     judge = judges[place]
     claim = next((claim for claim in judge.paper.claims if claim.id == name), None)

@@ -16,6 +16,7 @@ from workbench.context.facts import Act, Bound, Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.formula_subject import names_of
 from workbench.context.free_symbols import names_in, terms_of
+from workbench.context.introducing_words import is_denied, is_exception, is_let, is_over, reaches
 from workbench.context.property_statements import having
 from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
@@ -25,19 +26,8 @@ from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display, Token, spelled
-from workbench.source.documents.condition_words import (
-    CASES,
-    DEFINES,
-    EXCEPTIONS,
-    EXPLAINS,
-    REASONS,
-    SUPPOSES,
-)
-from workbench.source.documents.list_items import item_around
 from workbench.source.documents.surrounding_words import (
-    holds_display,
     leads_of,
-    paragraph_around,
     sections_of,
     sentence_around,
     supposed_before,
@@ -79,12 +69,6 @@ _RELATIONS = {
     "equal": "{0} = {1}",
     "commute": "{0} {1} = {1} {0}",
 }
-#: The last of these words before a formula tells a definition from a condition.
-_SAYS = re.compile(
-    rf"\b(?:(?P<excepts>{EXCEPTIONS})|(?P<defines>{DEFINES})|(?P<explains>{EXPLAINS}|here)|(?P<case>{CASES})"
-    rf"|(?P<supposes>{SUPPOSES})|(?P<gives_reason>{REASONS}))\b",
-    re.IGNORECASE,
-)
 #: Marks of conditions that stay in force after their sentence.
 _FAR_REACHING = _UNEQUAL | _RATES | _ORDERS.keys()
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
@@ -134,32 +118,14 @@ class InlineFormulas:
         key = (id(step), id(notation), with_equations)
         if key not in self._read:  # keeps the notation alive, so that its id stays unique
             line = formula.source.place(formula.start)[0]
-            made = list(_condition(step.tokens, line, notation, with_equations))
+            denied = is_denied(formula)
+            made = [] if denied else list(_condition(step.tokens, line, notation, with_equations))
             if is_exception(formula):
                 made = [fact for each in made if (fact := _denied(each)) is not None]
-            elif with_equations and _is_let(formula):
+            elif with_equations and is_let(formula):
                 made = list(map(_as_definition, made))
             self._read[key] = (notation, made)
         return self._read[key][1]
-
-
-def _words_before(formula: Display) -> re.Match[str] | None:
-    """Returns the word of the sentence that introduces the formula, as "let" or "if"."""
-    text = formula.source.prose
-    first, _ = sentence_around(text, formula.start, formula.end)
-    return next(reversed(list(_SAYS.finditer(text[first : formula.start]))), None)
-
-
-def is_exception(formula: Display) -> bool:
-    """True if the sentence excludes what the formula says, as in "unless f = 0"."""
-    words = _words_before(formula)
-    return words is not None and words["excepts"] is not None
-
-
-def _is_let(formula: Display) -> bool:
-    """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
-    words = _words_before(formula)
-    return words is not None and (words["defines"] or words["explains"]) is not None
 
 
 def _denied(fact: Fact) -> Fact | None:
@@ -173,29 +139,6 @@ def _denied(fact: Fact) -> Fact | None:
     return replace(fact, content=other, origin=replace(fact.origin, text=words))
 
 
-def place_of_case(formula: Display) -> range | None:
-    """Returns the offsets of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
-
-    A supposition is a case if the display of its claim stands in its paragraph, and a formula that explains a
-    display, as in "where f = 0" or "since f = 0", if the display does. In an item of a list with its display,
-    all are cases.
-    """
-    words, text = _words_before(formula), formula.source.prose
-    start, end = paragraph_around(text, formula.start)
-    is_before, is_behind = (
-        holds_display(text, *span) for span in ((start, formula.start), (formula.end, end))
-    )
-    if words is not None and (words["explains"] or words["gives_reason"]):
-        is_case = is_before or (is_behind and words[0].lower() != "here")
-    else:
-        is_case = words is not None and (words["case"] or words["excepts"]) is not None
-    item = None if is_case else item_around(text, formula.start)
-    if item is not None and holds_display(text, formula.end, item[1]):
-        return range(*item)
-    is_supposed = words is not None and words["supposes"] is not None
-    return range(start, end) if is_case or (is_supposed and is_behind) else None
-
-
 def _as_definition(fact: Fact) -> Fact:
     """Returns the fact as one for all times, if it gives a symbol by others."""
     said = fact.content
@@ -204,6 +147,12 @@ def _as_definition(fact: Fact) -> Fact:
         if given and said.left.declaration not in given:
             return replace(fact, duration=Duration.ALWAYS, act=Act.DEFINE)
     return fact
+
+
+def _is_value(fact: Fact) -> bool:
+    """True if the fact gives a symbol, or its rate, a number."""
+    said = fact.content
+    return isinstance(said, Relation) and said.operator == "=" and not _symbols(said.right.walk())
 
 
 def conditions_of(
@@ -227,10 +176,15 @@ def conditions_of(
     found = [fact for each in words for fact in _between(each, line, notation)]
     sections = sections_of(text)
     for formula, step in spoken.conditions(path, first, notation):
-        if _holds_rate(step.tokens) or sections.holds(formula.start, display.start):
-            found += spoken.said(formula, step, notation, with_equations=False)
+        is_here = _holds_rate(step.tokens) or sections.holds(formula.start, display.start)
+        if is_here and not is_over(formula, display.start):
+            told = spoken.said(formula, step, notation, with_equations=False)
+            is_near = not any(map(_is_value, told)) or reaches(formula, display.start)
+            found += told if is_near else []
     spans = [*leads, (begins, last)]
     for formula in (each for start, end in spans for each in spoken.before(path, end, start)):
+        if is_over(formula, display.start):
+            continue
         for step in spoken.steps(formula, notation) if formula.rows else ():
             found += spoken.said(formula, step, notation, with_equations=True)
     for _ in found:  # what is said of the symbols by which the sentence defines others counts, too

@@ -33,10 +33,12 @@ from workbench.language.printing.printer import to_latex
 _SYMBOLS = r"⟦\d+⟧(?:\s*(?:,|,?\s*and|or)\s*⟦\d+⟧)*"
 _FILL = rf"(?:(?!(?:{STOP})\b)[A-Za-z-]+\s+){{0,2}}?"
 _NOT, _IF, _CASE = (re.compile(words, re.I) for words in (NEGATION, CONDITION, CASE))
+#: Before words in apposition to a symbol: "r its constant radius".
+_ITS = r"(?:its|their|the|an?)"
 _OPAQUE = re.compile(OPAQUE, re.I)
 _CLAUSES = re.compile(r"[,;:.]")
 #: Words around a noun phrase that speaks of one symbol, and not of all: "⟦0⟧ is the skew matrix of ⟦1⟧".
-_OF_ONE = re.compile(rf"⟦\d+⟧\s*,?\s*{BE}\s+(?:the|an?)\s+$", re.I)
+_OF_ONE = re.compile(rf"⟦\d+⟧\s*,?\s*(?:{BE}\s+)?(?:the|an?)\s+$", re.I)
 _OF_SYMBOL = re.compile(r"\s+of\s+⟦")
 #: The number of characters before a match in which a negation counts.
 _REACH = 40
@@ -174,6 +176,7 @@ def _matches(words: str, predicate: str | None, text: str) -> Iterator[re.Match[
     yield from re.finditer(rf"\b(?:{words})\b\s+{_FILL}{symbols}", text, re.I)
     yield from re.finditer(rf"{symbols}\s*(?:,\s*)?{BE}\s+{_FILL}\b(?:{words})\b(?:{to})?", text, re.I)
     yield from re.finditer(rf"{symbols}\s+(?:{words}){to}", text, re.I)
+    yield from re.finditer(rf"{symbols}\s*,?\s*{_ITS}\s+(?:{words})\b(?!\s+{_FILL}⟦)", text, re.I)
     if predicate:
         yield from re.finditer(rf"{symbols}\s+(?P<predicate>{predicate})\b", text, re.I)
 

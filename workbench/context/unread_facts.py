@@ -10,10 +10,10 @@ from functools import cached_property
 from pathlib import Path
 
 from workbench.context.claims import Claim, Notation
-from workbench.context.condition_facts import is_exception, place_of_case
 from workbench.context.facts import Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.free_symbols import terms_of
+from workbench.context.introducing_words import is_denied, is_exception, place_of_case, reaches
 from workbench.context.read_formulas import read_statement
 from workbench.core.construct import apply, derivative, number, relation, zero
 from workbench.core.formula_errors import IllFormedAt, ReadError
@@ -114,7 +114,10 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
     notation = claim.notation
     for unread in _said_of(declaration, notation, said):
         is_before = is_before_scope([declaration.name], unread.file, unread.line, notation)
-        is_excluded = unread.inline is not None and is_exception(unread.inline)
+        formula = unread.inline
+        is_excluded = formula is not None and (
+            is_exception(formula) or is_denied(formula) or _is_over(unread, claim)
+        )
         if is_before or is_excluded or _is_by_definition(unread, notation):
             continue
         terms = _expanded(claim)
@@ -124,6 +127,12 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
             yield Fact(None, frozenset({declaration.name}), unread.origin, Strength.STATED)
         elif not _is_elsewhere(unread, claim):
             yield from values
+
+
+def _is_over(value: Unread, claim: Claim) -> bool:
+    """True if a sentence supposes the value, and its case ends before the claim."""
+    place = _place_beside(value, claim)
+    return place is not None and value.inline is not None and not reaches(value.inline, place)
 
 
 def _is_another_case(value: Unread, claim: Claim) -> bool:

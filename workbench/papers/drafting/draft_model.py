@@ -40,6 +40,7 @@ from workbench.papers.drafting.notation_proposals import proposals_for, unit_ten
 from workbench.papers.drafting.questions import questions_of
 from workbench.papers.drafting.redefinitions import Scope, parted_quaternions, scopes_of
 from workbench.papers.drafting.sentence_kinds import Facts, facts_of
+from workbench.papers.drafting.sentence_scopes import Said, for_the_text, scopes_of_sentences
 from workbench.papers.drafting.symbol_guesses import guesses_of
 from workbench.papers.drafting.trial_reading import EXPONENTIAL, Outcome, Reader
 from workbench.papers.drafting.typefaces import Guess, by_typeface
@@ -153,7 +154,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         for display in inline
         if display.latex.count("=") == 1 and not _opaque(display, display.latex)
     ]
-    said = list(in_sentences(sentences, shown, {each.name for each in in_displays}))
+    said = list(in_sentences(sentences, {name: lines.get(name, 0) for name in shown - own}))
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     of_functions = [_function(each) for each in reader.functions]
     short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
@@ -164,7 +165,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         *columns(reader.guesses, lines, own),
         *(each for each, _ in parts),
         *in_displays,
-        *said,
+        *for_the_text(said),
     ]
     found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)
@@ -182,10 +183,12 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     found = [each for each in found if each.name not in parted]
     sure = {each.name: each for each in found if each.sure}
     scopes = scopes_of(text.displays, made, displayed, sure, facts.quaternions)
+    scopes += scopes_of_sentences(said, text.displays, guesses, sure)
+    scopes.sort(key=lambda scope: text.displays.index(scope.display))
     return Ingested(
         text,
         macros,
-        {name: guess for name, guess in guesses.items() if name in shown | _used_in(sentences, said)},
+        {name: guess for name, guess in guesses.items() if name in shown | _used_in(said)},
         made,
         found,
         list(dict.fromkeys(questions)),
@@ -254,11 +257,9 @@ def with_fences(text: Text, macros: Path | None) -> tuple[Text, dict[str, str]]:
     return text, fences
 
 
-def _used_in(sentences: Sequence[Formula], said: Sequence[Proposed]) -> set[str]:
+def _used_in(said: Sequence[Said]) -> set[str]:
     """Returns the symbols of the defining formulas in sentences."""
-    lines = {(each.line, each.name) for each in said}
-    using = (each for each in sentences if any((each.display.line, n) in lines for n in each.outcome.symbols))
-    return set().union(*(each.outcome.symbols for each in using))
+    return set().union(*(formula.outcome.symbols for _, formula in said))
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from itertools import groupby
 
 from workbench.context.formula_acts import stated
 from workbench.context.free_symbols import terms_of
+from workbench.context.introducing_words import is_denied, is_let, is_supposed
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term
 from workbench.language.printing.printer import to_latex
@@ -21,6 +22,7 @@ from workbench.source.documents import Display
 
 #: Words right before a display that say what a symbol of an earlier display is.
 _WHERE = re.compile(r"\b(?:where|with|in which|let|denote)\b[^.;:]{0,40}$", re.IGNORECASE)
+_NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
 
 #: A side that is one symbol in square brackets.
@@ -225,9 +227,19 @@ def in_order_of_use(proposed: Sequence[Proposed]) -> list[Proposed]:
     return [by_name[name] for name in order]
 
 
-def in_sentences(formulas: Iterable[Formula], shown: set[str], defined: set[str]) -> Iterator[Proposed]:
-    r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$"."""
+def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Iterator[tuple[Proposed, Formula]]:
+    r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$".
+
+    A formula that is supposed or denied defines nothing, and a number defines a symbol only
+    behind "let" or "where" and before the first display with the symbol.
+
+    shown: the line of the first display with each symbol.
+    """
     for formula in formulas:
+        if is_denied(formula.display) or is_supposed(formula.display):
+            continue
         for each in definitions_in([formula]):
-            if each.name in shown and each.name not in defined:
-                yield replace(each, why="a sentence says so")
+            is_value = _NUMBER.fullmatch(each.body) is not None
+            is_late = formula.display.line > shown.get(each.name, 0) or not is_let(formula.display)
+            if each.name in shown and not (is_value and is_late):
+                yield replace(each, why="a sentence says so"), formula

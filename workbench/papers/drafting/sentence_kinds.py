@@ -185,6 +185,7 @@ _RULES: tuple[Rule, ...] = (
     _rule(
         rf"(?P<names>{_LIST}) ?(?:is|are|be|being) (?:a |the |all |both )?constants?\b", _listed("constants")
     ),
+    _rule(r"(?P<names>⟦\d+⟧),? (?:its|the|an?) constant\b(?! (?:\w+ )?⟦)", _listed("constants")),
     _rule(
         r"\b(?:any|all|arbitrary|every)(?: (?:two|three|other))? (?:vectors?|scalars?|tensors?|points?)"
         rf" (?P<names>{_LIST})",

@@ -13,7 +13,8 @@ EXPLAINS = "where|with|in which"
 #: The statement is meant for the case that the formula holds.
 CASES = (
     "provided|given|whenever|when|if|for|at|as long as|so long as|in case|in the case|case of|once"
-    "|on condition that|subject to|while"
+    "|on condition that|on the assumption|under the (?:assumption|condition)|in the event"
+    "|case [0-9ivxa-c]{1,4}|subject to|while"
 )
 #: The formula is supposed for what follows.
 SUPPOSES = r"suppos\w+|assum\w+"
@@ -24,3 +25,32 @@ EXCEPTIONS = (
     "(?:unless|except|other than|apart from|excluding|with the exception of)"
     "(?: for| that| when| if| where| at| in case)?"
 )
+_WORDS = r"(?:\s+(?!(?:and|or|but|if|when|where|with|since|because|for)\b)[A-Za-z-]+){0,4}"
+_NOT = r"(?:not|never|n['’]t|wrong|false|untrue|impossible|unnecessary|irrelevant)\b"
+#: "It is not assumed that f = 0", "whether or not f = 0", "one might think that f = 0".
+DENY_WHAT_FOLLOWS = (
+    r"(?:\b(?:not|never|nor|neither|without|need not|cannot)(?:\s+(?:be|in general|yet|necessarily|even))?\s+"
+    r"(?:assum|suppos|requir|need|use|using|demand|impos|mean|impl|follow|true|hold|necessar|claim|ask"
+    r"|restrict|posit|the case|that|having|taking|setting|putting|say|so)[a-z]*"
+    r"|\b(?:whether(?: or not)?|regardless of|irrespective of|no matter|contrary to|unlike|instead of"
+    r"|rather than)"
+    r"|\beven (?:if|for|when|where|though)"
+    r"|\b(?:might|may|could|would) (?:think|believe|expect|suspect|suppose|guess|assume|hope)"
+    r"|\b(?:wrong|false|incorrect|untrue)(?:ly)?)"
+    rf"{_WORDS}\s*$"
+)
+#: "f = 0 is not needed", "f = 0, but this is wrong".
+DENY_WHAT_PRECEDES = (
+    rf"\s*(?:(?:is|are|was|does|do|need|must|may|can)\s*{_NOT}|cannot\b|(?:is|are|was)\s+{_NOT}"
+    rf"|[,;]?\s*(?:but|which|and)\s+(?:(?:this|that|it|which)\s+)?(?:is|are|was|does|need)\s*{_NOT})"
+)
+#: What was supposed before does not reach the statement behind these words.
+ENDS_CASE = (
+    r"otherwise|(?:contrary|opposite|other|general|remaining) case|in contrast|on the contrary"
+    r"|(?:without|dropping|lifting|removing|relaxing) (?:this|that|the|any|these|such)"
+    r" (?:further |other )?(?:assumption|condition|restriction|constraint|hypothesis)s?"
+)
+#: The same for words behind the statement that was meant: "for all f" and "in general" in another sentence.
+ENDS_CASE_OF_ANOTHER = r"in general|generally|for (?:all|any|every|arbitrary|general)|in any case|always"
+#: What the sentence says counts in its section only.
+IN_SECTION = r"(?:throughout|in|within|for) this (?:sub)*section"

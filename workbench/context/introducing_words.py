@@ -1,0 +1,130 @@
+"""Words of a sentence that tell whether a formula in it is a condition or a definition, and its reach."""
+
+from __future__ import annotations
+
+import re
+
+from workbench.source.documents import Display
+from workbench.source.documents.condition_words import (
+    CASES,
+    DEFINES,
+    DENY_WHAT_FOLLOWS,
+    DENY_WHAT_PRECEDES,
+    ENDS_CASE,
+    ENDS_CASE_OF_ANOTHER,
+    EXCEPTIONS,
+    EXPLAINS,
+    IN_SECTION,
+    REASONS,
+    SUPPOSES,
+)
+from workbench.source.documents.list_items import item_around
+from workbench.source.documents.surrounding_words import holds_display, paragraph_around, sentence_around
+
+#: The last of these words before a formula tells a definition from a condition.
+_SAYS = re.compile(
+    rf"\b(?:(?P<excepts>{EXCEPTIONS})|(?P<defines>{DEFINES})|(?P<explains>{EXPLAINS}|here)|(?P<case>{CASES})"
+    rf"|(?P<supposes>{SUPPOSES})|(?P<gives_reason>{REASONS}))\b",
+    re.IGNORECASE,
+)
+_DENY_NEXT = re.compile(DENY_WHAT_FOLLOWS, re.IGNORECASE)
+_DENY_LAST = re.compile(DENY_WHAT_PRECEDES, re.IGNORECASE)
+_ENDS_CASE = re.compile(rf"\b(?:{ENDS_CASE})\b", re.IGNORECASE)
+_ENDS_OTHER = re.compile(rf"\b(?:{ENDS_CASE_OF_ANOTHER})\b", re.IGNORECASE)
+_IN_SECTION = re.compile(rf"\b(?:{IN_SECTION})\b", re.IGNORECASE)
+#: Words of a case that is over with its paragraph.
+_CLOSED = re.compile(r"for|at|if|when|whenever|since|because|in the event", re.IGNORECASE)
+#: The marks around a formula in a sentence.
+_OPENING = re.compile(r"(?:\$|\\\(|:math:`|`)\s*$")
+_CLOSING = re.compile(r"\s*(?:\$|\\\)|`)")
+#: What ends the words that introduce a supposition: "for a rigid body, the momentum is".
+_BREAKS = re.compile(
+    r",|\b(?:is|are|be|reads|becomes|equals|have|has|get|obtain|find|defin\w+|denot\w+|writ\w+|call)\b"
+)
+
+
+def _words_before(formula: Display) -> re.Match[str] | None:
+    """Returns the word of the sentence that introduces the formula, as "let" or "if"."""
+    text = formula.source.prose
+    first, _ = sentence_around(text, formula.start, formula.end)
+    return next(reversed(list(_SAYS.finditer(text[first : formula.start]))), None)
+
+
+def is_exception(formula: Display) -> bool:
+    """True if the sentence excludes what the formula says, as in "unless f = 0"."""
+    words = _words_before(formula)
+    return words is not None and words["excepts"] is not None
+
+
+def is_let(formula: Display) -> bool:
+    """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
+    words = _words_before(formula)
+    return words is not None and (words["defines"] or words["explains"]) is not None
+
+
+def place_of_case(formula: Display) -> range | None:
+    """Returns the offsets of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
+
+    A supposition is a case if the display of its claim stands in its paragraph, and a formula that explains a
+    display, as in "where f = 0" or "since f = 0", if the display does. In an item of a list with its display,
+    all are cases.
+    """
+    words, text = _words_before(formula), formula.source.prose
+    start, end = paragraph_around(text, formula.start)
+    is_before, is_behind = (
+        holds_display(text, *span) for span in ((start, formula.start), (formula.end, end))
+    )
+    if words is not None and (words["explains"] or words["gives_reason"]):
+        is_case = is_before or (is_behind and words[0].lower() != "here")
+    else:
+        is_case = words is not None and (words["case"] or words["excepts"]) is not None
+    item = None if is_case else item_around(text, formula.start)
+    if item is not None and holds_display(text, formula.end, item[1]):
+        return range(*item)
+    is_supposed = words is not None and words["supposes"] is not None
+    return range(start, end) if is_case or (is_supposed and is_behind) else None
+
+
+def is_denied(formula: Display) -> bool:
+    """True if the sentence does not suppose the formula, as in "it is not assumed that f = 0"."""
+    text = formula.source.prose
+    first, last = sentence_around(text, formula.start, formula.end)
+    before = _OPENING.sub("", text[first : formula.start])
+    behind = _CLOSING.sub("", text[formula.end : last], count=1)
+    return bool(_DENY_NEXT.search(before) or _DENY_LAST.match(behind))
+
+
+def is_supposed(formula: Display) -> bool:
+    """True if the words before the formula make it a condition: "for f = g", "suppose that f = g"."""
+    words, text = _words_before(formula), formula.source.prose
+    if words is None or not (words["case"] or words["excepts"] or words["supposes"]):
+        return False
+    first, _ = sentence_around(text, formula.start, formula.end)
+    between = text[first + words.end() : formula.start]
+    return _BREAKS.search(re.sub(r"\$[^$]*\$", "", between)) is None
+
+
+def is_over(formula: Display, start: int) -> bool:
+    """True if words between a condition and the display at `start` end its case, as "otherwise"."""
+    text = formula.source.prose
+    if _ENDS_CASE.search(text, formula.end, start):
+        return True
+    ends = list(_ENDS_OTHER.finditer(text, formula.end, start))
+    return bool(ends) and holds_display(text, formula.end, ends[-1].start())
+
+
+def reaches(formula: Display, start: int) -> bool:
+    """True if a value that a sentence supposes can count for the display at `start`, in its paragraph or not.
+
+    A value "for f = 0", "if f = 0" or of an item of a list with its display counts in its paragraph only."""
+    if is_over(formula, start):
+        return False
+    words, case = _words_before(formula), place_of_case(formula)
+    is_closed = words is None or _CLOSED.fullmatch(words[0]) is not None
+    return case is None or start in case or not is_closed
+
+
+def counts_in_section_only(formula: Display) -> bool:
+    """True if the sentence of the formula limits what it says to its section: "in this section, y = 2 x"."""
+    text = formula.source.prose
+    return _IN_SECTION.search(text[slice(*sentence_around(text, formula.start, formula.end))]) is not None

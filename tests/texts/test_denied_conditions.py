@@ -94,3 +94,16 @@ def test_draft_keeps_the_definition_of_a_sentence(tmp_path: Path, form: str) -> 
     for words in (f"The area is {said}, so that", f"For a square, the area is {said}.", f"Let {said}. Then"):
         path.write_text(text_of([f"{words}\n{more}"], form))
         assert [each.name for each in ingest(path).definitions] == [letters["f"]], words
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("words", ["For", "If", "Whenever", "So long as", "Since", "Provided that"])
+def test_case_of_another_paragraph_is_no_doubt(tmp_path: Path, form: str, words: str) -> None:
+    letters = ALPHABETS[len(words) % 3]
+    shown = display(renamed(ONLY_AT_ZERO, letters), form)
+    more = display(renamed("<f> <g>^2 = <f> <h>", letters), form)  # holds in the case, and says what h is
+    said = f"{words} {inline(renamed('<f> = 0', letters), form)}, we have\n{more}"
+    for parts in ([said, f"In the plane\n{shown}"], [f"In the plane\n{shown}", said]):
+        found = verdicts(tmp_path, text_of(parts, form), model_of(letters, form), form)
+        (own,) = (each for each in found if each.read_back and "2" in each.read_back and "+" in each.read_back)
+        assert (own.outcome, own.grade) == (Outcome.REFUTED, Grade.ERROR), parts

@@ -75,7 +75,7 @@ def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> 
         repeats = is_repeated(claim, about)
         made.append(claim.with_context(facts=(*claim.context.facts, *about), repeats=repeats))
         if not repeats and (saying := _saying(claim, at)) is not None:
-            if _is_local(claim, display, first):
+            if saying.cases or _is_local(claim, display, first):
                 saying.fact = replace(saying.fact, strength=Strength.GUESSED)
             for declaration in saying.registered:
                 said.setdefault(declaration, []).append(saying)
@@ -93,8 +93,6 @@ def _is_local(claim: Claim, display: Display, first: Mapping[Declaration, Displa
     if any(isinstance(each, Relation) and each.operator == "=" for each in conditions):
         return True
     own = claim.context.act[1]
-    if own is not None and any(_is_case_of(own, fact) for fact in claim.context.facts):
-        return True
     is_earlier = own is not None and first.get(own.declaration, display) is not display
     return (claim.context.explains or bool(claim.ambiguity.serves)) and is_earlier
 
@@ -103,7 +101,7 @@ def _is_case_of(own: Symbol, fact: Fact) -> bool:
     """True if a sentence supposes an equation for the formula that says what the symbol is."""
     said = fact.content
     if (
-        fact.origin.provider is not Provider.CONDITION
+        fact.origin.provider not in (Provider.CONDITION, Provider.UNREAD)
         or not isinstance(said, Relation)
         or said.operator != "="
     ):
@@ -112,10 +110,18 @@ def _is_case_of(own: Symbol, fact: Fact) -> bool:
 
 
 class _Saying:
-    """The fact that one formula states, its index among the claims, and the symbols that index it."""
+    """The fact that one formula states, its index among the claims, and the symbols that index it.
+
+    cases: the equations that its sentence supposes; the fact is none for a claim without them."""
 
     def __init__(self, claim: Claim, at: int, fact: Fact, registered: set[Declaration]) -> None:
         self.claim, self.at, self.fact, self.registered = claim, at, fact, registered
+        own = claim.context.act[1]
+        self.cases = {each.origin for each in claim.context.facts if own and _is_case_of(own, each)}
+
+    def is_of(self, claim: Claim) -> bool:
+        """True if the claim stands in the case of the formula."""
+        return not self.cases or not self.cases.isdisjoint(each.origin for each in claim.context.facts)
 
 
 def _saying(claim: Claim, at: int) -> _Saying | None:
@@ -149,6 +155,8 @@ def _about(claim: Claim, said: dict[Declaration, list[_Saying]]) -> list[Fact]:
         seen.add(declaration)
         for saying in said.get(declaration, ()):
             stated = saying.claim.printed.parsed
+            if not saying.is_of(claim):
+                continue
             if stated in claim.supposed or not _is_carried(stated, saying.claim.notation, notation):
                 continue
             fact = saying.fact

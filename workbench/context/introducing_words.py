@@ -32,8 +32,6 @@ _DENY_LAST = re.compile(DENY_WHAT_PRECEDES, re.IGNORECASE)
 _ENDS_CASE = re.compile(rf"\b(?:{ENDS_CASE})\b", re.IGNORECASE)
 _ENDS_OTHER = re.compile(rf"\b(?:{ENDS_CASE_OF_ANOTHER})\b", re.IGNORECASE)
 _IN_SECTION = re.compile(rf"\b(?:{IN_SECTION})\b", re.IGNORECASE)
-#: Words of a case that is over with its paragraph.
-_CLOSED = re.compile(r"for|at|if|when|whenever|since|because|in the event", re.IGNORECASE)
 #: The marks around a formula in a sentence.
 _OPENING = re.compile(r"(?:\$|\\\(|:math:`|`)\s*$")
 _CLOSING = re.compile(r"\s*(?:\$|\\\)|`)")
@@ -120,8 +118,9 @@ def reaches(formula: Display, start: int) -> bool:
     if is_over(formula, start):
         return False
     words, case = _words_before(formula), place_of_case(formula)
-    is_closed = words is None or _CLOSED.fullmatch(words[0]) is not None
-    return case is None or start in case or not is_closed
+    is_numbered = words is not None and words[0].lower().startswith("case ")
+    is_open = words is not None and (words["case"] is None or is_numbered) and words["gives_reason"] is None
+    return case is None or start in case or is_open
 
 
 def counts_in_section_only(formula: Display) -> bool:

@@ -97,13 +97,30 @@ def test_draft_keeps_the_definition_of_a_sentence(tmp_path: Path, form: str) -> 
 
 
 @pytest.mark.parametrize("form", FORMATS)
-@pytest.mark.parametrize("words", ["For", "If", "Whenever", "So long as", "Since", "Provided that"])
-def test_case_of_another_paragraph_is_no_doubt(tmp_path: Path, form: str, words: str) -> None:
+@pytest.mark.parametrize("words", ["For", "If", "Whenever", "So long as", "Suppose that"])
+def test_case_is_no_doubt_of_an_earlier_sentence(tmp_path: Path, form: str, words: str) -> None:
     letters = ALPHABETS[len(words) % 3]
-    shown = display(renamed(ONLY_AT_ZERO, letters), form)
+    shown = display(renamed(ONLY_AT_ZERO, letters) + ".", form)
     more = display(renamed("<f> <g>^2 = <f> <h>", letters), form)  # holds in the case, and says what h is
-    said = f"{words} {inline(renamed('<f> = 0', letters), form)}, we have\n{more}"
-    for parts in ([said, f"In the plane\n{shown}"], [f"In the plane\n{shown}", said]):
-        found = verdicts(tmp_path, text_of(parts, form), model_of(letters, form), form)
-        (own,) = (each for each in found if each.read_back and "2" in each.read_back and "+" in each.read_back)
-        assert (own.outcome, own.grade) == (Outcome.REFUTED, Grade.ERROR), parts
+    text = text_of(
+        ["Now", shown, f"{words} {inline(renamed('<f> = 0', letters), form)}, we have\n{more}"], form
+    )
+    found, _ = verdicts(tmp_path, text, model_of(letters, form), form)
+    assert (found.outcome, found.grade) == (Outcome.REFUTED, Grade.ERROR), text
+
+
+@pytest.mark.parametrize("form", ["tex", "md"])
+@pytest.mark.parametrize("value", ["<f> = 0", r"\dot{<f>} = 0"])
+@pytest.mark.parametrize("words", ["{} yields", "If {}, then", "Since {},", "Suppose {}. Then"])
+def test_case_of_an_item_is_no_doubt_of_another(tmp_path: Path, form: str, value: str, words: str) -> None:
+    letters = ALPHABETS[len(words) % 3]
+    said = words.format(inline(renamed(value, letters), form))
+    formula = renamed(
+        ONLY_AT_ZERO if "dot" not in value else r"\frac{d}{dt} \cos <f> = \dot{<f>} \sin <f>", letters
+    )
+    mark, inside = {"tex": (r"\item", f"$${formula}$$"), "md": ("1.", f"$$ {formula} $$")}[form]
+    text = f"{mark} {said}\n   {inside}\n{mark} Further\n   {inside}\n"
+    text = f"\\begin{{enumerate}}\n{text}\\end{{enumerate}}\n" if form == "tex" else text
+    first, other = verdicts(tmp_path, text, model_of(letters, form), form)
+    assert first.outcome in (Outcome.PROVED, Outcome.CONDITIONAL), text
+    assert (other.outcome, other.grade) == (Outcome.REFUTED, Grade.ERROR), text

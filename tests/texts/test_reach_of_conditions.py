@@ -59,7 +59,7 @@ def test_case_reaches_no_other_paragraph(tmp_path: Path, form: str, sentence: st
     for value, formula in VALUES:
         value, formula = renamed(value, letters), renamed(formula, letters)
         said = sentence.format(inline(value, form))
-        text = text_of(_section(said, formula, form, "In general, this is different:"), form)
+        text = text_of(_section(said, formula, form, "This is different:"), form)
         first, again = verdicts(tmp_path, text, model_of(letters, form), form)
         assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED), text
         assert again.grade is Grade.WARNING
@@ -74,7 +74,7 @@ def test_value_behind_a_display_reaches_no_other_paragraph(tmp_path: Path, form:
         shown = display(renamed(formula, letters), form)
         words = sentence.format(inline(renamed(value, letters), form))
         for parts in ([f"{shown}\n{words}"], [shown, words]):
-            text = text_of([*parts, "In general, this is different:", shown], form)
+            text = text_of([*parts, "This is different:", shown], form)
             first, again = verdicts(tmp_path, text, model_of(letters, form), form)
             assert (first.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED), text
             assert again.grade is Grade.WARNING

@@ -32,6 +32,8 @@ _DENY_LAST = re.compile(DENY_WHAT_PRECEDES, re.IGNORECASE)
 _ENDS_CASE = re.compile(rf"\b(?:{ENDS_CASE})\b", re.IGNORECASE)
 _ENDS_OTHER = re.compile(rf"\b(?:{ENDS_CASE_OF_ANOTHER})\b", re.IGNORECASE)
 _IN_SECTION = re.compile(rf"\b(?:{IN_SECTION})\b", re.IGNORECASE)
+#: The end of a display that ends its sentence.
+_FULL_STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$|\n[ \t]*\n)")
 #: The marks around a formula in a sentence.
 _OPENING = re.compile(r"(?:\$|\\\(|:math:`|`)\s*$")
 _CLOSING = re.compile(r"\s*(?:\$|\\\)|`)")
@@ -112,15 +114,17 @@ def is_over(formula: Display, start: int) -> bool:
 
 
 def reaches(formula: Display, start: int) -> bool:
-    """True if a value that a sentence supposes can count for the display at `start`, in its paragraph or not.
+    """True if a value that a sentence supposes may count for the display at `start`.
 
-    A value "for f = 0", "if f = 0" or of an item of a list with its display counts in its paragraph only."""
+    That of an item of a list with its display counts in the item only, and a case for no earlier sentence."""
     if is_over(formula, start):
         return False
-    words, case = _words_before(formula), place_of_case(formula)
-    is_numbered = words is not None and words[0].lower().startswith("case ")
-    is_open = words is not None and (words["case"] is None or is_numbered) and words["gives_reason"] is None
-    return case is None or start in case or is_open
+    case, text = place_of_case(formula), formula.source.prose
+    if case is None or start in case:
+        return True
+    item = item_around(text, formula.start)
+    is_of_item = item is not None and holds_display(text, formula.end, item[1])
+    return not is_of_item and _FULL_STOP.search(text, start, formula.start) is None
 
 
 def counts_in_section_only(formula: Display) -> bool:

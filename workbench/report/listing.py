@@ -175,7 +175,7 @@ def _row(name: str, results: Sequence[ClaimResult], state: Kind) -> Row:
     if state.name in ("error", "warning") or any(result.known for result in results):
         return Row(name, Grade.NOTE, "known", "")
     if state.name in ("unjudged", "open"):
-        reason = next(str(r.verdict.reason or "") for r in results if r.verdict.outcome not in _DECIDED)
+        reason = next(_why_open(r) for r in results if r.verdict.outcome not in _DECIDED)
         return Row(name, Grade.NOT_JUDGED, state.label, reason)
     if state.name == "holds":
         return Row(name, Grade.OK, "holds", _condition(results))
@@ -235,13 +235,20 @@ def _what(result: ClaimResult) -> str:
     return result.why_not or str(verdict.reason or verdict.outcome)
 
 
+def _why_open(result: ClaimResult) -> str:
+    """Returns why a formula is not judged; of a falsehood, the doubts about it."""
+    verdict = result.verdict
+    if verdict.outcome in (Outcome.REFUTED, Outcome.ILL_FORMED) and verdict.unless:
+        return f"{_what(result)}, unless {' or '.join(verdict.unless)}"
+    return str(verdict.reason or "no reason is known")
+
+
 def _open(equations: Mapping[str, Sequence[ClaimResult]]) -> Iterator[Open]:
     """Yields the unjudged displays by reason, the most frequent reason first."""
     found: dict[str, dict[str, Span | None]] = {}
     for name, results in equations.items():
         for result in results:
-            why = result.verdict.reason
-            reason = in_plain_text(str(why or "no reason is known")) + suffix(why)
+            reason = in_plain_text(_why_open(result)) + suffix(result.verdict.reason)
             found.setdefault(reason, {})[name] = result.claim.printed.at
     for reason, names in sorted(found.items(), key=lambda each: -len(each[1])):
         yield Open(tuple(names), reason, tuple(place for place in names.values() if place is not None))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from workbench.context.claims import Claim, Notation
+from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import free_in, terms_of
 from workbench.core.terms import Definition, Derivative, Relation, Symbol
 from workbench.core.types import Declaration
@@ -32,10 +33,20 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
     said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
     definitions = Definitions([*claim.notation.definitions, *said]) if said else claim.notation.definitions
     left, right = (free_in([side], definitions) for side in (statement.left, statement.right))
-    if not left.isdisjoint(right):
+    if not left.isdisjoint(right) or _is_ruled(claim, statement):
         return False
     written = {term.declaration for term in terms_of(statement) if isinstance(term, Symbol)}
     return _is_about_one((left | right) & written) or not Decider(claim, _judge, True).is_impossible(())
+
+
+def _is_ruled(claim: Claim, statement: Relation) -> bool:
+    """True if a side is a rate of which the text states a law of lower order: ÿ behind ẏ = v sin θ."""
+    laws = [fact.content for fact in claim.context.facts if isinstance(fact.content, Relation)]
+    known = {derived(side) for law in laws for side in (law.left, law.right)}
+    for own, order in map(derived, (statement.left, statement.right)):
+        if own is not None and any((own, lower) in known for lower in range(1, order)):
+            return True
+    return False
 
 
 def _is_about_one(symbols: Collection[Declaration]) -> bool:

@@ -188,7 +188,9 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
         is_void = any(free_in([rate], subject.definitions) <= still for rate in subject.rates)
         if own and not is_void:
             yield f"{named(own)}: constant, as the text takes no rate", own, having("constant", own)
-        here = [s for s in may if s.declaration in subject.written]
+        here = [
+            s for s in may if s.declaration in subject.written and s.declaration.name not in subject.ruled
+        ]
         if (
             under_rates
             and here

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from workbench.context.claims import Claim, Formula, Notation
 from workbench.context.facts import Act
-from workbench.context.formula_subject import Subject
+from workbench.context.formula_subject import Subject, derived
 from workbench.context.free_symbols import body_of, equations_of, free_in, terms_of
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
@@ -43,7 +44,16 @@ def subject_of(claim: Claim, definitions: Iterable[Definition] = ()) -> Subject:
     more = tuple(definitions)
     known = claim.notation.definitions
     known = Definitions([*known, *more]) if more else known
-    return _subject(claim.printed.statement, claim.notation, known, claim.context.moving)
+    subject = _subject(claim.printed.statement, claim.notation, known, claim.context.moving)
+    return replace(subject, ruled=frozenset(_ruled(claim)))
+
+
+def _ruled(claim: Claim) -> Iterator[Name]:
+    """Yields the symbols whose rates a fact of the claim gives."""
+    laws = (fact.content for fact in claim.context.facts if isinstance(fact.content, Relation))
+    for own, order in (derived(side) for law in laws for side in (law.left, law.right)):
+        if own is not None and order:
+            yield own.declaration.name
 
 
 def _subject(

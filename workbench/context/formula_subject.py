@@ -42,6 +42,7 @@ class Subject:
         bound: The symbols that a motion gives.
         framed: The symbols that frames and points give.
         moving: The symbols whose rates the text writes.
+        ruled: The symbols whose rates a law of the text gives.
         letters: Whether letters and accents are used as evidence.
     """
 
@@ -51,6 +52,7 @@ class Subject:
     bound: frozenset[Name] = frozenset()
     framed: frozenset[Name] = frozenset()
     moving: frozenset[Name] = frozenset()
+    ruled: frozenset[Name] = frozenset()
     letters: bool = True
 
     @cached_property

@@ -10,7 +10,7 @@ from typing import Any
 _OURS = tuple(f"workbench.{package}." for package in ("core", "language", "papers", "context", "source"))
 _PLAIN = frozenset({
     ("builtins", "range"), ("builtins", "frozenset"), ("builtins", "set"), ("fractions", "Fraction"),
-    ("pathlib", "PosixPath"), ("pathlib", "WindowsPath"),
+    ("pathlib", "PosixPath"), ("pathlib", "WindowsPath"), ("workbench.runtime.limits", "Budget"),
 })  # fmt: skip
 
 

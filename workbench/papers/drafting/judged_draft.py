@@ -37,7 +37,7 @@ _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORE
 DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
 
 #: The limits of each judgement under a drafted model: what guesses do not decide soon, a model may.
-_BUDGET = Budget(seconds=5.0)
+_BUDGET = Budget(seconds=10.0)
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
 

@@ -74,7 +74,7 @@ def test_each_report_says_what_is_no_motion(texts):
     for name in ("report.html", "report.md"):
         assert "1 formulas not simulated (no motion: algebra)" in texts[name]
     assert "Of 2 formulas 1 were simulated" in texts["erratum.tex"]
-    assert "1, no motion: algebra (" in texts["erratum.tex"]
+    assert "1 (no motion: algebra): " in texts["erratum.tex"]
 
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="needs pdflatex")

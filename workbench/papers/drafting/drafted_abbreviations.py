@@ -61,7 +61,7 @@ def _said(sentences: Iterable[str]) -> Iterator[tuple[str, _Rule]]:
 
 
 def _usual(found: set[tuple[str, str]]) -> dict[str, _Rule]:
-    """Returns the rules for c and s in pairs of which the text has both for one angle."""
+    """Returns the rules for pairs of letters c and s with a common angle."""
     rules = {}
     for one, other in (("c", "s"), ("C", "S")):
         letters = {letter[-1]: letter for letter, _ in found}

@@ -40,7 +40,7 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
 
 
 def _is_ruled(claim: Claim, statement: Relation) -> bool:
-    """True if a side is a rate of which the text states a law of lower order: ÿ behind ẏ = v sin θ."""
+    """True if the text gives a lower rate of a side: ẏ = v sin θ before an equation of ÿ."""
     laws = [fact.content for fact in claim.context.facts if isinstance(fact.content, Relation)]
     known = {derived(side) for law in laws for side in (law.left, law.right)}
     for own, order in map(derived, (statement.left, statement.right)):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from workbench.context.claims import Claim, Notation
+from workbench.context.facts import Provider
 from workbench.context.formula_subject import derived
-from workbench.context.free_symbols import free_in, terms_of
+from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.core.terms import Definition, Derivative, Relation, Symbol
 from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
@@ -40,9 +41,13 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
 
 
 def _is_ruled(claim: Claim, statement: Relation) -> bool:
-    """True if the text gives a lower rate of a side: ẏ = v sin θ before an equation of ÿ."""
-    laws = [fact.content for fact in claim.context.facts if isinstance(fact.content, Relation)]
-    known = {derived(side) for law in laws for side in (law.left, law.right)}
+    """True if the text says what the symbols are: a condition of the claim, or a lower rate of a side."""
+    laws = [(fact.origin.provider, fact.content) for fact in claim.context.facts]
+    equations = [(provider, each) for provider, each in laws if isinstance(each, Relation)]
+    names = set(names_in(statement))
+    if any(provider is Provider.CONDITION and names & set(names_in(each)) for provider, each in equations):
+        return True
+    known = {derived(side) for _, law in equations for side in (law.left, law.right)}
     for own, order in map(derived, (statement.left, statement.right)):
         if own is not None and any((own, lower) in known for lower in range(1, order)):
             return True

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import product
 
 import pytest
 
-from workbench.core.construct import apply, symbol
+from workbench.core.construct import apply, number, symbol
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.operations import OPERATORS
@@ -53,7 +54,7 @@ ONE = {
     "norm": (dict.fromkeys("svqf", "s"), 1),
     "root": ({"s": "s"}, 0.5),
     "exp": ({letter: letter for letter in "sthq"}, 0),
-    "log": ({letter: letter for letter in "thq"}, 0),
+    "log": ({letter: letter for letter in "sthq"}, 0),
     **dict.fromkeys(("sin", "cos", "arcsin", "arccos", "arctan"), ({"s": "s"}, 0)),
     "divergence": ({"v": "s"}, 1),
     "curl": ({"v": "v"}, 1),
@@ -154,7 +155,7 @@ def two(head: str, left: str, right: str) -> Type | None:
             return KINDS["v" if head == "cross" else "t"] if left == right == "v" else None
         case "quaternion":
             return QUATERNION if left + right == "sv" else None
-        case "atan2":
+        case "atan2" | "pow":
             return KINDS["s"] if left == right == "s" else None
         case "kronecker":
             rows, columns = (SIZES.get(left, (0, 0))[i] * SIZES.get(right, (0, 0))[i] for i in (0, 1))
@@ -176,6 +177,7 @@ TWO = (
     "kronecker",
     "quaternion",
     "atan2",
+    "pow",
     "partial",
     "total",
 )
@@ -186,20 +188,30 @@ TWO = (
 def test_an_operation_on_two_arguments(head: str, left: str) -> None:
     for right, duals in product(KINDS, ((False, False), (True, False), (False, True))):
         expected = two(head, left, right)
-        weights = (2, 2) if head in ("quaternion", "atan2") else (2, 3)
+        weights = {"quaternion": (2, 2), "atan2": (2, 2), "pow": (0, 0)}.get(head, (2, 3))
         arguments = [of(k, Linear(w), d) for k, w, d in zip((left, right), weights, duals, strict=True)]
-        is_refused = (head == "atan2" and any(duals)) or (head in ("partial", "total") and duals[1])
+        is_refused = (head in ("atan2", "pow") and any(duals)) or (head in ("partial", "total") and duals[1])
         if expected is None or is_refused:
             with pytest.raises(IllFormed):
                 apply(head, *arguments)
             continue
         made = apply(head, *arguments)
         assert made.type == expected.with_dual(any(duals)), (head, left, right, duals)
-        differs = {"div": -1, "partial": -1, "total": -1, "quaternion": 2, "atan2": 0}
+        differs = {"div": -1, "partial": -1, "total": -1, "quaternion": 2, "atan2": 0, "pow": 0}
         assert made.weight == Linear(differs.get(head, 5)), (head, left, right)
-        if head not in ("quaternion", "atan2"):
+        if head not in ("quaternion", "atan2", "pow"):
             assert apply(head, of(left, None), of(right)).weight is None
             assert apply(head, of(left), of(right, None)).weight is None
+
+
+@pytest.mark.parametrize(("exponent", "weight"), [("1/3", 2), ("-1/2", -3), ("2/3", 4)])
+def test_a_power_has_its_share_of_the_weight(exponent: str, weight: int) -> None:
+    raised = number(Fraction(exponent))
+    assert apply("pow", of("s", Linear(6)), raised).weight == Linear(weight)
+    assert apply("pow", of("s", None), raised).weight is None
+    for refused in (of("s", Linear(6)), of("s", Linear(0))):
+        with pytest.raises(IllFormed):
+            apply("pow", of("s", Linear(5)), refused)
 
 
 def test_each_operation_is_in_one_of_the_tables() -> None:

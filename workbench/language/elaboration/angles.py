@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.formula_errors import Fault
+from workbench.core.operations import CIRCULAR
 from workbench.core.terms import Derivative, Symbol, Term
 from workbench.language.grammar.syntax import Bracket, Node
 from workbench.language.naming.scope import Scope
@@ -28,15 +31,19 @@ def of_angle_between(scope: Scope, head: str, argument: Node) -> Term | None:
     """Returns \\cos\\langle a, b\\rangle or \\sin\\langle a, b\\rangle of two vectors: a · b or |a × b| over
     their lengths.
 
-    Returns None if ⟨a, b⟩ is a name or not an angle.
+    Returns None if ⟨a, b⟩ is a name or not an angle. Raises Fault for other functions of an angle: a · b is
+    none.
     """
     if not isinstance(argument, Bracket) or argument.kind != "\\langle" or len(argument.parts) != 2:
         return None
-    if head not in ("cos", "sin") or scope.spelt(argument) is not None:
+    if head not in CIRCULAR or scope.spelt(argument) is not None:
         return None
     one, other = (scope.term(part) for part in argument.parts)
-    if not (one.type == other.type and one.type.is_column) or (head == "sin" and one.type.kind != "vector"):
+    if not (one.type == other.type and one.type.is_column):
         return None
+    if head not in ("cos", "sin") or (head == "sin" and one.type.kind != "vector"):
+        message = SyntaxCode.TRIPLE_PRODUCT_OR_PAIR()
+        raise Fault(SyntaxCode.EXPRESSIONS_BETWEEN_BRACKETS(terms=2, message=message), argument.at)
     above = scope.apply(argument.at, "dot", one, other)
     if head == "sin":
         above = scope.apply(argument.at, "norm", scope.apply(argument.at, "cross", one, other))

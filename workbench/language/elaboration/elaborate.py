@@ -170,12 +170,7 @@ class Elaborator(Scope):
             return self.apply(node.at, "quaternion", *parts)
         if len(terms) == 2 and node.kind in ("(", "[") and _are_beside(*terms):
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): side by side
-        if (
-            len(terms) == 2
-            and node.kind == "\\langle"
-            and terms[0].type == terms[1].type
-            and terms[0].type.is_column
-        ):
+        if len(terms) == 2 and node.kind == "\\langle" and _are_columns(*terms):
             return self.apply(node.at, "dot", *terms)
         message = SyntaxCode.TRIPLE_PRODUCT_OR_PAIR()
         raise Fault(SyntaxCode.EXPRESSIONS_BETWEEN_BRACKETS(terms=len(terms), message=message), node.at)

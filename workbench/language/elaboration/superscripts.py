@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction as Rational
 
 from workbench.core import construct, integer_instances
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
 from workbench.core.integer_expressions import Linear
-from workbench.core.terms import Apply, Derivative, Symbol, Term
+from workbench.core.terms import Apply, Derivative, Number, Symbol, Term
 from workbench.core.types import SCALAR
+from workbench.language.elaboration.meanings import EXPONENTIALS
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -25,7 +27,7 @@ from workbench.language.grammar.syntax import (
     Sum,
     core,
 )
-from workbench.language.naming.linear_indices import linear
+from workbench.language.naming.linear_indices import LARGEST_INTEGER, linear
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.symbols import may_be_label
@@ -111,14 +113,40 @@ def _halves(node: Node | None) -> int | None:
 
 
 def _power_of_scalars(scope: Scope, term: Term, sup: Node) -> Term | None:
-    """Returns x^y of two scalars, where y is no integer; None for other superscripts."""
-    if term.type.kind != "scalar" or term.type.dual:
+    """Returns x^y of two scalars, where y is no integer; None for other superscripts, and for labels."""
+    if term.type.kind != "scalar" or term.type.dual or _may_be_label(term, sup):
         return None
     try:
         exponent = scope.term(with_quotients(sup))
     except Fault:
         return None
-    return scope.apply(sup.at, "pow", term, exponent) if exponent.type == SCALAR else None
+    if isinstance(exponent, Number) and exponent.value.denominator <= 2:
+        return _power_of_root(scope, sup.at, term, exponent.value)
+    if exponent.type != SCALAR or (_is_exponential(term) and not isinstance(exponent, Number)):
+        return None
+    return scope.apply(sup.at, "pow", term, exponent)
+
+
+def _power_of_root(scope: Scope, at: int, term: Term, exponent: Rational) -> Term | None:
+    """Returns x^{k/2}; None for 02 and 2/1, which are labels, and for what is too large."""
+    if exponent.denominator == 1 or abs(exponent.numerator) > LARGEST_INTEGER:
+        return None
+    return scope.build(at, integer_instances.raised, rooted(scope, at, term), Linear(exponent.numerator))
+
+
+def _may_be_label(term: Term, sup: Node) -> bool:
+    """True for x^{[n]}, and for x^{t+1}, which is x at a time or a power."""
+    inner = core(sup)
+    if isinstance(inner, Bracket) and inner.kind in ("[", "\\{"):
+        return True
+    instant = linear(inner, ("t",))
+    at_time = instant is not None and (instant - Linear.variable("t")).is_number
+    return at_time and isinstance(term, Symbol | Derivative)
+
+
+def _is_exponential(term: Term) -> bool:
+    """True for a symbol e: e^x is its power or the exponential."""
+    return isinstance(term, Symbol) and term.declaration.name in EXPONENTIALS
 
 
 def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:

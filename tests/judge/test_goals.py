@@ -342,3 +342,17 @@ def test_each_link_of_a_chain_is_shown(chain, at):
         Congruence("Y", Y=Instance(0)), Kernel()
     )  # a proof of one link is none of another
     assert outcome(r"a = b \Rightarrow a = b = 2 b", Introductions(swapped)).outcome == Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize("value", [r"\sqrt{u}", r"u^{1/2}"])
+def test_root_is_no_witness_where_it_is_not_real(value):
+    proof = Introductions(ExistsIntroduction({"v": value}))
+    assert (
+        outcome(r"\forall u \in \mathbb{R} : \exists v \in \mathbb{R} : v^2 = u", proof).outcome
+        == Outcome.UNCHECKED
+    )
+    cube = Introductions(ExistsIntroduction({"v": "u^3"}))
+    assert (
+        outcome(r"\forall u \in \mathbb{R} : \exists v \in \mathbb{R} : v = u u^2", cube).outcome
+        == Outcome.PROVED
+    )

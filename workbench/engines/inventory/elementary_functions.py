@@ -73,9 +73,9 @@ def holds_functions(said: Relation, definitions: Lookup) -> bool:
 
 
 def holds_roots(said: Relation, definitions: Lookup) -> bool:
-    """True if there is a root of a scalar, or a function whose slope has one."""
+    """True if there is a root of a real scalar, or a function whose slope has one."""
     parts = (part for side in (said.left, said.right) for part in reached(side, definitions))
-    return any(isinstance(part, Apply) and part.head in ("root", "arcsin", "arccos") for part in parts)
+    return any(_is_root(part) or _is_arc(part) for part in parts)
 
 
 def without_functions(said: Relation, definitions: Lookup, roots: bool = False) -> Replaced:
@@ -120,6 +120,14 @@ def _slopes(own: Symbol, value: Value, varied: Sequence[Term]) -> Iterator[State
             yield relation("=", twice, apply("partial", known, again))
 
 
+def _is_root(term: Term) -> bool:
+    return isinstance(term, Apply) and term.head == "root" and term.type == SCALAR
+
+
+def _is_arc(term: Term) -> bool:
+    return isinstance(term, Apply) and term.head in ("arcsin", "arccos")
+
+
 def _is_elementary(term: Term) -> bool:
     is_function = isinstance(term, Apply) and (term.head in FUNCTIONS or term.head == "pow")
     return is_function and term.type == SCALAR
@@ -153,8 +161,7 @@ class _Pass:
 
     def term(self, term: Term) -> Term:
         if id(term) not in self.done:
-            is_root = self.roots and isinstance(term, Apply) and term.head == "root"
-            is_function = is_root or _is_elementary(term)
+            is_function = (self.roots and _is_root(term)) or _is_elementary(term)
             new = self._function(term) if is_function else self._rebuilt(term)
             self.done[id(term)] = term, new
         return self.done[id(term)][1]

@@ -34,7 +34,12 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.closed_formulas import judge_closed
 from workbench.prover.decide.disequation import judge_inequation
-from workbench.prover.decide.elementary_equations import difference, judge_functions, judge_roots
+from workbench.prover.decide.elementary_equations import (
+    difference,
+    domain_of,
+    judge_functions,
+    judge_roots,
+)
 from workbench.prover.decide.equation import IN_FORCE, Equation
 from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
@@ -314,11 +319,21 @@ class Judge(Setting):
         except Unsatisfiable:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.EMPTY_SET())
         for term in terms:  # equality of the value everywhere implies that it is defined everywhere
-            verdict = self._judge(difference(term), (*assume, *said.given))
+            verdict = self._defined(term, (*assume, *said.given))
+            if verdict.code is VerdictCode.NOT_DEFINED_FOR_ALL:
+                return verdict
             if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
                 reason = VerdictCode.NOT_DEFINED_FOR_ALL(left=to_latex(term.left), reason=verdict.reason)
                 return replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
         return Verdict(Outcome.DEFINITION, evidence=(Evidence("sets and maps", "well-formed"),))
+
+    def _defined(self, same: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        """Returns `proved` if the term that both sides are is defined everywhere."""
+        verdict = self._judge(difference(same), assume)
+        if (where := domain_of(verdict)) is None:
+            return verdict
+        reason = VerdictCode.NOT_DEFINED_FOR_ALL(left=to_latex(same.left), reason=f"only {where}")
+        return replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
 
     def _one_way(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
         try:
@@ -336,7 +351,7 @@ class Judge(Setting):
         ):
             given, said = (equated("=", *[difference(r).left] * 2) for r in (premise, claim))
             turned = self._implied(_equation(claim), _equation(premise), (*assume, given))
-            defined = self._judge(difference(said), (*assume, premise))
+            defined = self._defined(said, (*assume, premise))
             return turned if defined.outcome is Outcome.PROVED else _together([turned, defined])
         return self._supposing((premise,), claim, assume)
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, derivative, power, relation, zero
 from workbench.core.operations import PARTIALS
-from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term
+from workbench.core.terms import Apply, Derivative, Number, Power, Relation, Statement, Symbol, Term
 from workbench.core.types import SCALAR
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact
@@ -18,6 +18,7 @@ from workbench.engines.inventory.assumptions import Unsatisfiable
 from workbench.engines.inventory.elementary_functions import Replaced, holds_roots, without_functions
 from workbench.engines.inventory.functions_of_scalars import FUNCTIONS
 from workbench.engines.inventory.inventory import Inventory, take_inventory
+from workbench.engines.inventory.signs import is_seen_nonnegative
 from workbench.language.definitions import expand, number_behind
 from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import Trial, counterexample
@@ -32,6 +33,8 @@ from workbench.prover.counterexamples.real_angles import (
 from workbench.prover.decide.equation import IN_FORCE
 from workbench.prover.decide.law_statements import law_for
 
+#: The method of the evidence that says where the functions are defined.
+_DOMAIN = "domain"
 #: Real points at which a proved equation is evaluated.
 _POINTS = 3
 
@@ -116,10 +119,31 @@ def _judged(
         found, assume, definitions
     ):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_FUNCTIONS())
-    where = ", ".join(f"{to_latex(term)} > 0" for term in found.domain)
+    where = ", ".join(f"{to_latex(term)} > 0" for term in found.domain if not _is_surely_positive(term))
     method = "any values with the rates of these functions" + (", and their equations" if where else "")
     verdict = _with_evidence(verdict, "elementary functions", method)
-    return _with_evidence(verdict, "domain", f"where {where}") if where else verdict
+    return _with_evidence(verdict, _DOMAIN, f"where {where}") if where else verdict
+
+
+def domain_of(verdict: Verdict) -> str | None:
+    """Returns where the functions of a proved equation are defined; None if they are everywhere."""
+    return next((each.outcome for each in verdict.evidence if each.method == _DOMAIN), None)
+
+
+def _is_surely_positive(term: Term) -> bool:
+    """True if the form of the term shows that it is > 0."""
+    match term:
+        case Number(value=value):
+            return value > 0
+        case Symbol():
+            return term.declaration.positive or number_behind(term) != term
+        case Power(base=base):
+            return _is_surely_positive(base)
+        case Apply(head="mul", arguments=factors):
+            return all(map(_is_surely_positive, factors))
+        case Apply(head="add", arguments=addends):
+            return is_seen_nonnegative(term) and any(map(_is_surely_positive, addends))
+    return False
 
 
 def _squares_of_roots(said: Relation, definitions: Lookup) -> Relation | None:

@@ -44,6 +44,7 @@ from workbench.language.goals.proofs import (
 )
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
+from workbench.prover.decide.elementary_equations import domain_of
 from workbench.prover.decide.equation import Equation
 from workbench.prover.decide.families import InstanceJudge
 from workbench.prover.decide.inference import conclusion, equal_terms, generalization
@@ -206,7 +207,11 @@ class _Prover:
         asked = (statement, obligation.assume, tuple(used.items()))
         if asked not in self.lemmas:
             orders = FirstMembers(used, endless=frozenset(used)) if used else None
-            self.lemmas[asked] = self.judge.judge(statement, obligation.assume, orders=orders)
+            verdict = self.judge.judge(statement, obligation.assume, orders=orders)
+            if where := domain_of(verdict):
+                reason = VerdictCode.NOT_DEFINED_FOR_ALL(left=to_latex(statement), reason=f"only {where}")
+                verdict = replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
+            self.lemmas[asked] = verdict
         return self.lemmas[asked]
 
     def _one_of(

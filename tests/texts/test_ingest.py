@@ -79,7 +79,10 @@ def test_kinds_are_those_with_which_the_formulas_fit(
 def test_symbols_of_definitions_in_sentences_are_declared(tmp_path: Path) -> None:
     said = "The angular momentum is $L$, where $L = J \\omega$ and $\\omega$ is a vector; also $E = m c$."
     found = ingested(tmp_path, f"{said}\n\n$$ \\dot{{L}} = \\tau $$")
-    assert [(each.name, each.body) for each in found.definitions] == [("L", r"J \omega"), (r"\tau", r"\dot{L}")]
+    assert [(each.name, each.body) for each in found.definitions] == [
+        ("L", r"J \omega"),
+        (r"\tau", r"\dot{L}"),
+    ]
     assert {"J", r"\omega"} <= found.guesses.keys() and "E" not in found.guesses
 
 

@@ -23,19 +23,26 @@ if TYPE_CHECKING:
     help="The model, - for standard output; FILE with the ending .toml if none.",
 )
 @click.option(
-    "--json", "json_out", type=click.Path(path_type=Path), help="Write every display to a JSON file."
+    "--json",
+    "json_out",
+    is_flag=False,
+    flag_value="-",
+    metavar="OUT",
+    help="Write every display as JSON to OUT (standard output if OUT is - or missing).",
 )
 @click.option(
     "--macros", type=click.Path(path_type=Path), help="A TeX file of macros that stand elsewhere; they win."
 )
 @click.option("--force", is_flag=True, help="Write over a model that is there.")
 @reports_faults
-def draft_text(file: Path, out: Path | None, json_out: Path | None, macros: Path | None, force: bool) -> None:
+def draft_text(file: Path, out: Path | None, json_out: str | None, macros: Path | None, force: bool) -> None:
     """Write a first model for a text: kinds guessed, each with its reason, definitions proposed, questions on
     top, and what could not be read. Exit status 1 if no display was read."""
     from workbench.papers.drafting import ingest, model_text
 
     is_printed = out is not None and str(out) == "-"
+    if is_printed and json_out == "-":
+        raise Unusable("--out and --json: expected one of them on standard output, got both")
     out = file.with_suffix(".toml") if out is None or is_printed else out
     if out.exists() and not force and not is_printed:
         raise Unusable(f"{out}: is there already; --force writes over it")
@@ -44,9 +51,11 @@ def draft_text(file: Path, out: Path | None, json_out: Path | None, macros: Path
         click.echo(model_text(found, out), nl=False)
     else:
         write_atomically(out, model_text(found, out))
-    if json_out is not None:
-        write_atomically(json_out, json_text(found.to_dict()))
-    if not is_printed:
+    if json_out == "-":
+        click.echo(json_text(found.to_dict()), nl=False)
+    elif json_out is not None:
+        write_atomically(Path(json_out), json_text(found.to_dict()))
+    if not is_printed and json_out != "-":
         _print_table(found, out)
     if click.get_current_context().info_name == "ingest":
         click.echo("`workbench ingest` is now `workbench draft`", err=True)

@@ -20,9 +20,11 @@ WRONG = {
     "pendulum_on_cart.tex": {18},
     "planar_jacobian.md": {5},
     "polar.md": {3, 5},
+    "rigid_motions.md": {5},
     "rodrigues.md": {7, 11},
     "rotating_frame.tex": {10, 14},
     "turns_about_z.md": {9, 11},
+    "two_link_transforms.md": {9, 19},
     "unit_quaternion.md": {9, 23},
 }
 #: Wrong lines that are not found: θ may rest in a formula without its rate; T is taken for the first time.

@@ -65,6 +65,11 @@ def test_scalar_factors_are_found_by_their_ratio(printed: str, corrected: str) -
     assert any(corrected in proposal.latex for proposal in found.proposals), str(found)
 
 
+def test_a_whole_side_is_not_rewritten() -> None:
+    found = repaired(r"p = a \sin\theta + b", [r"p = a \cos\theta + b"])
+    assert [proposal.latex for proposal in found.proposals] == [r"p = a \cos \theta + b"]
+
+
 @pytest.mark.parametrize(
     ("printed", "kinds", "corrected"),
     [

@@ -120,17 +120,17 @@ def _size(term: Term) -> int:
 
 def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> Iterator[Candidate]:
     addend = subterm(relation, place)
-    is_rewritten = len(place) == 1 and isinstance(addend, Apply) and addend.head == "add"  # a whole side
+    is_side = len(place) == 1 and not isinstance(addend, Number)
     for at, factor, is_below in [*_factors(addend, ()), ((), None, False)]:
-        if factor is addend and is_rewritten:
-            continue
         value = (1,) * len(ratio) if factor is None else values_of(table.screen, factor)
         if value is None:
             continue
         change = tuple(pow(x, -1, PRIME) for x in ratio) if is_below else ratio
         new = table.terms.get(tuple(x * y % PRIME for x, y in zip(value, change, strict=True)))
-        if new is None:
-            continue
+        if new is None or (
+            is_side and factor is addend and (_is_made_of_several(addend) or _is_made_of_several(new))
+        ):
+            continue  # a whole side is not rewritten
         try:
             if factor is None:
                 changed = replaced(relation, place, _multiplied(new, addend))
@@ -143,6 +143,10 @@ def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> 
         kind = "coefficient" if factor is None else "symbol"
         likely = 1 if factor is None else 0 if is_below else 3
         yield Candidate(changed, (Change(kind, said),), None, (likely, _size(new)))
+
+
+def _is_made_of_several(term: Term) -> bool:
+    return isinstance(term, Apply) and term.head in ("add", "mul", "div", "neg")
 
 
 def _multiplied(factor: Term, addend: Term) -> Term:

@@ -66,8 +66,11 @@ def test_scalar_factors_are_found_by_their_ratio(printed: str, corrected: str) -
 
 
 def test_a_whole_side_is_not_rewritten() -> None:
-    found = repaired(r"p = a \sin\theta + b", [r"p = a \cos\theta + b"])
-    assert [proposal.latex for proposal in found.proposals] == [r"p = a \cos \theta + b"]
+    places = {"p": r"a \cos\theta + b \cos\phi", "w": r"a \sin\theta + b \sin\phi"}
+    found = repaired(
+        r"\dot{w} = a \dot\theta \cos\theta + b \dot\theta \cos\phi", places, **{r"\phi": "scalar"}
+    )
+    assert all(r"\dot{w}" in proposal.latex for proposal in found.proposals), str(found)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from workbench.context.facts import Provider
 from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.core.terms import Definition, Derivative, Relation, Symbol
-from workbench.core.types import Declaration
+from workbench.core.types import PI, Declaration
 from workbench.language.definitions import Definitions
 from workbench.papers.drafting.drafted_definitions import gives_dimension
 from workbench.prover.decide.decide import Judge
@@ -33,8 +33,8 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
         return True
     said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
     definitions = Definitions([*claim.notation.definitions, *said]) if said else claim.notation.definitions
-    left, right = (free_in([side], definitions) for side in (statement.left, statement.right))
-    if not left.isdisjoint(right) or _is_ruled(claim, statement):
+    left, right = (free_in([side], definitions) - {PI} for side in (statement.left, statement.right))
+    if not (left or right) or not left.isdisjoint(right) or _is_ruled(claim, statement):
         return False
     written = {term.declaration for term in terms_of(statement) if isinstance(term, Symbol)}
     return _is_about_one((left | right) & written) or not Decider(claim, _judge, True).is_impossible(())

@@ -13,7 +13,9 @@ from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.app.pipeline.judged_files import Judged, loaded_file
 from workbench.app.servers.desk import Desk, Turn
 from workbench.core.verdict import Outcome
+from workbench.papers.drafting.judged_draft import draft_of
 from workbench.papers.drafting.questions_to_author import Answer
+from workbench.papers.texts.changed_text import without_definitions
 
 TRUE = (
     r"\mathbf{a} \times \mathbf{b} = -\mathbf{b} \times \mathbf{a}",
@@ -163,3 +165,13 @@ def test_an_answer_is_judged_first_where_it_touches(tmp_path: Path) -> None:
     desk.close()
     assert first and len(first[0].results) >= 5, "v stands in two of seven formulas"
     assert marks(first[-1]) == marks(last) == marks(fresh(path, [answer]))
+
+
+def test_definitions_of_functions_are_left_out(tmp_path: Path) -> None:
+    path = tmp_path / "text.md"
+    path.write_text("$$R(\\theta) = \\theta I$$\n\n$$R(\\alpha + \\beta) = R(\\alpha) + R(\\beta)$$\n")
+    draft = draft_of(path)
+    notation = draft.paper.claims[0].notation
+    assert list(notation.definitions)
+    names = {each.symbol for each in draft.ingested.definitions}
+    assert not list(without_definitions(notation, names).definitions)

@@ -134,7 +134,7 @@ def _of_text(before: Judged, paper: TextPaper, text: Text, draft: Draft | None) 
         lines = {display.line for display in gone}
         if any(scope.display.line in lines for scope in draft.ingested.scopes):
             return None
-        undone = {each.name for each in draft.ingested.definitions if each.line in lines}
+        undone = {each.symbol for each in draft.ingested.definitions if each.line in lines}
     nearest = notation_before(paper, kept)
     notations: dict[int, Notation] = {}
 

@@ -66,8 +66,9 @@ def notation_before(before: TextPaper, kept: Mapping[int, int]) -> Callable[[int
 
 
 def without_definitions(notation: Notation, names: Collection[str]) -> Notation:
-    """Returns the notation without the definitions of these symbols."""
-    kept = [each for each in notation.definitions if str(each.declaration.name) not in names]
+    """Returns the notation without the definitions of these symbols and functions."""
+    own = [(each, str(each.declaration.name.without_arguments())) for each in notation.definitions]
+    kept = [each for each, name in own if name not in names]
     return replace(notation, definitions=Definitions(kept)) if names else notation
 
 

@@ -8,6 +8,7 @@ from workbench.context.claims import Claim, Notation
 from workbench.context.facts import Provider
 from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import free_in, names_in, terms_of
+from workbench.context.repeated_laws import rate_in
 from workbench.core.terms import Definition, Derivative, Relation, Symbol
 from workbench.core.types import PI, Declaration
 from workbench.language.definitions import Definitions
@@ -42,14 +43,14 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
 
 def _is_ruled(claim: Claim, statement: Relation) -> bool:
     """True if the text says what the symbols are: a condition of the claim, or a lower rate of a side."""
-    laws = [(fact.origin.provider, fact.content) for fact in claim.context.facts]
-    equations = [(provider, each) for provider, each in laws if isinstance(each, Relation)]
+    facts = claim.context.facts
+    laws = [(each.origin.provider, each.content) for each in facts if isinstance(each.content, Relation)]
     names = set(names_in(statement))
-    if any(provider is Provider.CONDITION and names & set(names_in(each)) for provider, each in equations):
+    if any(provider is Provider.CONDITION and names & set(names_in(law)) for provider, law in laws):
         return True
-    known = {derived(side) for _, law in equations for side in (law.left, law.right)}
     for own, order in map(derived, (statement.left, statement.right)):
-        if own is not None and any((own, lower) in known for lower in range(1, order)):
+        rates = (rate_in(law, own) for _, law in laws if own is not None)
+        if any(rate is not None and 0 < rate[0] < order for rate in rates):
             return True
     return False
 

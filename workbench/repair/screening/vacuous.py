@@ -128,6 +128,8 @@ def _in_order(product: Term) -> Term:
     scalars, others = _commuting(product)
     if not scalars or len(scalars) + len(others) == 1:
         return product
+    if any(each.type.kind == "operator" for each in others):  # D a x is not a D x
+        return product
     return product_of([*sorted(scalars, key=repr), *others])
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from hypothesis import given
 from hypothesis import strategies as st
 
+from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.paper_errors import PaperError
 from workbench.papers.reading_stages import ErrorLog, stage
 from workbench.source.toml.toml_file import TomlFile
@@ -77,3 +78,21 @@ def test_error_that_follows_from_an_omitted_entry_is_not_logged() -> None:
         "v: expected a string, got an integer",
         "unknown symbol u",
     ]
+
+
+def test_one_fault_in_two_keys_of_an_entry_is_logged_once() -> None:
+    file, log = TomlFile(Path("p.toml"), "[[claim]]\nprinted = 1\nsteps = 1\nlhs = 1\n"), ErrorLog()
+    keys = {"printed": "x", "steps": "x", "lhs": "y"}
+    faults = {
+        key: SyntaxCode.UNKNOWN_SYMBOL(text=name).at(1, at) for at, (key, name) in enumerate(keys.items())
+    }
+    errors = [PaperError("p.toml", 2, None, faults[key], file, ("claim", 0, key)) for key in keys]
+
+    def read(view: TomlFile) -> None:
+        if "printed" in view.data["claim"][0]:
+            raise errors[0]
+
+    log.whole(stage(read, file))
+    for error in errors[1:]:
+        log.tell(error)
+    assert [error.path[-1] for error in log] == ["printed", "lhs"]

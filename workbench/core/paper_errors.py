@@ -40,6 +40,11 @@ class PaperError(ValueError):
     def faults(self) -> Sequence[PaperError]:
         return (self,)
 
+    @property
+    def fields(self) -> tuple[object, ...]:
+        """File, line, column and message: equal for errors that read the same."""
+        return self.file and str(self.file), self.line, self.column, str(self.message)
+
     def __reduce__(self) -> tuple[object, ...]:
         """Makes the error picklable, so that it can be sent between processes."""
         return PaperError, (self.file, self.line, self.column, self.reason)

@@ -78,6 +78,7 @@ class ErrorLog(list[PaperError]):
     def __init__(self) -> None:
         super().__init__()
         self._omitted: list[PaperError] = []
+        self._told: set[tuple[object, ...]] = set()
 
     def past(self, done: Stage[T]) -> T | None:
         """Adds the errors of a stage. Returns its value."""
@@ -105,9 +106,9 @@ class ErrorLog(list[PaperError]):
 
     def tell(self, error: PaperError) -> None:
         for each in error.faults:
-            is_told = any(str(each) == str(known) for known in self)
-            if not is_told and len(self) < MOST and not self._follows(each):
+            if each.fields not in self._told and len(self) < MOST and not self._follows(each):
                 self.append(each)
+                self._told.add(each.fields)
 
     def stop(self) -> None:
         """Raises PaperError with all collected errors, if there are any."""
@@ -128,13 +129,21 @@ def _follows(error: PaperError, omitted: PaperError) -> bool:
     key = str(last)
     if error.toml is omitted.toml and list(error.path[: len(table)]) == table:
         missing = _missing_keys(error.message) if len(error.path) == len(table) else ()
-        if key in _GROUNDS or error.message == omitted.message or get_close_matches(key, missing, 1):
+        if key in _GROUNDS or _repeats(error, omitted) or get_close_matches(key, missing, 1):
             return True
     is_notation = any(get_close_matches(str(part), _NOTATION, 1, cutoff=0.8) for part in path[:3:2])
     if error.latex is None or not is_notation:
         return False
     declares = table[-1:] and table[-1] in ("symbols", "definitions", "notation")
     return not declares or set(_LETTERS.findall(key)) <= set(_LETTERS.findall(error.latex))
+
+
+def _repeats(error: PaperError, omitted: PaperError) -> bool:
+    """True if two keys of an entry have the same fault: the same reason with the same arguments."""
+    one, other = error.message, omitted.message
+    if not isinstance(one, Reason) or not isinstance(other, Reason):
+        return False
+    return (one.code, one.arguments) == (other.code, other.arguments)
 
 
 def _missing_keys(message: str) -> Sequence[str]:

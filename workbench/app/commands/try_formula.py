@@ -101,12 +101,15 @@ def _as_a_text(
     from workbench.language.naming.symbols import SymbolTable
     from workbench.papers.drafting.draft_model import ingested
     from workbench.papers.drafting.judged_draft import draft_from
-    from workbench.papers.drafting.typefaces import Guess
+    from workbench.papers.drafting.typefaces import Guess, GuessOrigin
     from workbench.runtime.store import standard
     from workbench.source.documents import read_text
 
     SymbolTable.build({name: {"kind": kind} for name, kind in symbols.items()})  # refuses an unknown kind
-    given = [Guess(name, kind, "the text says so", free=True) for name, kind in symbols.items()]
+    given = [
+        Guess(name, kind, "the text says so", free=True, origin=GuessOrigin.WORDS)
+        for name, kind in symbols.items()
+    ]
     with TemporaryDirectory(prefix="workbench-") as folder, standard(Memory) as memory:
         path = Path(folder) / "formula.tex"
         path.write_text(f"\\[\n{latex}\n\\]\n", encoding="utf-8")

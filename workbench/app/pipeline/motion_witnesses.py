@@ -228,6 +228,6 @@ def _general() -> tuple[Motion, ...]:
     return (*reference_motions(), *sampled_motions())
 
 
-def _no_motion(why: str) -> Reason:
+def _no_motion(entry: str) -> Reason:
     """Returns why no motion shows a claim, by its entry in [motion.claims]."""
-    return MotionCode.ALGEBRA() if why == "algebra" else MotionCode.AS_STATED(why=why)
+    return MotionCode.ALGEBRA() if entry == "algebra" else MotionCode.AS_STATED(why=entry)

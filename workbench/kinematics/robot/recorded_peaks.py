@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from math import factorial
 
 import numpy as np
@@ -17,9 +18,15 @@ from workbench.kinematics.robot.recordings import Break, Recording
 
 MOST = 0.4  # of the peak, by which |estimate| + error may exceed it anywhere
 ENDS = (0.0, 0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15)  # shares of the samples left out at both ends together
-UNKNOWN, BELOW = "not known everywhere", "below its noise"
 WELL = 0.1  # of a peak: a range so small is good enough with the ends
 RELATIVE = 1e-6  # of a peak: the least error that is stated
+
+
+class Undetermined(StrEnum):
+    """Why a peak has no value, other than a jump."""
+
+    SOMEWHERE = "not known everywhere"
+    BELOW_NOISE = "below its noise"
 
 
 @dataclass(frozen=True)
@@ -103,10 +110,14 @@ def _stops(recording: Recording) -> list[tuple[int, float, float]]:
 def below_noise(found: RecordedPeak, lower: Callable[[], RecordedPeak]) -> RecordedPeak:
     """Returns the peak; of one below its noise at_most is known only if the derivative before it is known
     well, or is below its noise with a bound of its own: else it may jump."""
-    if found.reason != BELOW:
+    if found.reason is not Undetermined.BELOW_NOISE:
         return found
     before = lower()
-    is_sure = before.error <= WELL * before.value if np.isfinite(before.error) else before.reason == BELOW
+    is_sure = (
+        before.error <= WELL * before.value
+        if np.isfinite(before.error)
+        else before.reason is Undetermined.BELOW_NOISE
+    )
     return found if is_sure and np.isfinite(before.at_most) else replace(found, at_most=np.inf)
 
 
@@ -121,7 +132,7 @@ def recorded_bound(recording: Recording, sign: int) -> RecordedPeak:
     low, high = float((value - error).max()), float((value + error).max())
     jumps = [one for one in recording.breaks if one.order == 0]
     if jumps or not np.isfinite(high):
-        reason = jump_reason(jumps) if jumps else UNKNOWN
+        reason = jump_reason(jumps) if jumps else Undetermined.SOMEWHERE
         return RecordedPeak(best, np.inf, time, whole, low, reason=reason)
     stated = max(high - best, best - low, 1e-12 * float(np.abs(value).max()))
     return RecordedPeak(best, stated, time, whole, low, best + stated)
@@ -187,7 +198,7 @@ def peak_of(
         return RecordedPeak(np.nan, np.inf, jumps[0].time, whole, at_least, reason=reason)
     if not sure[at] > 0:
         most = float((size + error).max())
-        return RecordedPeak(float(size[best]), np.inf, time, whole, 0.0, most, BELOW)
+        return RecordedPeak(float(size[best]), np.inf, time, whole, 0.0, most, Undetermined.BELOW_NOISE)
     n, found = len(times), []
     for share in ENDS:
         first, last = round(n * share / 2), n - round(n * share / 2)
@@ -202,7 +213,7 @@ def peak_of(
     best = int(np.argmax(np.where(np.isfinite(error) & inside, size, -1.0)))
     time = float(times[best] + (0.0 if moves is None else moves[best]))
     if not low > 0 or high > (1 + MOST) * value:
-        return RecordedPeak(value, np.inf, time, whole, at_least, reason=UNKNOWN)
+        return RecordedPeak(value, np.inf, time, whole, at_least, reason=Undetermined.SOMEWHERE)
     stated = max(high - value, value - low, RELATIVE * value)
     return RecordedPeak(value, stated, time, span, at_least, max(found[0][2], value + stated))
 

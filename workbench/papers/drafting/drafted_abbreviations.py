@@ -31,7 +31,11 @@ class _Rule:
 
     head: str
     stem: str
-    why: str
+    in_sentence: bool = False
+
+    @property
+    def why(self) -> str:
+        return "a sentence says so" if self.in_sentence else "the usual abbreviation"
 
 
 def abbreviations(
@@ -51,13 +55,14 @@ def abbreviations(
     for name, (letter, sub) in found.items():
         rule = rules.get(letter)
         if rule is not None and (angle := _angle(sub, rule.stem, scalars)) is not None:
-            yield Proposed(name, rf"\{rule.head}({angle})", lines[name], rule.why, True)
+            body = rf"\{rule.head}({angle})"
+            yield Proposed(name, body, lines[name], rule.why, True, in_sentence=rule.in_sentence)
 
 
 def _said(sentences: Iterable[str]) -> Iterator[tuple[str, _Rule]]:
     for latex in sentences:
         if match := _RULE.fullmatch(flat(latex)):
-            yield match["letter"], _Rule(match["head"], match["stem"] or "", "a sentence says so")
+            yield match["letter"], _Rule(match["head"], match["stem"] or "", in_sentence=True)
 
 
 def _usual(found: set[tuple[str, str]]) -> dict[str, _Rule]:
@@ -69,7 +74,7 @@ def _usual(found: set[tuple[str, str]]) -> dict[str, _Rule]:
         subs = [{sub for letter, sub in found if letter == each} for each in pair]
         if subs[0] & subs[1]:
             for letter in filter(None, pair):
-                rules[letter] = _Rule(_USUAL[letter[-1]], "", "the usual abbreviation")
+                rules[letter] = _Rule(_USUAL[letter[-1]], "")
     return rules
 
 

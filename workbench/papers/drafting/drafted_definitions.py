@@ -47,6 +47,7 @@ class Proposed:
         body: The definition's LaTeX.
         sure: Whether the model takes it without a question.
         function: The function's LaTeX without arguments; "" if it is no function.
+        in_sentence: Whether a sentence says so.
     """
 
     name: str
@@ -55,6 +56,7 @@ class Proposed:
     why: str
     sure: bool
     function: str = ""
+    in_sentence: bool = False
 
     @property
     def symbol(self) -> str:
@@ -242,4 +244,4 @@ def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Itera
             is_value = _NUMBER.fullmatch(each.body) is not None
             is_late = formula.display.line > shown.get(each.name, 0) or not is_let(formula.display)
             if each.name in shown and not (is_value and is_late):
-                yield replace(each, why="a sentence says so"), formula
+                yield replace(each, why="a sentence says so", in_sentence=True), formula

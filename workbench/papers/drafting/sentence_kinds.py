@@ -65,7 +65,7 @@ class Facts:
         for name, (of, frame, line) in self.rates.items():
             is_plain = frame in ("", dot)
             body = rf"\frac{{d {of}}}{{dt}}" if is_plain else rf"\frac{{{{}}^{{{frame}}} d {of}}}{{dt}}"
-            yield Proposed(name, body, line, "a sentence says so", True)
+            yield Proposed(name, body, line, "a sentence says so", True, in_sentence=True)
 
 
 def facts_of(text: MarkedText) -> Facts:

@@ -32,7 +32,7 @@ def scopes_of_sentences(
         if each.name not in guesses:
             continue
         is_local, first = counts_in_section_only(formula.display), defined.get(each.name)
-        is_other = first is not None and first.why == each.why and first.body != each.body
+        is_other = first is not None and first.in_sentence and first.body != each.body
         if not is_local and not (is_other and first and sections.get(first.line) != sections[each.line]):
             continue
         behind = [d for d in displays if d.source is formula.display.source and d.start > formula.display.end]

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from workbench.papers.drafting.inference.infer import Inference, Inferred, kind_name
 from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, VECTOR, Kind
 from workbench.papers.drafting.inference.priors import face, is_open
-from workbench.papers.drafting.typefaces import Guess, by_typeface
+from workbench.papers.drafting.typefaces import Guess, GuessOrigin, by_typeface
 from workbench.papers.drafting.words_on_symbols import Prose
 
 #: The number used for an undetermined size.
@@ -37,7 +37,8 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
     unit = size == VECTOR and said is not None and said.unit
     usual = _LENGTHS if size == SCALAR else _GRAVITY if size == VECTOR else None
     constant = usual is not None and name not in inference.moving and bool(usual.fullmatch(name))
-    return Guess(name, kind, why, unit, constant)
+    origin = said.origin if said is not None and is_said else GuessOrigin.FORMULAS
+    return Guess(name, kind, why, unit, constant, origin=origin)
 
 
 def kind_of_model(kind: Kind, size: str = OPEN) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from dataclasses import dataclass, field
+from enum import Enum
 from functools import cache
 
 _OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
@@ -42,12 +43,21 @@ ADJOINT = re.compile(
 )
 
 
+class GuessOrigin(Enum):
+    """Where the kind of a symbol comes from."""
+
+    FORMULAS = "its typeface, or the formulas that it fits"
+    QUATERNIONS = "a text on quaternions"
+    WORDS = "words of the text, which outweigh a typeface"
+
+
 @dataclass(frozen=True)
 class Guess:
     """The guessed kind and properties of a symbol.
 
     Attributes:
-        why: The reason.
+        why: The reason, in words.
+        origin: Where the kind comes from.
         is_inertia: Whether words say that it is an inertia, which is a scalar or a tensor.
     """
 
@@ -59,11 +69,12 @@ class Guess:
     independent: bool = False
     free: bool = False
     is_inertia: bool = False
+    origin: GuessOrigin = field(default=GuessOrigin.FORMULAS, compare=False)
 
     @property
     def is_said(self) -> bool:
-        """True if the guess rests on words of the text, which outweigh a typeface."""
-        return self.why.startswith("the text says")
+        """True if the guess rests on words of the text."""
+        return self.origin is GuessOrigin.WORDS
 
     @property
     def spec(self) -> dict[str, object]:

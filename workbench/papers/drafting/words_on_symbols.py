@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.papers.drafting.typefaces import Guess, flat
+from workbench.papers.drafting.typefaces import Guess, GuessOrigin, flat
 from workbench.source.documents import Display
 
 _WORDS = (
@@ -109,7 +109,7 @@ class Prose:
         if (known := self.given_for(name)) is not None:
             return known
         if (kind := self._in_a_set(flat(name))) is not None:
-            return Guess(name, kind, "the text says what set it is in")
+            return Guess(name, kind, "the text says what set it is in", origin=GuessOrigin.WORDS)
         said = [each for near in self._near(flat(name)) if (each := _nearest(*near)) is not None]
         if said:
             _, place, words = min(said, key=lambda each: each[:2])
@@ -118,7 +118,8 @@ class Prose:
                 return self._of_quaternions(name)
             plain = "scalar" if kind == "inertia" else kind.removeprefix("unit ")
             why = f'the text says "{" ".join(words.split())}" near it'
-            return Guess(name, plain, why, unit=kind == "unit vector", is_inertia=kind == "inertia")
+            is_unit, is_inertia = kind == "unit vector", kind == "inertia"
+            return Guess(name, plain, why, unit=is_unit, is_inertia=is_inertia, origin=GuessOrigin.WORDS)
         return self._of_quaternions(name)
 
     def is_inertia(self, name: str) -> bool:
@@ -132,7 +133,7 @@ class Prose:
         part = quaternion["part"] or ""
         is_number = bool(part) and part in "01234" and self._numbers_parts
         kind = "scalar" if is_number else _PARTS.get(part, "hamilton quaternion")
-        return Guess(name, kind, "the text speaks of quaternions")
+        return Guess(name, kind, "the text speaks of quaternions", origin=GuessOrigin.QUATERNIONS)
 
     def _in_a_set(self, name: str) -> str | None:
         """Returns the kind of a symbol that the text states to be in a set."""

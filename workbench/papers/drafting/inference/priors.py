@@ -8,7 +8,7 @@ from functools import cache
 
 from workbench.core.types import type_of_kind
 from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, VECTOR, Kind
-from workbench.papers.drafting.typefaces import Guess
+from workbench.papers.drafting.typefaces import Guess, GuessOrigin
 from workbench.papers.drafting.words_on_symbols import Prose
 
 #: Typeface → costs of a scalar, a 3-vector, a 3×3 tensor, another column, another square matrix, any other
@@ -155,7 +155,7 @@ class Priors:
         if name in self.functions and written in ("capital", "energy"):
             by_shape[0], by_shape[1] = by_shape[0] + 12, by_shape[1] + 8
         sure: Kind | None = (6, 6) if MAP_OF_TWISTS.match(name) else None
-        if said is not None and (said.is_said or said.why.endswith("quaternions")):
+        if said is not None and said.origin is not GuessOrigin.FORMULAS:
             words = _words(said)
             if words in SAID:
                 by_shape = [cost // 4 + own for cost, own in zip(by_shape, SAID[words], strict=True)]

@@ -63,6 +63,10 @@ def is_text(node: ast.expr) -> bool:
             return is_text(argument)
         case ast.Call(func=ast.Attribute(attr=name, value=value)) if name in CHANGES:
             return is_text(value)
+        case ast.BoolOp(values=values):
+            return any(map(is_text, values))
+        case ast.IfExp(body=body, orelse=otherwise):
+            return is_text(body) or is_text(otherwise)
     return False
 
 
@@ -77,6 +81,7 @@ def test_no_decision_compares_texts_of_messages() -> None:
     "planted",
     [
         "'a vector' in verdict.reason",
+        "'for n = 2' not in (verdict.reason or '')",
         "error.message == other.message",
         "str(error) != 'no'",
         "guess.why.startswith('the text says')",

@@ -26,8 +26,10 @@ from workbench.certificates.values.motion_instances import (
     place,
 )
 from workbench.certificates.values.trigonometric import order, parsed
+from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import derivative
 from workbench.core.integer_instances import instantiate
+from workbench.core.reasons import Reason
 from workbench.core.terms import Conjunction, IllFormed, Naming
 from workbench.core.verdict import Verdict
 from workbench.language.printing.printer import to_latex
@@ -45,6 +47,9 @@ Import ListNotations.
 Open Scope Q_scope. Open Scope kin_scope.
 Notation K := smooth_functions.
 """
+
+#: Codes of a statement that fails for some values of its integers.
+_OF_AN_INSTANCE = (VerdictCode.FOR, VerdictCode.FOR_BECAUSE, VerdictCode.FOR_THOUGH_HOLDS)
 
 
 @dataclass
@@ -215,6 +220,12 @@ def _inside(text: str) -> str:
     return text if text.isidentifier() or text[0] == "(" else f"({text})"
 
 
+def _fails_for(verdict: Verdict) -> set[str]:
+    """Returns the values of the integers for which the verdict says that the statement fails."""
+    parts = verdict.reason.parts() if isinstance(verdict.reason, Reason) else ()
+    return {part.arguments["values"] for part in parts if part.code in _OF_AN_INSTANCE}
+
+
 def refutation(form: Form, verdict: Verdict) -> Certificate:
     """Returns the certificate. Raises NotCertified with the first obstacle."""
     example = verdict.counterexample
@@ -223,7 +234,7 @@ def refutation(form: Form, verdict: Verdict) -> Certificate:
     claim, definitions = form.claim, form.claim.notation.definitions
     for values in claim.instances:
         place_ = ", ".join(f"{n} = {v}" for n, v in values.items())
-        if values and f"for {place_}" not in (verdict.reason or ""):
+        if values and place_ not in _fails_for(verdict):
             continue
         try:
             statement = instantiate(form.statement, values)

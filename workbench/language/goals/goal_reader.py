@@ -19,7 +19,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
+from workbench.core.brackets import nesting, outside
 from workbench.core.formula_errors import SpecError
 from workbench.core.names import Name
 from workbench.core.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
@@ -69,7 +71,7 @@ def _pieces(latex: str) -> Iterator[str]:
     for mark in _MARK.finditer(latex):
         text = mark[0]
         if text in "{}":
-            depth += 1 if text == "{" else -1
+            depth += nesting(text)
         elif depth == 0 and (text in ";:" or text.rstrip("()! ") in _MARKS):
             if between := latex[start : mark.start()].strip():
                 yield between
@@ -196,13 +198,8 @@ def _variables(binder: str, scope: Scope, fresh: bool) -> Iterator[Variable]:
 
 
 def _split(binder: str) -> Iterator[str]:
-    depth = start = 0
-    for place, character in enumerate(binder):
-        depth += (character in "({[") - (character in ")}]")
-        if character == "," and depth == 0:
-            yield binder[start:place]
-            start = place + 1
-    yield binder[start:]
+    commas = [place for place in outside(binder, "({[", ")}]") if binder[place] == ","]
+    yield from (binder[start + 1 : end] for start, end in pairwise([-1, *commas, len(binder)]))
 
 
 def _variable(letter: str, domain: str, scope: Scope, fresh: bool) -> Variable:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from lark import Token
 
+from workbench.core.brackets import end_of_group
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
 from workbench.core.operations import FUNCTIONS
@@ -320,12 +321,9 @@ class Tokenizer:
         """True if an environment follows and \\right. closes the brace; \\right\\} closes a set."""
         if not re.match(r"\s*\\begin", self.text[behind:]):
             return False
-        depth = 1
-        for match in SIDES.finditer(self.text, behind):
-            depth += 1 if match[1] == "left" else -1
-            if depth == 0:
-                return match[2] == "."
-        return True
+        sides = list(SIDES.finditer(self.text, behind))
+        last = end_of_group(["left", *(match[1] for match in sides)], ("left",), ("right",))
+        return last is None or sides[last - 2][2] == "."
 
     def parts_a_script(self, bar: str, at: int) -> bool:
         """True for the single bar of x_{t|t-1} or v_{\\|}, which is not a bracket."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from workbench.core.brackets import end_of_group
+
 #: Precedence levels.
 SUM, INFIX, PRODUCT, FACTOR, ATOM = range(5)
 #: A sum of single letters and numbers.
@@ -39,11 +41,11 @@ def square(text: str) -> str:
     """
     if not text.startswith("\\left("):
         return text
-    depth = 0
-    for match in re.finditer(r"\\(left|right)(?![a-z])", text):
-        depth += 1 if match[1] == "left" else -1
-        if depth == 0:
-            inside, after = text[6 : match.start()], text[match.end() + 1 :]
-            inside = f"{{{inside}}}" if _INDEX.fullmatch(inside) else inside
-            return f"\\left[{inside}\\right]{after}"
-    raise ValueError(f"unbalanced brackets in {text}")
+    sides = list(re.finditer(r"\\(left|right)(?![a-z])", text))
+    last = end_of_group((match[1] for match in sides), ("left",), ("right",))
+    if last is None:
+        raise ValueError(f"unbalanced brackets in {text}")
+    closing = sides[last - 1]
+    inside, after = text[6 : closing.start()], text[closing.end() + 1 :]
+    inside = f"{{{inside}}}" if _INDEX.fullmatch(inside) else inside
+    return f"\\left[{inside}\\right]{after}"

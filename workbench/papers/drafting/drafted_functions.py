@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
+from workbench.core.brackets import end_of_group
 from workbench.core.formula_errors import Fault, ReadError, SpecError
 from workbench.language.definition_entries import read_definition
 from workbench.language.grammar.latex_forms import latex_of
@@ -102,21 +103,9 @@ def _is_letter(formal: str) -> bool:
 def _has_other_values(function: DraftedFunction, formulas: Sequence[str]) -> bool:
     own = _flat(", ".join(function.formals))
     call = re.compile(rf"(?<![A-Za-z\\]){re.escape(_flat(function.name))}\(")
-    return any(
-        _until_closed(text[match.end() :]) not in (own, None)
-        for text in formulas
-        for match in call.finditer(text)
-    )
-
-
-def _until_closed(text: str) -> str | None:
-    """Returns what stands before the bracket that closes; None if none does."""
-    depth = 1
-    for at, each in enumerate(text):
-        depth += (each == "(") - (each == ")")
-        if depth == 0:
-            return text[:at]
-    return None
+    behind = (text[match.end() - 1 :] for text in formulas for match in call.finditer(text))
+    values = ((text, end_of_group(text, "(", ")")) for text in behind)
+    return any(end is not None and text[1 : end - 1] != own for text, end in values)
 
 
 def _flat(latex: str) -> str:

@@ -6,9 +6,9 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from dataclasses import replace
-from itertools import accumulate
 
 from workbench.context.claims import Claim
+from workbench.core.brackets import end_of_group
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import SpecError
@@ -35,7 +35,9 @@ def asked_if_function(claim: Claim, functions: Collection[str]) -> Claim:
     own = next((each for each in sorted(functions) if f"{each}(" in flat), None)
     if own is None:
         return claim
-    inside = _inside(flat[flat.index(f"{own}(") + len(own) :])
+    behind = flat[flat.index(f"{own}(") + len(own) :]
+    end = end_of_group(behind, "(", ")")
+    inside = behind[1:] if end is None else behind[1 : end - 1]
     unread = SyntaxCode.CANNOT_BE_READ(why=question_of(own, inside, _line_of(inside)))
     return replace(claim, printed=replace(printed, ill_formed=None, unread=unread))
 
@@ -49,12 +51,6 @@ def _line_of(inside: str) -> str | None:
     except SpecError:
         return None
     return line_of_arguments(parts)
-
-
-def _inside(bracketed: str) -> str:
-    """Returns the content of the bracket that the text begins with."""
-    depths = accumulate((each == "(") - (each == ")") for each in bracketed)
-    return bracketed[1 : next((at for at, depth in enumerate(depths) if depth == 0), len(bracketed))]
 
 
 def _flat(latex: str) -> str:

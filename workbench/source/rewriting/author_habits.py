@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from itertools import dropwhile, pairwise
 
+from workbench.core.brackets import nesting, outside
 from workbench.source.documents import Token
 from workbench.source.rewriting.column_separators import (
     name_of_a_formula,
@@ -193,7 +194,7 @@ def _note(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     depth, end = 0, place
     for at, token in enumerate(tokens[place:], place):
         end = behind(tokens, at + 1) if token.text in TEXTS else end
-        depth += (token.text == "(") - (token.text == ")")
+        depth += nesting(token.text, "(", ")")
         if depth == 0 and token.text == ")":
             return ([], end) if at < end else None
     return None
@@ -275,14 +276,13 @@ def _over(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     if tokens[place].text != "{":
         return None
     end = behind(tokens, place)
-    depth = 0
-    for middle in range(place + 1, end - 1):
-        depth += (tokens[middle].text == "{") - (tokens[middle].text == "}")
-        if depth == 0 and tokens[middle].text == "\\over":
-            head = tokens[middle]
-            above, below = as_read(tokens[place + 1 : middle]), as_read(tokens[middle + 1 : end - 1])
-            return [head.standing_for("\\frac"), *braced(head, above), *braced(head, below)], end
-    return None
+    inside = tokens[place + 1 : end - 1]
+    free = outside(token.text for token in inside)
+    middle = next((at for at in free if inside[at].text == "\\over"), None)
+    if middle is None:
+        return None
+    head, above, below = inside[middle], as_read(inside[:middle]), as_read(inside[middle + 1 :])
+    return [head.standing_for("\\frac"), *braced(head, above), *braced(head, below)], end
 
 
 def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from workbench.source.documents import Token
+from workbench.source.rewriting.token_groups import closing
 
 _SPACING = r"\, \; \: \! \> ~ \enspace \thinspace \quad \qquad"
 _LENGTHS = r"\hspace \hskip \mspace \kern"
@@ -132,14 +133,7 @@ def _is_operation(tokens: Sequence[Token], place: int) -> bool:
 
 def _behind_group(tokens: Sequence[Token], place: int) -> int:
     place = _past_spaces(tokens, place)
-    if place >= len(tokens) or tokens[place].text != "{":
-        return min(place + 1, len(tokens))
-    depth = 0
-    for end in range(place, len(tokens)):
-        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
-        if depth == 0:
-            return end + 1
-    return len(tokens)
+    return len(tokens) if place >= len(tokens) else closing(tokens, place) or len(tokens)
 
 
 def _text(tokens: Sequence[Token], place: int) -> str:

@@ -7,12 +7,14 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 from typing import TypeAlias
 
+from workbench.core.brackets import nesting
 from workbench.language.grammar.formula_tokens import MOST_CHARACTERS
 from workbench.language.grammar.vocabulary import WORDS
 from workbench.source.documents import Token
 from workbench.source.rewriting.author_habits import as_read, everywhere
 from workbench.source.rewriting.column_separators import bar_of_a_set
 from workbench.source.rewriting.plain_tex import with_nuclei, with_typefaces, without_kerns
+from workbench.source.rewriting.token_groups import closing
 
 _DROPPED = frozenset((
     "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut", "nobreak",
@@ -132,7 +134,7 @@ def _opens_argument(before: list[Token]) -> bool:
     texts = [token.text for token in before if token.text != " "]
     depth = 0
     for back, text in enumerate(reversed(texts)):
-        depth += (text == "}") - (text == "{")
+        depth += nesting(text, "}", "{")
         if depth == 0 and text not in ("}",):
             follows = text == "\\frac" or (text == "{" and texts[-back - 2 : -back - 1] == ["\\frac"])
             return follows
@@ -342,12 +344,10 @@ def argument(tokens: Sequence[Token], place: int) -> tuple[list[Token], int]:
         return [], place
     if tokens[place].text != "{":
         return [tokens[place]], place + 1
-    depth = 0
-    for end in range(place, len(tokens)):
-        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
-        if depth == 0:
-            return list(tokens[place + 1 : end]), end + 1
-    return list(tokens[place + 1 :]), len(tokens)
+    end = closing(tokens, place)
+    return (
+        (list(tokens[place + 1 :]), len(tokens)) if end is None else (list(tokens[place + 1 : end - 1]), end)
+    )
 
 
 def _past(tokens: Sequence[Token], place: int, text: str) -> int:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
+from workbench.core.brackets import end_of_group
 from workbench.source.documents import Token
 
 _FACE_NAMES = r"\mathcal \mathscr \mathsf \mathrm \mathbf \boldsymbol \mathfrak"
@@ -22,13 +23,12 @@ def behind(tokens: Sequence[Token], place: int) -> int:
     return closing(tokens, place) or len(tokens)
 
 
-def closing(tokens: Sequence[Token], place: int) -> int | None:
-    depth = 0
-    for end in range(place, len(tokens)):
-        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
-        if depth == 0:
-            return end + 1
-    return None
+def closing(
+    tokens: Sequence[Token], place: int, opening: Collection[str] = "{", closed: Collection[str] = "}"
+) -> int | None:
+    """Returns the index after the bracket that closes the one at `place`; None if it stays open."""
+    length = end_of_group((tokens[at].text for at in range(place, len(tokens))), opening, closed)
+    return None if length is None else place + length
 
 
 def past(tokens: Sequence[Token], place: int) -> int:

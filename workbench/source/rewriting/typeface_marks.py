@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
+from workbench.core.brackets import outside
 from workbench.language.grammar.vocabulary import SIZES
 from workbench.source.documents import Token
-from workbench.source.rewriting.token_groups import FACES, ahead, braced, group, is_one_symbol, past, printed
+from workbench.source.rewriting.token_groups import (
+    FACES,
+    ahead,
+    braced,
+    closing,
+    group,
+    is_one_symbol,
+    past,
+    printed,
+)
 
 #: Sizes that make a sign an opening or a closing bracket.
 _SIDED = frozenset(f"\\{size}" for size in SIZES if size.endswith(("left", "right", "l", "r")))
@@ -29,15 +41,9 @@ def summed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     sides = [*([] if before is None else [tokens[before]]), *tokens[past(tokens, end) :][:1]]
     if any(token.text not in _BESIDE_A_SUM for token in sides):
         return None
-    parts: list[list[Token]] = [[]]
-    depth = 0
-    for token in inside:
-        depth += (token.text == "{") - (token.text == "}")
-        if token.text in ("+", "-") and not depth:
-            parts.append([token])
-        else:
-            parts[-1].append(token)
-    first, *others = parts
+    free = outside(token.text for token in inside)
+    signs = [at for at in free if inside[at].text in ("+", "-")]
+    first, *others = (list(inside[a:b]) for a, b in pairwise([0, *signs, len(inside)]))
     if not others or not all(map(is_one_symbol, (first, *(part[1:] for part in others)))):
         return None
     head = tokens[place]
@@ -72,8 +78,8 @@ def signed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 def dotted_bracket(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """Rewrites (a b)\\dot{}, with the dot after the bracket, and (a b)^\\cdot to \\dot{(a b)}."""
     start = place + (tokens[place].text == "\\left")
-    closing = {"(": ")", "[": "]"}.get(tokens[start].text) if start < len(tokens) else None
-    end = None if closing is None else _closed(tokens, start, closing)
+    closed = {"(": ")", "[": "]"}.get(tokens[start].text) if start < len(tokens) else None
+    end = None if closed is None else closing(tokens, start, tokens[start].text, closed)
     dot = len(tokens) if end is None else past(tokens, end)
     mark = printed(tokens[dot : dot + 1])
     if mark not in (["\\dot"], ["^"]):
@@ -82,16 +88,6 @@ def dotted_bracket(tokens: list[Token], place: int) -> tuple[list[Token], int] |
     if printed(inside) != ([] if mark == ["\\dot"] else ["\\cdot"]):
         return None
     return [tokens[dot].standing_for("\\dot"), *braced(tokens[dot], tokens[place:end])], after
-
-
-def _closed(tokens: list[Token], start: int, closing: str) -> int | None:
-    """Returns the index after the bracket that opens at `start`; None if it does not close."""
-    depth = 0
-    for end in range(start, len(tokens)):
-        depth += (tokens[end].text == tokens[start].text) - (tokens[end].text == closing)
-        if depth == 0:
-            return end + 1
-    return None
 
 
 def empty_bars(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.core.brackets import outside
 from workbench.source.documents import Display, Token, joined, spelled
 from workbench.source.rewriting import argument, respelled
 from workbench.source.rewriting.token_groups import FACES, GAPS, MARKS, is_one_symbol
@@ -217,11 +218,10 @@ def _is_empty_group(node: Node) -> bool:
 
 def _with_implications(tokens: list[Token]) -> list[Token]:
     """Returns the tokens with the arrow of a = b → c = d as an implication."""
-    depth, made = 0, []
-    for token in tokens:
-        depth += (token.text in "([{") - (token.text in ")]}")
-        is_arrow = token.text in ARROWS and not depth
-        made.append(token.standing_for("\\Rightarrow") if is_arrow else token)
+    made = list(tokens)
+    for at in _outside(tokens):
+        if tokens[at].text in ARROWS:
+            made[at] = tokens[at].standing_for("\\Rightarrow")
     return made
 
 
@@ -240,12 +240,11 @@ def _as_a_definition(tokens: list[Token]) -> list[Token]:
 
 def _first_equality(tokens: Sequence[Token]) -> int | None:
     """Returns the index of the first = or \\equiv outside brackets, else None."""
-    depth = 0
-    for at, token in enumerate(tokens):
-        depth += (token.text in "([{") - (token.text in ")]}")
-        if depth == 0 and token.text in ("=", "\\equiv"):
-            return at
-    return None
+    return next((at for at in _outside(tokens) if tokens[at].text in ("=", "\\equiv")), None)
+
+
+def _outside(tokens: Sequence[Token]) -> Iterator[int]:
+    return outside((token.text for token in tokens), "([{", ")]}")
 
 
 def _is_constant(right: Sequence[Token]) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from workbench.core.brackets import nesting
 from workbench.language.grammar.vocabulary import DOTS
 from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.source.documents import Token, joined
@@ -74,7 +75,7 @@ def _is_index(letter: str, line: Sequence[Token]) -> bool:
             below = True
         if below and token.text == letter:
             return True
-        depth += below * ((token.text == "{") - (token.text == "}"))
+        depth += below * nesting(token.text)
         below = below and depth > 0
     return False
 

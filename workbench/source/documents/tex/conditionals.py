@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from workbench.source.documents.tex.expander_state import FALSE, NO_VALUE, TRUE, Macro, State
-from workbench.source.documents.tex.tex_tokens import Token, joined
+from workbench.source.documents.tex.tex_tokens import Token, first_group, joined
 
 _ENGINE = {"ifpdf": True, "iftrue": True, "iffalse": False}
 _ENGINE |= dict.fromkeys(("ifxetex", "ifluatex", "ifXeTeX", "ifLuaTeX", "ifxetexorluatex"), False)
@@ -181,13 +181,7 @@ def _ifthenelse(expander: State, token: Token) -> Sequence[Token]:
         after = list(test[1:])
         texts = []
         for _ in range(2):
-            depth, piece = 0, []
-            while after:
-                each = after.pop(0)
-                depth += (each.text == "{") - (each.text == "}")
-                piece.append(each)
-                if depth == 0:
-                    break
+            piece, after = first_group(after)
             texts.append(joined(piece).strip("{} "))
         holds = texts[0] == texts[1]
     return _chosen(expander, holds, token)

@@ -18,7 +18,7 @@ from workbench.source.documents.tex.fences import fence_of
 from workbench.source.documents.tex.groups import BEGINGROUP, ended_by
 from workbench.source.documents.tex.macros import DECLARATIONS
 from workbench.source.documents.tex.stream import MOST_PUSHED
-from workbench.source.documents.tex.tex_tokens import Call, Token
+from workbench.source.documents.tex.tex_tokens import Call, Token, first_group
 
 #: Limit on the nesting of macros, which only recursive macros exceed.
 DEEPEST = 60
@@ -212,12 +212,8 @@ def _unbraced(tokens: Sequence[Token]) -> Sequence[Token]:
     """Returns x for {x}, if the braces match."""
     if len(tokens) < 2 or tokens[0].text != "{" or tokens[-1].text != "}":
         return tokens
-    depth = 0
-    for place, token in enumerate(tokens):
-        depth += (token.text == "{") - (token.text == "}")
-        if depth == 0 and place < len(tokens) - 1:
-            return tokens
-    return tokens[1:-1]
+    first, _ = first_group(tokens)
+    return tokens[1:-1] if len(first) == len(tokens) else tokens
 
 
 def _body(

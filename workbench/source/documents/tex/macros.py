@@ -8,7 +8,7 @@ from pathlib import Path
 
 from workbench.source.documents.source_view import Source, View
 from workbench.source.documents.tex.expander_state import NO_VALUE, Environment, Macro, Parameter, State
-from workbench.source.documents.tex.tex_tokens import Token, joined, lex
+from workbench.source.documents.tex.tex_tokens import Token, first_group, joined, lex
 from workbench.source.documents.tex.unprinted import is_verbatim
 
 
@@ -158,17 +158,8 @@ def parameters_of(spec: Sequence[Token]) -> tuple[Parameter, ...] | None:
     made: list[Parameter] = []
 
     def group() -> tuple[Token, ...]:
-        if not waiting or waiting[0].text != "{":
-            return (waiting.pop(0),) if waiting else ()
-        inside: list[Token] = []
-        depth = 0
-        while waiting:
-            token = waiting.pop(0)
-            depth += (token.text == "{") - (token.text == "}")
-            inside.append(token)
-            if depth == 0:
-                break
-        return tuple(inside[1:-1])
+        taken, waiting[:] = first_group(waiting)
+        return tuple(taken[1:-1] if taken and taken[0].text == "{" else taken)
 
     while waiting:
         kind = waiting.pop(0)

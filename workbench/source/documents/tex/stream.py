@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from workbench.core.brackets import nesting
 from workbench.source.documents.tex.tex_tokens import PARAGRAPH, Lexer, Token, joined
 
 #: Limit on the expansion of one token, which only recursive macros exceed.
@@ -84,7 +85,7 @@ class TokenStream:
         taken: list[Token] = []
         depth = 1
         while (token := self.pop_within()) is not None:
-            depth += (token.text == "{") - (token.text == "}")
+            depth += nesting(token.text)
             if depth == 0:
                 break
             taken.append(token)
@@ -107,8 +108,8 @@ class TokenStream:
         while (token := self.pop_within()) is not None:
             if token.text == closing and depth == 0 and brackets == 0:
                 break
-            depth += (token.text == "{") - (token.text == "}")
-            brackets += (token.text == opening) - (token.text == closing)
+            depth += nesting(token.text)
+            brackets += nesting(token.text, (opening,), (closing,))
             taken.append(token)
         return taken
 
@@ -122,7 +123,7 @@ class TokenStream:
         depth = 0
         while (token := self.pop_within()) is not None:
             taken.append(token)
-            depth += (token.text == "{") - (token.text == "}")
+            depth += nesting(token.text)
             if depth <= 0 and [_mark(each) for each in taken[-len(stop) :]] == list(stop):
                 return taken[: -len(stop)]
         return taken

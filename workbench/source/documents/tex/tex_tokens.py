@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from workbench.core.brackets import end_of_group
 from workbench.source.documents.source_view import Source, View
 
 _TOKEN = re.compile(
@@ -129,6 +130,12 @@ class Lexer:
 def lex(view: View) -> list[Token]:
     lexer = Lexer(view)
     return list(iter(lexer.next, None))
+
+
+def first_group(tokens: Sequence[Token]) -> tuple[list[Token], list[Token]]:
+    """Returns the first token, with braces the whole group, and the tokens after it."""
+    end = end_of_group(token.text for token in tokens) or len(tokens)
+    return list(tokens[:end]), list(tokens[end:])
 
 
 def joined(tokens: Iterable[Token]) -> str:

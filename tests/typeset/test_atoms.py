@@ -5,6 +5,7 @@ from formulas import TYPICAL, formulas
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from workbench.source.documents.tex.tex_tokens import tokens_of
 from workbench.source.typeset.latex_atoms import LatexNotTypesettable, atoms_of, latex_of
 
 
@@ -56,7 +57,7 @@ def test_any_text_is_taken_apart_or_refused(text):
         ("x^2^3", "second ^"),
         ("x_2^3_4", "second _"),
         ("x^2'", "second '"),
-        ("%", "%"),
+        ("#", "#"),
         ("x\0", "\0"),
         ("☃", "☃"),
     ],
@@ -87,3 +88,16 @@ def test_bold_has_an_identity_but_no_shape_of_its_own():
 def test_the_order_of_two_marks_counts():
     first, second = atoms_of(r"\dot{\tilde{\omega}}")[0], atoms_of(r"\tilde{\dot{\omega}}")[0]
     assert first.shape != second.shape
+
+
+@pytest.mark.parametrize("latex", TYPICAL)
+def test_comments_and_blanks_of_tex_change_no_atom(latex):
+    places = [token.start for token in tokens_of(latex) if not token.text.isdecimal() and token.text != "*"]
+    noted = latex
+    for place in reversed(places):
+        noted = f"{noted[:place]}% a note {{\n {noted[place:]}"
+    assert [atom.identity for atom in atoms_of(noted)] == [atom.identity for atom in atoms_of(latex)]
+
+
+def test_blanks_in_words_are_one_as_in_print():
+    assert atoms_of("\\text{if  and\n only}") == atoms_of(r"\text{if and only}")

@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import SequenceMatcher
 from itertools import islice, pairwise, product
-from pathlib import Path
 
 from workbench.context.claims import Claim
 from workbench.context.read_formulas import read_statement
@@ -29,9 +28,9 @@ from workbench.repair.propose.candidate_judge import judging
 from workbench.repair.propose.proposal import Repair
 from workbench.repair.terms.subterm_positions import places
 from workbench.runtime import OutOfBudget
-from workbench.source.documents import Display, Source, Text, Token, spelled
+from workbench.source.documents import Display, Text, Token, spelled
 from workbench.source.documents.source_edits import Piece, SourceEdit, edits_in_source, merged
-from workbench.source.documents.tex.tex_tokens import PARAGRAPH, lex
+from workbench.source.documents.tex.tex_tokens import PARAGRAPH, tokens_of
 from workbench.source.rewriting.formulas_in_models import or_respelled
 from workbench.source.rows.chains import Step, steps_of
 
@@ -288,7 +287,7 @@ class _Editor:
 
 def _atoms(latex: str) -> list[Token]:
     """Returns the tokens of a formula, each with its position in the LaTeX."""
-    return [token for token in lex(Source(Path(), latex).view()) if token.text not in (" ", PARAGRAPH)]
+    return [token for token in tokens_of(latex) if token.text not in (" ", PARAGRAPH)]
 
 
 def _key(token: Token) -> str:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
-from pathlib import Path
 from typing import TypeVar
 
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.source.documents import Token, spelled
-from workbench.source.documents.source_view import Source
-from workbench.source.documents.tex.tex_tokens import lex
+from workbench.source.documents.tex.tex_tokens import tokens_of
 from workbench.source.rewriting.author_habits import everywhere
 from workbench.source.rewriting.column_separators import ROWS
 from workbench.source.rewriting.rewrite import argument, respelled
@@ -22,7 +20,7 @@ def with_rows(latex: str) -> str:
     """Returns the formula with [a \\quad -b] and the like as rows of matrices."""
     if "[" not in latex and "matrix" not in latex:
         return latex
-    made = tokens = list(with_environments(lex(Source(Path(), latex).view())))
+    made = tokens = list(with_environments(tokens_of(latex)))
     for pattern in ROWS:
         made = everywhere(made, pattern)
     is_changed = [token.text for token in made] != [token.text for token in tokens]
@@ -50,7 +48,7 @@ def or_respelled(latex: str, words: Collection[str], read: Callable[[str], Resul
     try:
         return read(latex)
     except ReadError:
-        as_in_a_text, _ = spelled(respelled(lex(Source(Path(), latex).view()), words))
+        as_in_a_text, _ = spelled(respelled(tokens_of(latex), words))
         with suppress(ReadError, IllFormedAt):
             return read(as_in_a_text)
         raise

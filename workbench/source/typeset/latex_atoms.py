@@ -11,9 +11,9 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.source.documents.tex.tex_tokens import tokens_of
 from workbench.source.typeset import glyphs as table
 
-_TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\d+|\s+|.", re.DOTALL)
 _DEEPEST = 60
 _NAMES = {r"\widetilde": "~", r"\tilde": "~", **dict.fromkeys(table.WEIGHT_STYLES, "bold")}
 _ALIGNMENTS = frozenset(("aligned", "split", "gathered"))
@@ -121,9 +121,25 @@ def _enclosed(opening: Atom, *parts: Sequence[Atom]) -> list[Atom]:
     return [opening, *inner, Atom("}", end, end)]
 
 
+def _tokens(latex: str) -> list[str]:
+    """Returns the tokens of TeX; figures in a row are one, and a star belongs to the command before it."""
+    made: list[str] = []
+    end = 0
+    for token in tokens_of(latex):
+        text = " " if latex[token.start].isspace() else token.text
+        before = made[-1] if made else ""
+        is_figure = text.isdecimal() and before.isdecimal()
+        if token.start == end and (is_figure or (text == "*" and before[1:].isalpha())):
+            made[-1] += text
+        else:
+            made.append(text)
+        end = token.end
+    return made
+
+
 class _Parser:
     def __init__(self, latex: str):
-        self.tokens = [table.LETTERS.get(token, token) for token in _TOKEN.findall(latex)]
+        self.tokens = [table.LETTERS.get(token, token) for token in _tokens(latex)]
         self.position = 0
         self.depth = 0
         self.aligned = False

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from workbench.core.brackets import end_of_group
 from workbench.source.documents.source_view import Source, View
@@ -130,6 +131,11 @@ class Lexer:
 def lex(view: View) -> list[Token]:
     lexer = Lexer(view)
     return list(iter(lexer.next, None))
+
+
+def tokens_of(latex: str) -> list[Token]:
+    """Returns the tokens of a formula without macros; `start` and `end` are offsets in it."""
+    return lex(Source(Path(), latex).view())
 
 
 def first_group(tokens: Sequence[Token]) -> tuple[list[Token], list[Token]]:

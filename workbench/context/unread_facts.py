@@ -22,6 +22,7 @@ from workbench.core.terms import Apply, Derivative, IllFormed, Symbol, Term, sid
 from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.definitions import expand
+from workbench.language.grammar.latex_keys import Ignored, latex_key
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import is_of_next_sentence, sections_of
 
@@ -198,7 +199,8 @@ def _quarters(right: str) -> int | None:
 
 def _flat(name: str) -> str:
     r"""Returns the name without dots of derivatives: an equation for \dot{x} is a fact about x."""
-    return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)", "", _DOTS.sub("", name))
+    ignored = Ignored.BRACES | Ignored.SIZES | Ignored.GAPS | Ignored.ALIGNMENT
+    return latex_key(_DOTS.sub("", name), ignored)
 
 
 def _expanded(claim: Claim) -> list[Term]:

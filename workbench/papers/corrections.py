@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
 from workbench.context.claim_parts import FAULTS, Edit, Mend
 from workbench.core.paper_errors import KeyPath
+from workbench.language.grammar.latex_keys import Ignored, latex_key
 from workbench.source.toml.toml_file import TomlTable
 
 MEND_KEYS = ("fault", "mend", "mended_by", "beside", "place", "cause", "add", "example")
@@ -53,7 +52,7 @@ def same_formula(one: str, other: str) -> bool:
 
 
 def _squeezed(latex: str) -> str:
-    return re.sub(r"\\(?:left|right)(?![A-Za-z])|\s|&", "", latex).rstrip(".,")
+    return latex_key(latex, Ignored.SIZES | Ignored.ALIGNMENT).rstrip(".,")
 
 
 def _edit(toml: TomlTable, path: KeyPath, texts: list[str]) -> Edit:

@@ -11,6 +11,7 @@ from workbench.core.brackets import end_of_group
 from workbench.core.formula_errors import Fault, ReadError, SpecError
 from workbench.language.definition_entries import read_definition
 from workbench.language.grammar.latex_forms import latex_of
+from workbench.language.grammar.latex_keys import Ignored, latex_key
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Bracket, Chain, Node, Product, core, in_a_row
 from workbench.language.naming.declarations import read_key
@@ -21,7 +22,6 @@ from workbench.papers.drafting.typefaces import flat
 
 _DEFINES = ("=", ":=")
 _TIMES = ("t", "\\tau")
-_SIZES = re.compile(r"\\(?:left|right|[bB]igg?[lr]?)(?![A-Za-z])")
 
 
 @dataclass(frozen=True)
@@ -109,4 +109,4 @@ def _has_other_values(function: DraftedFunction, formulas: Sequence[str]) -> boo
 
 
 def _flat(latex: str) -> str:
-    return flat(_SIZES.sub("", latex))
+    return flat(latex_key(latex, Ignored.SIZES))

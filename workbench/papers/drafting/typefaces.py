@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from enum import Enum
 from functools import cache
 
+from workbench.language.grammar.latex_keys import latex_key
+
 _OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
 _MARKED = re.compile(r"(?:\\(?:mathbf|boldsymbol|mathsf|underline|vec|overline|bar|hat)\{?)+(\\?[A-Za-z]+)")
 _LEFT = re.compile(r"^(?:\{\}[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
@@ -123,5 +125,4 @@ def without_bold(name: str) -> str:
 @cache
 def flat(latex: str) -> str:
     """Returns LaTeX in comparable form: without blanks and braces, Greek letters as commands."""
-    bare = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
-    return bare.replace("\\bm", "\\boldsymbol")
+    return latex_key("".join(_GREEK.get(letter, letter) for letter in latex)).replace("\\bm", "\\boldsymbol")

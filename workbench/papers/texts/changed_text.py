@@ -5,7 +5,6 @@ It is made in a tenth of the time of reading the whole text, which follows and c
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right, insort
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
@@ -16,6 +15,7 @@ from workbench.context.claims import Claim, Notation
 from workbench.core.spans import Span
 from workbench.core.terms import Symbol, sides_of
 from workbench.language.definitions import Definitions
+from workbench.language.grammar.latex_keys import latex_key
 from workbench.papers.texts.functions_in_sentences import asked_if_function, functions_in
 from workbench.papers.texts.model_assignments import Placed
 from workbench.papers.texts.text_paper import (
@@ -83,8 +83,8 @@ def touched_displays(paper: TextPaper, names: Collection[str]) -> set[int]:
 
 def _may_speak_of(claim: Claim, names: Collection[str]) -> bool:
     if claim.printed.statement is None:
-        formula = _flat(claim.printed.latex)
-        return any(_flat(name) in formula for name in names)
+        formula = latex_key(claim.printed.latex)
+        return any(latex_key(name) in formula for name in names)
     said = [claim.printed, *claim.assume, *claim.context.given]
     sides = [side for each in said if each.statement is not None for side in sides_of(each.statement)]
     found = {part for side in sides for part in claim.notation.definitions.reached(side)}
@@ -140,10 +140,6 @@ def _by_display(paper: TextPaper) -> dict[int, list[Claim]]:
         at = bisect_right(places[span.file], (offset, len(paper.text.displays))) - 1
         made.setdefault(places[span.file][max(at, 0)][1], []).append(claim)
     return made
-
-
-def _flat(latex: str) -> str:
-    return re.sub(r"[\s{}]", "", latex)
 
 
 def _moved(claim: Claim, old: Display, new: Display) -> Claim:

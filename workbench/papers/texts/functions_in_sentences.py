@@ -13,15 +13,17 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import SpecError
 from workbench.language.elaboration.arguments import line_of_arguments, question_of
+from workbench.language.grammar.latex_keys import Ignored, latex_key
 from workbench.language.naming.declarations import read_key
 from workbench.source.documents import Text
 
+_IGNORED = Ignored.BRACES | Ignored.SIZES
 _FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
 
 
 def functions_in(text: Text) -> frozenset[str]:
     """Returns the symbols, without braces, that sentences of the text write with an argument: x of $x(z)$."""
-    found = (_FUNCTION.fullmatch(_flat(each.latex)) for each in text.inline)
+    found = (_FUNCTION.fullmatch(latex_key(each.latex, _IGNORED)) for each in text.inline)
     return frozenset(match[1] for match in found if match is not None)
 
 
@@ -31,7 +33,7 @@ def asked_if_function(claim: Claim, functions: Collection[str]) -> Claim:
     printed = claim.printed
     if printed.ill_formed is None or TypeCode.JUXTAPOSITION not in printed.ill_formed.codes:
         return claim
-    flat = _flat(printed.latex)
+    flat = latex_key(printed.latex, _IGNORED)
     own = next((each for each in sorted(functions) if f"{each}(" in flat), None)
     if own is None:
         return claim
@@ -51,7 +53,3 @@ def _line_of(inside: str) -> str | None:
     except SpecError:
         return None
     return line_of_arguments(parts)
-
-
-def _flat(latex: str) -> str:
-    return re.sub(r"[\s{}]|\\(?:left|right)(?![A-Za-z])", "", latex)

@@ -200,8 +200,8 @@ OWNERS = {
         "prover/goals/prove_goal.py",
     },
     "generalization": {
-        *("prover/decide/inference.py", "prover/decide/decide.py", "prover/decide/families.py"),
-        *("prover/decide/unbounded_indices.py", "prover/goals/prove_goal.py"),
+        *("prover/decide/inference.py", "prover/decide/decide.py", "prover/decide/families/families.py"),
+        *("prover/decide/families/unbounded_indices.py", "prover/goals/prove_goal.py"),
     },
 }
 

@@ -43,6 +43,7 @@ CHECKS = {
         "when residuals make a verdict",
         "no second implementation: laws, false and mutated identities, red-team cases, mutants (tests/judge)",
     ),
+    "prover/decide/families": ("whether a formula holds for all n", "the same; instances for small n"),
     "prover/goals": (
         "which equations make a goal",
         "false goals and wrong proofs for every rule (test_goals, test_sum_rules); every goal and proof of the"
@@ -93,7 +94,8 @@ def test_each_folder_of_what_is_trusted_has_its_row():
 
 
 def test_the_kernel_is_trusted_whole():
-    for room in ("engines/inventory", "engines/polynomial", "prover/decide"):
+    rooms = ("engines/inventory", "engines/polynomial", "prover/decide", "prover/decide/families")
+    for room in rooms:
         there = {path for path in (ROOT / room).glob("*.py") if path.name != "__init__.py"}
         assert there == set(trusted()[room])
 

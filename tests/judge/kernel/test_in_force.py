@@ -11,7 +11,7 @@ from workbench.language.definition_entries import read_definition, read_definiti
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
 from workbench.prover.decide.decide import Judge
-from workbench.prover.decide.recurrence_range import exceptions, rewritten, symbolic_members
+from workbench.prover.decide.families.recurrence_range import exceptions, rewritten, symbolic_members
 
 
 def defined(entries):

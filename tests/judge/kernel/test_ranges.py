@@ -10,8 +10,8 @@ from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read, read_term
 from workbench.prover.decide.decide import Judge
-from workbench.prover.decide.orders_past_literals import integer_past_literals, values_past_literals
-from workbench.prover.decide.unbounded_indices import Distinct, judge_addends, ranges_apart
+from workbench.prover.decide.families.orders_past_literals import integer_past_literals, values_past_literals
+from workbench.prover.decide.families.unbounded_indices import Distinct, judge_addends, ranges_apart
 
 FREE = Definitions()
 

@@ -18,7 +18,11 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
 from workbench.papers import load_paper
 from workbench.prover.decide.decide import Judge
-from workbench.prover.decide.symbolic_orders import symbolic_orders, with_free_derivatives, with_free_orders
+from workbench.prover.decide.families.symbolic_orders import (
+    symbolic_orders,
+    with_free_derivatives,
+    with_free_orders,
+)
 
 SYMBOLS = {
     "x": {"kind": "vector", "weight": 0},

@@ -42,13 +42,13 @@ from workbench.prover.decide.elementary_equations import (
 )
 from workbench.prover.decide.equation import IN_FORCE, Equation
 from workbench.prover.decide.extrema import judge_extremum
-from workbench.prover.decide.families import WORST_FIRST, InstanceJudge, judge_family
+from workbench.prover.decide.families.families import WORST_FIRST, InstanceJudge, judge_family
+from workbench.prover.decide.families.orders_past_literals import OrderRanges
 from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
 from workbench.prover.decide.linear_integrals import holds_integral, judge_integrals
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
 from workbench.prover.decide.matrix_exponentials import judge_matrix_exponentials
-from workbench.prover.decide.orders_past_literals import OrderRanges
 from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
 
 

@@ -46,9 +46,9 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
 from workbench.prover.decide.elementary_equations import domain_of
 from workbench.prover.decide.equation import Equation
-from workbench.prover.decide.families import InstanceJudge
+from workbench.prover.decide.families.families import InstanceJudge
+from workbench.prover.decide.families.orders_past_literals import FIRST, FirstMembers
 from workbench.prover.decide.inference import conclusion, equal_terms, generalization
-from workbench.prover.decide.orders_past_literals import FIRST, FirstMembers
 from workbench.prover.goals.definedness import is_defined_everywhere, taken_by_maps, that_is_defined
 from workbench.prover.goals.named_members import read_members
 from workbench.prover.goals.proof_rules import obligations

@@ -10,7 +10,7 @@ from workbench.core.integer_instances import free_integers
 from workbench.core.terms import BigSum, Relation, Statement, Symbol, Term
 from workbench.engines.inventory.addend_expansion import spread
 from workbench.language.definitions import Definitions, expand
-from workbench.prover.decide.recurrence_range import InstanceJudge, exceptions, rewritten
+from workbench.prover.decide.families.recurrence_range import InstanceJudge, exceptions, rewritten
 from workbench.prover.goals.applied_operators import with_free_values, with_operators_applied
 from workbench.prover.goals.definedness import is_defined_everywhere
 from workbench.prover.goals.product_normal_form import is_same_sum, tidy

@@ -35,12 +35,12 @@ from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.addend_expansion import has_sums
 from workbench.engines.inventory.assumptions import Unsatisfiable
 from workbench.language.definitions import Definitions, expand
+from workbench.prover.decide.families.orders_past_literals import OrderRanges, values_past_literals
+from workbench.prover.decide.families.recurrence_range import exceptions, rewritten, symbolic_members
+from workbench.prover.decide.families.symbolic_orders import symbolic_orders, with_free_orders
+from workbench.prover.decide.families.unbounded_indices import judge_addends, ranges_apart
 from workbench.prover.decide.inference import generalization
 from workbench.prover.decide.mapped_statements import all_terms, mapped, terms
-from workbench.prover.decide.orders_past_literals import OrderRanges, values_past_literals
-from workbench.prover.decide.recurrence_range import exceptions, rewritten, symbolic_members
-from workbench.prover.decide.symbolic_orders import symbolic_orders, with_free_orders
-from workbench.prover.decide.unbounded_indices import judge_addends, ranges_apart
 
 
 class InstanceJudge(Protocol):

@@ -11,9 +11,9 @@ from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.addend_expansion import addend_by_addend, has_sums
 from workbench.language.definitions import Definitions, expand
+from workbench.prover.decide.families.orders_past_literals import OrderRanges, integer_past_literals
+from workbench.prover.decide.families.recurrence_range import InstanceJudge
 from workbench.prover.decide.inference import generalization
-from workbench.prover.decide.orders_past_literals import OrderRanges, integer_past_literals
-from workbench.prover.decide.recurrence_range import InstanceJudge
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,1 @@
+"""Statements for all n at once: by symbolic orders, recurrences and unbounded indices."""

@@ -33,6 +33,7 @@ CHECKS = {
     "language/grammar": ("what stands in which brackets", "the same"),
     "language/naming": ("which symbol a name means", "the same"),
     "language/elaboration": ("what each form of the notation says", "the same"),
+    "language/elaboration/operators": ("what sums, integrals, derivatives and extrema say", "the same"),
     "language/printing": ("what the read-back shows", "the same"),
     "language/goals": ("what goals and proofs say", "the same; wrong proofs for every rule (test_goals)"),
     "engines/inventory": (

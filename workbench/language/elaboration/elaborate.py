@@ -14,7 +14,7 @@ from workbench.core.signatures import agree
 from workbench.core.terms import Apply, IllFormed, Integer, Number, Term, Unsupported, Zero
 from workbench.language.elaboration.empty_cells import entries_of
 from workbench.language.elaboration.letters import named
-from workbench.language.elaboration.nablas import as_del
+from workbench.language.elaboration.operators.nablas import as_del
 from workbench.language.elaboration.products import product
 from workbench.language.elaboration.spelled import refuse_row_of_vectors
 from workbench.language.grammar.syntax import (

@@ -15,10 +15,10 @@ from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_SCALARS, OF_TENSOR
 from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term, is_rate
 from workbench.language.elaboration.angles import ends_with_angle, goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
-from workbench.language.elaboration.determinants import of_vectors
-from workbench.language.elaboration.differentials import INCREMENT
 from workbench.language.elaboration.factors import Factor, Row
-from workbench.language.elaboration.quotients import Rate, slope, value_of
+from workbench.language.elaboration.operators.determinants import of_vectors
+from workbench.language.elaboration.operators.differentials import INCREMENT
+from workbench.language.elaboration.operators.quotients import Rate, slope, value_of
 from workbench.language.elaboration.superscripts import is_inverse, is_transpose, raised, rooted
 from workbench.language.grammar.syntax import (
     Bracket,

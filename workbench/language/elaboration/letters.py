@@ -15,8 +15,8 @@ from workbench.core.terms import Identity, IllFormed, Symbol, Term, Zero
 from workbench.core.types import CLOCK, PI, SCALAR, VECTOR, Declaration
 from workbench.language.elaboration.letter_shapes import column, is_braced
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning
+from workbench.language.elaboration.operators.quotients import value_of
 from workbench.language.elaboration.printed_sizes import size_below, sized_as_printed, sized_matrix
-from workbench.language.elaboration.quotients import value_of
 from workbench.language.elaboration.spelled import subscripted_norm, word_of
 from workbench.language.elaboration.superscripts import (
     is_transpose,

@@ -19,17 +19,17 @@ from workbench.language.elaboration.arguments import (
     question_of_sum,
     refuse_member,
 )
-from workbench.language.elaboration.differentials import differential
-from workbench.language.elaboration.evaluations import is_evaluated, value_at, with_brackets
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
-from workbench.language.elaboration.integrals import integration
 from workbench.language.elaboration.letters import letter
-from workbench.language.elaboration.nablas import along, as_del, of_field, with_sign
-from workbench.language.elaboration.quotients import divided, quotient, rate
+from workbench.language.elaboration.operators.differentials import differential
+from workbench.language.elaboration.operators.evaluations import is_evaluated, value_at, with_brackets
+from workbench.language.elaboration.operators.integrals import integration
+from workbench.language.elaboration.operators.nablas import along, as_del, of_field, with_sign
+from workbench.language.elaboration.operators.quotients import divided, quotient, rate
+from workbench.language.elaboration.operators.summations import summation
 from workbench.language.elaboration.spelled import spelled_out
-from workbench.language.elaboration.summations import summation
 from workbench.language.elaboration.superscripts import raised
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (

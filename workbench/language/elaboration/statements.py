@@ -21,11 +21,11 @@ from workbench.core.terms import (
     Term,
 )
 from workbench.core.types import SCALAR, Type, type_of_kind
-from workbench.language.elaboration.differentials import as_rates, refuse_italic
 from workbench.language.elaboration.elaborate import Elaborator
-from workbench.language.elaboration.evaluations import Apart, under_places
-from workbench.language.elaboration.extremum_operators import extrema, is_extremal
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
+from workbench.language.elaboration.operators.differentials import as_rates, refuse_italic
+from workbench.language.elaboration.operators.evaluations import Apart, under_places
+from workbench.language.elaboration.operators.extremum_operators import extrema, is_extremal
 from workbench.language.elaboration.ranges import (
     Membership,
     Range,

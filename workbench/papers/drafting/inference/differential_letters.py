@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from workbench.core.formula_errors import Fault
-from workbench.language.elaboration.differentials import is_differential_sign, takes_differential
-from workbench.language.elaboration.integrals import parts_of_integral
+from workbench.language.elaboration.operators.differentials import is_differential_sign, takes_differential
+from workbench.language.elaboration.operators.integrals import parts_of_integral
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import (
     Bracket,

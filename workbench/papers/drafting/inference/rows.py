@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from workbench.core.names import PREFIXES
 from workbench.core.operations import FUNCTIONS, OF_ANGLES
-from workbench.language.elaboration.differentials import is_differential_sign, takes_differential
-from workbench.language.elaboration.integrals import parts_of_integral
+from workbench.language.elaboration.operators.differentials import is_differential_sign, takes_differential
+from workbench.language.elaboration.operators.integrals import parts_of_integral
 from workbench.language.grammar.syntax import (
     Bracket,
     Extremal,

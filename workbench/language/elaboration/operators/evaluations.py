@@ -32,7 +32,7 @@ from workbench.core.terms import (
     heads_in,
 )
 from workbench.language.definitions import Definitions
-from workbench.language.elaboration.quotients import rate
+from workbench.language.elaboration.operators.quotients import rate
 from workbench.language.grammar.syntax import (
     Bracket,
     Chain,

@@ -9,7 +9,7 @@ from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
 from workbench.core.terms import Term
-from workbench.language.elaboration.differentials import is_differential_sign, takes_differential
+from workbench.language.elaboration.operators.differentials import is_differential_sign, takes_differential
 from workbench.language.grammar.latex_forms import latex_of, scripted
 from workbench.language.grammar.syntax import Chain, Group, Integration, Node, Product, Sum, core, in_a_row
 from workbench.language.naming.patterns import Known

@@ -1,0 +1,1 @@
+"""Operators of calculus and algebra as printed: sums, integrals, derivatives, extrema, determinants."""

@@ -15,7 +15,7 @@ from workbench.app.commands.commands import main
 from workbench.context.claim_parts import Edit, Mend
 from workbench.core.spans import Span
 from workbench.report import ReportError
-from workbench.report.corrected_text import errata_diff
+from workbench.report.erratum.corrected_text import errata_diff
 from workbench.report.render import write_report
 from workbench.source.documents import Source
 from workbench.source.documents.source_edits import SourceEdit

@@ -22,7 +22,7 @@ from workbench.papers.texts.text_paper import TextPaper
 from workbench.report import render
 from workbench.report.claim_states import state_of_equation
 from workbench.report.document import document_of
-from workbench.report.equation_groups import states_of
+from workbench.report.erratum.equation_groups import states_of
 from workbench.report.listing import listing
 from workbench.report.shown_kinds import STATES
 from workbench.report.to_json import report_json

@@ -8,7 +8,8 @@ import zlib
 import pytest
 from sample_report import sample
 
-from workbench.report import ReportError, erratum_note, markdown_text
+from workbench.report import ReportError, markdown_text
+from workbench.report.erratum import erratum_note
 from workbench.report.mixed_prose import formula, text
 from workbench.report.render import write_report
 

@@ -10,10 +10,10 @@ from workbench.context.claims import Paper
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.report.anchors import Heirs, Place, Places
 from workbench.report.counts import summary, versions
-from workbench.report.equation_entries import Entry, Equation, entry_of, equation_of
-from workbench.report.equation_groups import groups_of
-from workbench.report.errata import Errata, errata_of
-from workbench.report.error_rows import ErrorRow, error_rows
+from workbench.report.erratum.equation_entries import Entry, Equation, entry_of, equation_of
+from workbench.report.erratum.equation_groups import groups_of
+from workbench.report.erratum.errata import Errata, errata_of
+from workbench.report.erratum.error_rows import ErrorRow, error_rows
 from workbench.report.mixed_prose import Run, runs_of
 from workbench.report.motion_coverage import Motions, motions_of
 from workbench.report.shown_kinds import SHOWN, Kind

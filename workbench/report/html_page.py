@@ -14,9 +14,9 @@ from markupsafe import Markup, escape
 from workbench.prover.results.motion_summary import METHOD
 from workbench.report import wording
 from workbench.report.document import Class
-from workbench.report.equation_entries import Entry, Form
-from workbench.report.errata import Change
-from workbench.report.error_rows import ErrorRow
+from workbench.report.erratum.equation_entries import Entry, Form
+from workbench.report.erratum.errata import Change
+from workbench.report.erratum.error_rows import ErrorRow
 from workbench.report.mathml import mathml
 from workbench.report.mixed_prose import Run, condition_as_prose, formula, minus, runs_of, text
 from workbench.report.pictures import spark_line

@@ -15,7 +15,7 @@ from workbench.papers.texts.text_paper import TextPaper
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.report.anchors import display_name
 from workbench.report.counterexamples import Against, told
-from workbench.report.equation_groups import states_of
+from workbench.report.erratum.equation_groups import states_of
 from workbench.report.findings import place_of
 from workbench.report.mixed_prose import condition_as_prose
 from workbench.report.shown_kinds import Kind

@@ -8,7 +8,7 @@ from math import ceil, floor, log10
 
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.prover.results.motion_summary import Course, courses_of, percent
-from workbench.report.error_rows import ErrorRow
+from workbench.report.erratum.error_rows import ErrorRow
 from workbench.report.mixed_prose import power_of_ten
 
 #: The value at which a residual of 0 is plotted.

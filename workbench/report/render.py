@@ -17,11 +17,12 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 
 from workbench.context.claims import Paper
 from workbench.prover.results.claim_results import ClaimResult
-from workbench.report import ReportError, erratum_note, html_page, markdown_text, wording
-from workbench.report.corrected_text import errata_diff
+from workbench.report import ReportError, html_page, markdown_text, wording
 from workbench.report.document import Document, document_of
-from workbench.report.errata_json import errata_json
-from workbench.report.note_pdf import pdf_of
+from workbench.report.erratum import erratum_note
+from workbench.report.erratum.corrected_text import errata_diff
+from workbench.report.erratum.errata_json import errata_json
+from workbench.report.erratum.note_pdf import pdf_of
 from workbench.report.pictures import all_errors
 from workbench.report.shown_kinds import SHOWN
 from workbench.report.to_json import report_json

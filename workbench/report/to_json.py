@@ -12,7 +12,7 @@ from workbench.papers.corrections import mended, same_formula
 from workbench.prover.results.claim_results import Certification, ClaimResult
 from workbench.prover.results.proposed_form import Proposed
 from workbench.report.counts import summary, versions, witness_counts
-from workbench.report.equation_groups import equation_counts
+from workbench.report.erratum.equation_groups import equation_counts
 
 
 def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:

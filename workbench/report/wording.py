@@ -9,8 +9,8 @@ from typing import Any
 from workbench.core.verdict import Outcome
 from workbench.prover.results.motion_summary import percent
 from workbench.report.document import Class, Document
-from workbench.report.equation_entries import Entry
-from workbench.report.error_rows import gist_of
+from workbench.report.erratum.equation_entries import Entry
+from workbench.report.erratum.error_rows import gist_of
 
 _METHODS = (
     ("exact ring over", "exact ring over ℚ (FLINT)"),

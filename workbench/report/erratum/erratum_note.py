@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Iterable
 
 from workbench.report import ReportError
-from workbench.report.errata import Change
+from workbench.report.erratum.errata import Change
 from workbench.report.mixed_prose import Run, minus
 from workbench.source.typeset import glyphs
 from workbench.source.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of

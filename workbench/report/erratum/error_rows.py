@@ -10,8 +10,8 @@ from workbench.core.verdict import Outcome
 from workbench.prover.results.motion_summary import Cost
 from workbench.report.anchors import Place
 from workbench.report.counterexamples import Against
-from workbench.report.equation_entries import Entry, Equation
-from workbench.report.errata import Change
+from workbench.report.erratum.equation_entries import Entry, Equation
+from workbench.report.erratum.errata import Change
 from workbench.report.mixed_prose import is_one_formula, runs_of
 from workbench.report.shown_kinds import STATES
 from workbench.source.typeset.differences import Change as Difference

@@ -6,8 +6,8 @@ import json
 from typing import Any
 
 from workbench.report.document import Document
-from workbench.report.equation_entries import Entry
-from workbench.report.errata import Correction
+from workbench.report.erratum.equation_entries import Entry
+from workbench.report.erratum.errata import Correction
 from workbench.report.mixed_prose import Run, is_one_formula
 from workbench.report.wording import short
 

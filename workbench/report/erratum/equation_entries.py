@@ -11,7 +11,7 @@ from workbench.prover.results.proposed_form import Proposed
 from workbench.report.anchors import Heirs, Place, Places, is_counted, label, with_headings
 from workbench.report.claim_states import fault_of, state_of, state_of_equation
 from workbench.report.counterexamples import Against, against
-from workbench.report.errata import Correction, cost_in_words, reason_for_readers, without_place
+from workbench.report.erratum.errata import Correction, cost_in_words, reason_for_readers, without_place
 from workbench.report.mixed_prose import Run, plain_value, runs_of, runs_with_symbols
 from workbench.report.shown_kinds import VERDICTS, Kind
 from workbench.source.typeset.differences import difference

@@ -57,7 +57,7 @@ def test_any_text_is_taken_apart_or_refused(text):
         ("x^2^3", "second ^"),
         ("x_2^3_4", "second _"),
         ("x^2'", "second '"),
-        ("#", "#"),
+        ("%", "%"),
         ("x\0", "\0"),
         ("☃", "☃"),
     ],
@@ -91,11 +91,11 @@ def test_the_order_of_two_marks_counts():
 
 
 @pytest.mark.parametrize("latex", TYPICAL)
-def test_comments_and_blanks_of_tex_change_no_atom(latex):
-    places = [token.start for token in tokens_of(latex) if not token.text.isdecimal() and token.text != "*"]
+def test_blanks_between_tokens_change_no_atom(latex):
+    places = [token.start for token in tokens_of(latex) if token.word or token.text in "{}^_=+"]
     noted = latex
     for place in reversed(places):
-        noted = f"{noted[:place]}% a note {{\n {noted[place:]}"
+        noted = f"{noted[:place]} \n {noted[place:]}"
     assert [atom.identity for atom in atoms_of(noted)] == [atom.identity for atom in atoms_of(latex)]
 
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
-from workbench.source.documents.tex.tex_tokens import tokens_of
+from workbench.source.documents.tex.tex_tokens import COMMENT, tokens_of
 from workbench.source.typeset import glyphs as table
 
 _DEEPEST = 60
@@ -123,6 +123,8 @@ def _enclosed(opening: Atom, *parts: Sequence[Atom]) -> list[Atom]:
 
 def _tokens(latex: str) -> list[str]:
     """Returns the tokens of TeX; figures in a row are one, and a star belongs to the command before it."""
+    if COMMENT.search(latex):
+        raise LatexNotTypesettable("cannot typeset %")
     made: list[str] = []
     end = 0
     for token in tokens_of(latex):

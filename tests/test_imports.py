@@ -141,6 +141,11 @@ def test_no_file_is_longer_than_400_lines() -> None:
     assert {name: length for name, length in lengths.items() if length > 400} == {}
 
 
+def test_no_room_has_more_than_25_files() -> None:
+    sizes = Counter(path.parent for path in ROOT.rglob("*.py"))
+    assert {str(room.relative_to(ROOT)): size for room, size in sizes.items() if size > 25} == {}
+
+
 def test_each_package_says_what_it_is() -> None:
     first = {
         path: ast.get_docstring(ast.parse(path.read_text("utf-8"))) for path in ROOT.rglob("__init__.py")

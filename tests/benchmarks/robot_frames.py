@@ -50,7 +50,7 @@ def best(call: Call, rounds: int) -> float:
 def workbench_calls(urdf: str, frame: str, q: np.ndarray) -> Iterator[tuple[str, Call, int]]:
     """Names, calls and the states that each call is for."""
     from workbench.kinematics import Robot
-    from workbench.kinematics.tree_engine import states_side_by_side
+    from workbench.kinematics.trees.tree_engine import states_side_by_side
 
     robot, order = Robot.from_urdf(urdf), len(q) - 1
     states = q[0].size // q.shape[-1]

@@ -7,7 +7,7 @@ from math import factorial
 
 import numpy as np
 
-from workbench.kinematics.tree_steps import WORLD
+from workbench.kinematics.trees.tree_steps import WORLD
 
 
 def bracket(V, C):

@@ -5,7 +5,7 @@ import pytest
 from scipy import interpolate
 
 from workbench.kinematics.robot import Robot, TreeJoint
-from workbench.kinematics.robot.paths import JointPath
+from workbench.kinematics.robot.trajectories.paths import JointPath
 
 QUINTIC = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 

@@ -10,9 +10,13 @@ from recorded_motions import Exponentials, decays, moves, random_pieces, recordi
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.joints import Limits
-from workbench.kinematics.robot.paths import JointPath, RecordedPath
-from workbench.kinematics.robot.recorded_peaks import recorded_bound, recorded_deceleration, recorded_peak
-from workbench.kinematics.robot.recordings import record
+from workbench.kinematics.robot.recording.recorded_peaks import (
+    recorded_bound,
+    recorded_deceleration,
+    recorded_peak,
+)
+from workbench.kinematics.robot.recording.recordings import record
+from workbench.kinematics.robot.trajectories.paths import JointPath, RecordedPath
 
 COVERED, TOLD = 0.97, 0.85
 LARGEST_FEW = 3000  # samples of a recording in the default run
@@ -310,7 +314,7 @@ def test_limits_of_followers_and_of_urdf_1_2_are_checked():
 
 
 def test_a_path_s_own_csv_is_read_again(tmp_path):
-    from workbench.kinematics.robot.paths import read_samples
+    from workbench.kinematics.robot.trajectories.paths import read_samples
 
     robot = Robot("r", [TreeJoint("a", "revolute", "world", "a"), TreeJoint("b c", "prismatic", "a", "b")])
     motion = robot.along(JointPath([[0.1, 0.2], [1.0, -0.5], [0.3, 0.3]]), np.linspace(0, 1, 21), 6)

@@ -10,7 +10,7 @@ from pydrake.trajectories import PiecewisePolynomial
 
 from workbench.kinematics import lines, screws
 from workbench.kinematics.robot import Robot, TreeJoint, UrdfError
-from workbench.kinematics.robot.paths import JointPath
+from workbench.kinematics.robot.trajectories.paths import JointPath
 
 CASES = json.loads((Path(__file__).parent / "robot_cases.json").read_text(encoding="utf-8"))
 

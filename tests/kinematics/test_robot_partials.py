@@ -14,7 +14,7 @@ from random_robots import motion, tree
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.scalars import object_motion
-from workbench.kinematics.tree_engine import compute
+from workbench.kinematics.trees.tree_engine import compute
 
 KINDS = ("revolute", "prismatic", "helical", "universal", "cylindrical", "planar", "revolute")
 

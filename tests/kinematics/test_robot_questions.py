@@ -9,7 +9,7 @@ from random_robots import NEAR, motion, tree
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.joints import Limits
-from workbench.kinematics.robot.paths import JointPath
+from workbench.kinematics.robot.trajectories.paths import JointPath
 
 
 def test_bodies_at_rest_have_zero_twists():

@@ -11,8 +11,14 @@ from scipy import interpolate
 from workbench.kinematics.robot import Robot, TreeJoint
 from workbench.kinematics.robot.answers import write_csv
 from workbench.kinematics.robot.joint_limits import read_limits
-from workbench.kinematics.robot.paths import DrakePath, JointPath, RecordedPath, SinePath, read_samples
-from workbench.kinematics.robot.spline_paths import waypoints
+from workbench.kinematics.robot.trajectories.paths import (
+    DrakePath,
+    JointPath,
+    RecordedPath,
+    SinePath,
+    read_samples,
+)
+from workbench.kinematics.robot.trajectories.spline_paths import waypoints
 
 QUINTIC = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 

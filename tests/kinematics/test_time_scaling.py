@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 from workbench.kinematics.robot import Robot, TreeJoint
 from workbench.kinematics.robot.joints import Limits
-from workbench.kinematics.robot.paths import JointPath
-from workbench.kinematics.robot.spline_paths import waypoints
-from workbench.kinematics.robot.time_scaling import RetimedPath, slowed
+from workbench.kinematics.robot.trajectories.paths import JointPath
+from workbench.kinematics.robot.trajectories.spline_paths import waypoints
+from workbench.kinematics.robot.trajectories.time_scaling import RetimedPath, slowed
 
 ARM = Robot("arm", [TreeJoint("j", "revolute", "world", "a"), TreeJoint("k", "prismatic", "a", "b")])
 SEPTIC = np.array([0, 0, 0, 0, 35, -84, 70, -20])

@@ -19,7 +19,7 @@ from random_robots import motion, tree
 from workbench.kinematics.chain import SerialChain
 from workbench.kinematics.robot import Robot, TreeJoint
 from workbench.kinematics.robot.structure import LARGE
-from workbench.kinematics.tree_memory import finite_copy
+from workbench.kinematics.trees.tree_memory import finite_copy
 
 SCREWS = ["revolute", "prismatic", "cylindrical", "helical"]
 

@@ -24,11 +24,11 @@ from numpy.typing import ArrayLike
 from workbench.kinematics.bound_calls import BoundCall
 from workbench.kinematics.chain_joints import Joint
 from workbench.kinematics.one_state import require_order
-from workbench.kinematics.tree_engine import TreeEngine, compute
-from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
+from workbench.kinematics.trees.tree_engine import TreeEngine, compute
+from workbench.kinematics.trees.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
 
 if TYPE_CHECKING:
-    from workbench.kinematics.tree_plan import Plan
+    from workbench.kinematics.trees.tree_plan import Plan
 
 __all__ = ["Joint", "SerialChain"]
 

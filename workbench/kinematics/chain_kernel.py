@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.kinematics import chain_recursion, simd_lanes, tree_arithmetic, tree_memory
+from workbench.kinematics import chain_recursion, simd_lanes
 from workbench.kinematics.chain_recursion import (
     Base,
     extend_exponential,
@@ -28,8 +28,15 @@ from workbench.kinematics.chain_recursion import (
 )
 from workbench.kinematics.compiled_kernels import OF_BOUND, BoundKernel, Kernel, compiled_kernel
 from workbench.kinematics.simd_lanes import SIZE, WIDTH, load, number, scalar_cosines_and_sines, spread, store
-from workbench.kinematics.tree_arithmetic import LARGEST_ANGLE, OPTIONS, compiled, cosine_and_sine, inlined
-from workbench.kinematics.tree_memory import (
+from workbench.kinematics.trees import tree_arithmetic, tree_memory
+from workbench.kinematics.trees.tree_arithmetic import (
+    LARGEST_ANGLE,
+    OPTIONS,
+    compiled,
+    cosine_and_sine,
+    inlined,
+)
+from workbench.kinematics.trees.tree_memory import (
     Memory,
     bound_input,
     bound_output,

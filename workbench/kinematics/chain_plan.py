@@ -19,7 +19,7 @@ import numpy as np
 from workbench.kinematics.chain_joints import Joint
 from workbench.kinematics.chain_kernel import HEAD, ROW, bound_chain_kernel, chain_kernel
 from workbench.kinematics.simd_lanes import WIDTH
-from workbench.kinematics.tree_plan import Plan
+from workbench.kinematics.trees.tree_plan import Plan
 
 NEAR = 3500  # doubles of the first-level cache (32 KB or more) that alternating blocks may fill
 NEARLY_PARALLEL = 0.1  # below this sine the foot of the common normal is not used

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from workbench.kinematics.simd_lanes import load, number, spread, store, store_side_by_side
-from workbench.kinematics.tree_arithmetic import MANY_REGISTERS, Number, compiled, inlined
+from workbench.kinematics.trees.tree_arithmetic import MANY_REGISTERS, Number, compiled, inlined
 
 FOURS = MANY_REGISTERS  # four coefficients at a time have 16 sums; with fewer registers it is two
 

@@ -17,9 +17,9 @@ from workbench.app.commands.options import Unusable, json_flag, print_json, repo
 
 if TYPE_CHECKING:
     from workbench.kinematics.robot.motion import Motion
-    from workbench.kinematics.robot.paths import RecordedPath
     from workbench.kinematics.robot.peaks import Peak, Violation
     from workbench.kinematics.robot.report import MotionReport
+    from workbench.kinematics.robot.trajectories.paths import RecordedPath
 
 #: The highest order at which Drake's doubles still have a correct digit.
 HIGHEST_ORDER = 20
@@ -161,7 +161,7 @@ def _numbers(text: str, what: str, count: int | None = None) -> tuple[float, ...
 
 def _recorded(trajectory: Path, urdf: Path, base: str) -> RecordedPath:
     from workbench.kinematics.robot import Robot
-    from workbench.kinematics.robot.paths import RecordedPath, read_samples
+    from workbench.kinematics.robot.trajectories.paths import RecordedPath, read_samples
 
     robot = Robot.from_urdf(urdf, base, rotations="rpy")
     t, q = read_samples(trajectory, robot.positions, robot.units)

@@ -10,7 +10,7 @@ import numpy as np
 from workbench.kinematics.bound_calls import BoundCall
 
 if TYPE_CHECKING:
-    from workbench.kinematics.tree_plan import Plan
+    from workbench.kinematics.trees.tree_plan import Plan
 
 
 class Evaluator(BoundCall):

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike
 from workbench.kinematics.robot import answers, meshcat_scene, plots
 from workbench.kinematics.robot.dynamics import GRAVITY, torques
 from workbench.kinematics.robot.joint_limits import LimitTables
-from workbench.kinematics.robot.path_peaks import peaks, violations
 from workbench.kinematics.robot.peaks import Peak, Violation
 from workbench.kinematics.robot.states import States
-from workbench.kinematics.robot.time_scaling import RetimedPath, Slowdown, retimed, slowdown
+from workbench.kinematics.robot.trajectories.path_peaks import peaks, violations
+from workbench.kinematics.robot.trajectories.time_scaling import RetimedPath, Slowdown, retimed, slowdown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

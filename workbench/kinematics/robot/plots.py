@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot.derivative_names import order_name
 from workbench.kinematics.robot.joint_limits import LimitTables, known_limits, of_body
-from workbench.kinematics.robot.path_peaks import peaks
 from workbench.kinematics.robot.peaks import point_of
+from workbench.kinematics.robot.trajectories.path_peaks import peaks
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -22,13 +22,13 @@ from workbench.kinematics.robot.evaluator import Evaluator, evaluator_of
 from workbench.kinematics.robot.inverse import DampedInverse, Task, damped_inverse, inverse_kinematics
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
-from workbench.kinematics.robot.paths import Path as JointPath
-from workbench.kinematics.robot.paths import as_path, read_samples
 from workbench.kinematics.robot.robot_urdf import WORLD, UrdfError, read_urdf
 from workbench.kinematics.robot.scalars import autodiff_motion, casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
 from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
-from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
+from workbench.kinematics.robot.trajectories.paths import Path as JointPath
+from workbench.kinematics.robot.trajectories.paths import as_path, read_samples
+from workbench.kinematics.trees.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:
     from workbench.drake.gate import MultibodyPlant
@@ -234,11 +234,11 @@ class Robot(Structure):
         """Returns the motion along a trajectory at `times` (...) in s (`samples` of them over all of it
         unless given).
 
-        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory, a SciPy spline or
-        a trajectory of toppra or Ruckig of the positions, `spline_paths.waypoints`, or samples (t, q): t
-        (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives are estimated
-        to the order 4 at most; or the name of a CSV file of samples, see `paths.read_samples`. Raises
-        ValueError for a time outside of the trajectory."""
+        trajectory: a `Path` of `workbench.kinematics.robot.trajectories.paths`, a Drake Trajectory, a SciPy
+        spline or a trajectory of toppra or Ruckig of the positions, `spline_paths.waypoints`, or samples
+        (t, q): t (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives are
+        estimated to the order 4 at most; or the name of a CSV file of samples, see `paths.read_samples`.
+        Raises ValueError for a time outside of the trajectory."""
         path = self.path(trajectory)
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
         if times is None:

@@ -16,7 +16,7 @@ import numpy as np
 
 from workbench.kinematics.robot.states import States
 from workbench.kinematics.robot.structure import Structure
-from workbench.kinematics.tree_steps import WORLD, Drive, Step
+from workbench.kinematics.trees.tree_steps import WORLD, Drive, Step
 
 
 class Arithmetic(NamedTuple):

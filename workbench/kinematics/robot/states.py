@@ -30,8 +30,8 @@ from workbench.kinematics.robot.partials import twist_partial
 from workbench.kinematics.robot.robot_frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.structure import LARGE, Body, Structure, whole
 from workbench.kinematics.spare_memory import spare_memory
-from workbench.kinematics.tree_engine import compute, states_side_by_side
-from workbench.kinematics.tree_steps import WORLD
+from workbench.kinematics.trees.tree_engine import compute, states_side_by_side
+from workbench.kinematics.trees.tree_steps import WORLD
 
 ORIGIN = (0, 0, 0)
 EXPRESSED = ("world", "mixed", "body")

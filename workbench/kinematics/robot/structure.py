@@ -22,8 +22,8 @@ from workbench.kinematics.robot.balls import (
     unit_quaternion,
 )
 from workbench.kinematics.robot.joints import ANGLES, Limits, Move, TreeJoint
-from workbench.kinematics.tree_engine import TreeEngine
-from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
+from workbench.kinematics.trees.tree_engine import TreeEngine
+from workbench.kinematics.trees.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
 
 LARGE = 500_000  # doubles, which are more than a core's caches hold
 DOUBLE = np.dtype(np.float64)
@@ -351,7 +351,7 @@ def finite_copy_of(values: ArrayLike) -> np.ndarray | None:
     large = isinstance(values, ndarray) and values.dtype is DOUBLE and values.size >= LARGE
     if not large or type(values) is not ndarray or not values.flags.c_contiguous:
         return None
-    from workbench.kinematics.tree_memory import finite_copy
+    from workbench.kinematics.trees.tree_memory import finite_copy
 
     return finite_copy(values)
 

@@ -22,8 +22,8 @@ from workbench.kinematics.robot.peaks import (
     stretches,
     violation,
 )
-from workbench.kinematics.robot.recorded_peaks import jump_reason
-from workbench.kinematics.robot.recordings import Break
+from workbench.kinematics.robot.recording.recorded_peaks import jump_reason
+from workbench.kinematics.robot.recording.recordings import Break
 
 if TYPE_CHECKING:
     from workbench.kinematics.robot.states import States

@@ -19,12 +19,12 @@ from numpy.typing import ArrayLike
 
 from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
 from workbench.kinematics.robot.derivative_names import order_name
-from workbench.kinematics.robot.planner_paths import planner_path
-from workbench.kinematics.robot.recordings import HIGHEST_RECORDED_ORDER, LEAST_SAMPLES, record
-from workbench.kinematics.robot.sampled_path import SampledPath
-from workbench.kinematics.robot.spline_paths import SplinePath
+from workbench.kinematics.robot.recording.recordings import HIGHEST_RECORDED_ORDER, LEAST_SAMPLES, record
 from workbench.kinematics.robot.structure import reals
-from workbench.kinematics.robot.trajectory_breaks import trajectory_breaks
+from workbench.kinematics.robot.trajectories.planner_paths import planner_path
+from workbench.kinematics.robot.trajectories.sampled_path import SampledPath
+from workbench.kinematics.robot.trajectories.spline_paths import SplinePath
+from workbench.kinematics.robot.trajectories.trajectory_breaks import trajectory_breaks
 
 __all__ = [
     "DrakePath",

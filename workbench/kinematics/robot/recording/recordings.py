@@ -140,8 +140,8 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
     """Returns the recording of the samples q (n,) at increasing times t (n,) in s; n is at least 10."""
     from scipy.special import ndtri
 
-    from workbench.kinematics.robot.local_polynomials import ORDERS, fit_windows  # loads Numba
-    from workbench.kinematics.robot.recorded_breaks import find_breaks
+    from workbench.kinematics.robot.recording.local_polynomials import ORDERS, fit_windows  # loads Numba
+    from workbench.kinematics.robot.recording.recorded_breaks import find_breaks
 
     n, clock = len(t), t - t[0]
     distances = np.diff(clock)
@@ -210,7 +210,7 @@ def _local_noise(t: np.ndarray, q: np.ndarray, floor: float) -> tuple[float, np.
     """
     from scipy.special import chdtri
 
-    from workbench.kinematics.robot.local_polynomials import mean_squares
+    from workbench.kinematics.robot.recording.local_polynomials import mean_squares
 
     n, best = len(t), None
     for count, degree in NOISE_WINDOWS:

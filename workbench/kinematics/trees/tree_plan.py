@@ -12,11 +12,19 @@ import numpy as np
 
 from workbench.kinematics.compiled_kernels import BoundKernel, Kernel
 from workbench.kinematics.simd_lanes import SIZE, WIDTH
-from workbench.kinematics.tree_arithmetic import ABOUT_X, GENERAL, IDENTITY
-from workbench.kinematics.tree_bodies import COLUMN, POSE
-from workbench.kinematics.tree_joints import BALL, SCREW, SLIDE, TURN
-from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP, TURNING, bound_tree_kernel, tree_kernel
-from workbench.kinematics.tree_steps import WORLD, Frame, Step, Wanted
+from workbench.kinematics.trees.tree_arithmetic import ABOUT_X, GENERAL, IDENTITY
+from workbench.kinematics.trees.tree_bodies import COLUMN, POSE
+from workbench.kinematics.trees.tree_joints import BALL, SCREW, SLIDE, TURN
+from workbench.kinematics.trees.tree_kernel import (
+    BODY,
+    HEAD,
+    ORIGIN,
+    STEP,
+    TURNING,
+    bound_tree_kernel,
+    tree_kernel,
+)
+from workbench.kinematics.trees.tree_steps import WORLD, Frame, Step, Wanted
 
 NEAR = 4096  # doubles of the first-level cache that alternating blocks may fill
 EXACT = 1e-16  # the bound on rounding errors of a constant rotation

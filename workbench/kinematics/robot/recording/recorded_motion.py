@@ -26,7 +26,7 @@ from workbench.kinematics.robot.peaks import (
     stretches,
     violation,
 )
-from workbench.kinematics.robot.recorded_peaks import (
+from workbench.kinematics.robot.recording.recorded_peaks import (
     RecordedPeak,
     below_noise,
     decelerations,
@@ -35,7 +35,7 @@ from workbench.kinematics.robot.recorded_peaks import (
     recorded_deceleration,
     recorded_peak,
 )
-from workbench.kinematics.robot.recordings import Break, Recording
+from workbench.kinematics.robot.recording.recordings import Break, Recording
 from workbench.kinematics.robot.states import States
 
 BLOCK = 4096  # samples at a time

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from workbench.kinematics.robot.local_polynomials import (
+from workbench.kinematics.robot.recording.local_polynomials import (
     HIGHEST_DEGREE,
     LEAST,
     ORDERS,

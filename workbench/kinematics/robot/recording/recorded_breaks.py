@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from workbench.kinematics.robot.break_fits import (
+from workbench.kinematics.robot.recording.break_fits import (
     BREAK_SAMPLES,
     SIDE_DEGREE,
     best_cut,
@@ -24,7 +24,7 @@ from workbench.kinematics.robot.break_fits import (
     one_side,
     scan_break,
 )
-from workbench.kinematics.robot.local_polynomials import ORDERS
+from workbench.kinematics.robot.recording.local_polynomials import ORDERS
 
 HIGHEST_BREAK = 4
 APART = 1.2  # times the stated errors of both sides

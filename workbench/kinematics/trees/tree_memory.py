@@ -24,7 +24,7 @@ from workbench.kinematics.simd_lanes import (
     store_states,
 )
 from workbench.kinematics.spare_memory import spare_memory
-from workbench.kinematics.tree_arithmetic import OPTIONS, compiled, inlined
+from workbench.kinematics.trees.tree_arithmetic import OPTIONS, compiled, inlined
 
 AHEAD = 1024  # bytes that are asked for before they are read
 

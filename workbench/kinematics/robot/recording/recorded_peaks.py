@@ -14,7 +14,7 @@ from math import factorial
 import numpy as np
 
 from workbench.kinematics.robot.derivative_names import order_name
-from workbench.kinematics.robot.recordings import Break, Recording
+from workbench.kinematics.robot.recording.recordings import Break, Recording
 
 MOST = 0.4  # of the peak, by which |estimate| + error may exceed it anywhere
 ENDS = (0.0, 0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15)  # shares of the samples left out at both ends together

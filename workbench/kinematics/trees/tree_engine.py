@@ -13,10 +13,10 @@ import numpy as np
 from numpy import empty
 
 from workbench.kinematics.spare_memory import spare_memory
-from workbench.kinematics.tree_steps import Frame, Step, Wanted
+from workbench.kinematics.trees.tree_steps import Frame, Step, Wanted
 
 if TYPE_CHECKING:
-    from workbench.kinematics.tree_plan import Plan
+    from workbench.kinematics.trees.tree_plan import Plan
 
 
 class TreeEngine:
@@ -56,7 +56,7 @@ class TreeEngine:
         return record
 
     def _new_plan(self, names: str | tuple[str, ...], wanted: Wanted) -> Plan:
-        from workbench.kinematics.tree_plan import plan_of
+        from workbench.kinematics.trees.tree_plan import plan_of
 
         frames = [self._frames[name] for name in ((names,) if isinstance(names, str) else names)]
         return plan_of(self._steps, frames, self._channels, self._velocities, wanted)

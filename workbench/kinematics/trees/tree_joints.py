@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from workbench.kinematics.simd_lanes import SIZE, load, number, spread, store
-from workbench.kinematics.tree_arithmetic import (
+from workbench.kinematics.trees.tree_arithmetic import (
     Axes,
     Vector,
     add_product,

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.sampled_path import SampledPath
 from workbench.kinematics.robot.structure import reals
+from workbench.kinematics.robot.trajectories.sampled_path import SampledPath
 
 
 class SplinePath(SampledPath):

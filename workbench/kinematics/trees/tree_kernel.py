@@ -21,10 +21,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.kinematics import simd_lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory
+from workbench.kinematics import simd_lanes
 from workbench.kinematics.compiled_kernels import OF_BOUND, BoundKernel, Kernel, compiled_kernel
 from workbench.kinematics.simd_lanes import SIZE, WIDTH, load, number, scalar_cosines_and_sines, spread, store
-from workbench.kinematics.tree_arithmetic import (
+from workbench.kinematics.trees import tree_arithmetic, tree_bodies, tree_joints, tree_memory
+from workbench.kinematics.trees.tree_arithmetic import (
     LARGEST_ANGLE,
     OPTIONS,
     Number,
@@ -32,7 +33,7 @@ from workbench.kinematics.tree_arithmetic import (
     cosine_and_sine,
     inlined,
 )
-from workbench.kinematics.tree_bodies import (
+from workbench.kinematics.trees.tree_bodies import (
     ALIGNED,
     AT_ONCE,
     COLUMN,
@@ -42,8 +43,8 @@ from workbench.kinematics.tree_bodies import (
     jacobian_out,
     turning_out,
 )
-from workbench.kinematics.tree_joints import SCREW, SLIDE, TURN, first_step, next_step, scaled_rates
-from workbench.kinematics.tree_memory import (
+from workbench.kinematics.trees.tree_joints import SCREW, SLIDE, TURN, first_step, next_step, scaled_rates
+from workbench.kinematics.trees.tree_memory import (
     Axis,
     Memory,
     bound_input,

@@ -18,13 +18,13 @@ from scipy.interpolate import BSpline
 
 from workbench.drake.joint_paths import Path
 from workbench.kinematics.robot.derivative_names import order_name
-from workbench.kinematics.robot.exact_peaks import sizes_on
 from workbench.kinematics.robot.joint_limits import known_limits
-from workbench.kinematics.robot.path_peaks import asked_of, peaks
-from workbench.kinematics.robot.paths import RecordedPath
 from workbench.kinematics.robot.peaks import Asked, Peak
-from workbench.kinematics.robot.sampled_path import SampledPath
 from workbench.kinematics.robot.states import states_on_path
+from workbench.kinematics.robot.trajectories.exact_peaks import sizes_on
+from workbench.kinematics.robot.trajectories.path_peaks import asked_of, peaks
+from workbench.kinematics.robot.trajectories.paths import RecordedPath
+from workbench.kinematics.robot.trajectories.sampled_path import SampledPath
 
 if TYPE_CHECKING:
     from workbench.kinematics.robot.joint_limits import LimitTables

@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot.derivative_names import order_name, per_second
-from workbench.kinematics.robot.exact_peaks import exact_peaks, exact_violations
 from workbench.kinematics.robot.joint_limits import LimitTables, known_limits, of_body
-from workbench.kinematics.robot.paths import RecordedPath
 from workbench.kinematics.robot.peaks import Asked, Peak, Violation
-from workbench.kinematics.robot.recorded_motion import recorded_peaks, recorded_violations
+from workbench.kinematics.robot.recording.recorded_motion import recorded_peaks, recorded_violations
 from workbench.kinematics.robot.states import States
 from workbench.kinematics.robot.structure import Structure
+from workbench.kinematics.robot.trajectories.exact_peaks import exact_peaks, exact_violations
+from workbench.kinematics.robot.trajectories.paths import RecordedPath
 
 
 def peaks(

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.kinematics.robot.spline_paths import SplinePath
+from workbench.kinematics.robot.trajectories.spline_paths import SplinePath
 
 SHORTEST = 1e-12  # of the whole time: a phase that is left out
 

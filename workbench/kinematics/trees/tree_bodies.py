@@ -13,7 +13,7 @@ from workbench.kinematics.simd_lanes import (
     store_past_caches,
     store_side_by_side,
 )
-from workbench.kinematics.tree_arithmetic import (
+from workbench.kinematics.trees.tree_arithmetic import (
     Number,
     add_cross,
     carry,

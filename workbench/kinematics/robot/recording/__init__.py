@@ -1,0 +1,1 @@
+"""Recordings of a motion: derivatives with stated errors, breaks and peaks."""

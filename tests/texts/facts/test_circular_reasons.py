@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.test_conditions_by_words import BEFORE, PLACES, WORDS, by_each_door
+from tests.texts.facts.test_conditions_by_words import BEFORE, PLACES, WORDS, by_each_door
 from tests.texts.written import ALPHABETS, renamed
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.verdict import Outcome, Verdict
@@ -46,7 +46,7 @@ def test_formula_needs_an_equivalent_condition_not_itself(
                 else (Outcome.PROVED, None)
             ]
             if not is_circular and words in ("where", "with"):
-                continue  # tests/texts/test_conditions_by_words.py
+                continue  # tests/texts/facts/test_conditions_by_words.py
             found = by_each_door(latex, tmp_path, letters)
             assert [[*map(_told, verdicts)] for verdicts in found] == [wanted] * 3, latex
 

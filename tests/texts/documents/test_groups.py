@@ -11,7 +11,7 @@ import pytest
 from plasTeX.TeX import TeX
 
 import proofs
-from tests.texts.nested_groups import MARKS, PROBE, WRITTEN, Document
+from tests.texts.documents.nested_groups import MARKS, PROBE, WRITTEN, Document
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.papers.load import load_paper
 from workbench.source.documents import Text, read_text

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.test_conditions_by_words import CONDITIONS, TRUE, by_each_door
+from tests.texts.facts.test_conditions_by_words import CONDITIONS, TRUE, by_each_door
 from tests.texts.written import ALPHABETS, renamed
 from workbench.core.verdict import Outcome
 

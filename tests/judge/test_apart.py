@@ -3,7 +3,7 @@ refutes, far behind those that are looked at one by one, and the same goals wher
 
 import pytest
 
-from tests.judge.test_goals import DEFINITIONS, SYMBOLS
+from tests.judge.goals.test_goals import DEFINITIONS, SYMBOLS
 from workbench.core.verdict import Outcome
 from workbench.language.definition_entries import read_definitions
 from workbench.language.goals.goal_reader import read_goal

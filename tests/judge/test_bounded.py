@@ -2,7 +2,7 @@ r"""\forall k < n, and induction from all that is below: proofs of true goals, a
 
 import pytest
 
-from tests.judge.test_goals import outcome, scope
+from tests.judge.goals.test_goals import outcome, scope
 from workbench.core.integer_expressions import Linear
 from workbench.core.verdict import Outcome
 from workbench.language.goals.goal_reader import read_goal

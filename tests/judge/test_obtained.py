@@ -3,7 +3,7 @@ with given derivatives: true goals, and false ones of their form."""
 
 import pytest
 
-from tests.judge.test_goals import outcome
+from tests.judge.goals.test_goals import outcome
 from workbench.core.verdict import Outcome
 from workbench.language.goals.proofs import (
     AndIntroduction,

@@ -20,7 +20,7 @@ from workbench.prover.decide.decide import Judge
 
 TYPES = (VECTOR, TENSOR, SCALAR, QUATERNION)
 PLACE = symbol(Declaration(Name("r"), VECTOR).with_flags(coordinate=True))
-#: P D and partial derivatives are linear in what they act on; tests/judge/test_slopes.py has laws of their own.
+#: P D and partial derivatives are linear in what they act on; tests/judge/functions/test_slopes.py has laws of their own.
 HEADS = sorted(set(OPERATORS) - {"compose", *PARTIALS})
 
 

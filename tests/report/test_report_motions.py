@@ -5,7 +5,7 @@ import shutil
 import subprocess
 
 import pytest
-from judge.motion_papers import paper
+from judge.motions.motion_papers import paper
 
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.context.claims import Claim, Formula

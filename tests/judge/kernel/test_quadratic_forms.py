@@ -6,7 +6,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from judge.test_extrema import TABLE, verdict
+from judge.functions.test_extrema import TABLE, verdict
 
 from workbench.core.construct import apply, big_sum, derivative, power
 from workbench.core.verdict import Outcome

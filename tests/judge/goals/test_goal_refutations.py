@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.judge.test_goals import outcome, scope
+from tests.judge.goals.test_goals import outcome, scope
 from workbench.core.verdict import Outcome
 from workbench.language.goals.goal_reader import read_goal
 from workbench.language.goals.proofs import (

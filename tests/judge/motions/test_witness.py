@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from judge.motion_papers import MOTION, judged, motions, paper
+from judge.motions.motion_papers import MOTION, judged, motions, paper
 
 from tests.planted import PLANTED, planted
 from workbench.app.pipeline.judge_claims import judge_paper
@@ -115,7 +115,7 @@ def test_premises_are_satisfied_or_nothing_is_said(tmp_path):
 
 
 def test_a_body_of_a_urdf_is_one_of_the_motions(tmp_path):
-    urdf = Path(__file__).parents[1] / "drake" / "two_arms.urdf"
+    urdf = Path(__file__).parents[2] / "drake" / "two_arms.urdf"
     (tmp_path / "arms.urdf").write_text(urdf.read_text("utf-8"), "utf-8")
     motion = MOTION + '    robot = { urdf = "arms.urdf", body = "hand" }\n'
     (claim,) = judged(tmp_path, r"printed = '\dot{R} = \tilde{\omega} R'", motion=motion)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from judge.motion_papers import HEAD, MOTION, judged, motions, paper
+from judge.motions.motion_papers import HEAD, MOTION, judged, motions, paper
 
 from tests.planted import PLANTED, planted
 from workbench.app.commands.commands import main

@@ -3,7 +3,7 @@ each beside the proof of a true one that differs from it in the one word that ma
 
 import pytest
 
-from tests.judge.test_goals import outcome
+from tests.judge.goals.test_goals import outcome
 from workbench.core.verdict import Outcome
 from workbench.language.definition_entries import read_definitions
 from workbench.language.definitions import expand

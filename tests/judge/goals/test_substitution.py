@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.judge.test_goals import SYMBOLS, outcome, scope
+from tests.judge.goals.test_goals import SYMBOLS, outcome, scope
 from workbench.core.integer_expressions import Linear, as_linear
 from workbench.core.verdict import Outcome
 from workbench.language.definition_entries import read_definitions

@@ -1,7 +1,7 @@
 """Serial chains of random joints."""
 
 import numpy as np
-from random_robots import random_pose
+from kinematics.random_robots import random_pose
 
 from workbench.kinematics.chain import Joint
 

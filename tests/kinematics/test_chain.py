@@ -4,8 +4,8 @@ from math import comb, factorial
 
 import numpy as np
 import pytest
-from random_chains import MOVING, close, random_joint, random_joints
-from random_robots import random_pose
+from kinematics.random_chains import MOVING, close, random_joint, random_joints
+from kinematics.random_robots import random_pose
 
 from workbench.kinematics.chain import Joint, SerialChain
 

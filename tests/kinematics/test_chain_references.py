@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from kinematics.random_chains import MOVING, random_joint
+from kinematics.taylor_kinematics import exact, joint, pose, product, twist
 from numpy.polynomial import Chebyshev
-from random_chains import MOVING, random_joint
-from taylor_kinematics import exact, joint, pose, product, twist
 
 from workbench.kinematics.chain import Joint, SerialChain
 from workbench.kinematics.robot import Robot

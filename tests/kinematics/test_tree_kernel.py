@@ -12,9 +12,9 @@ from math import factorial
 import llvmlite.binding as llvm
 import numpy as np
 import pytest
-from plain_tree import plain_motion
-from random_chains import close, random_joint, random_joints
-from random_robots import motion, tree
+from kinematics.plain_tree import plain_motion
+from kinematics.random_chains import close, random_joint, random_joints
+from kinematics.random_robots import motion, tree
 
 from workbench.kinematics.chain import SerialChain
 from workbench.kinematics.robot import Robot, TreeJoint
@@ -352,8 +352,8 @@ def test_the_kernel_is_the_same_for_registers_of_any_size(features, width, tmp_p
 import sys
 sys.path.insert(0, {os.path.dirname(__file__)!r})
 import numpy as np
-from plain_tree import plain_motion
-from random_robots import tree
+from kinematics.plain_tree import plain_motion
+from kinematics.random_robots import tree
 from workbench.kinematics import simd_lanes as lanes
 assert lanes.WIDTH == {width}
 rng = np.random.default_rng(1)

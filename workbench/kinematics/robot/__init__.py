@@ -3,7 +3,7 @@
 What is this? `robot` is the entry; `structure` and `joints` describe the mechanism, `trajectories` and
 `recording` its motion in time, `states` and `motion` the result, `peaks` the extremes on a trajectory. When
 do I come here? To add a kind of joint, a source of trajectories or a question to a robot. What may it import?
-algebra, drake, kinematics. What checks it? tests/kinematics/test_robot*.py.
+algebra, drake, kinematics. What checks it? tests/kinematics/robot.
 """
 
 from workbench.kinematics.robot.closed_loops import BallConstraint, ClosedLoops, WeldConstraint

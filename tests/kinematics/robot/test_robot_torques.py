@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from drake_arms import arm_plant
-from points_of_mass import torque_derivatives
-from random_robots import motion, tree
+from kinematics.points_of_mass import torque_derivatives
+from kinematics.random_robots import motion, tree
 
 from workbench.kinematics.robot import Robot
 

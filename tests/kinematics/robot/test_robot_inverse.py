@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from random_robots import motion, tree
+from kinematics.random_robots import motion, tree
 
 from workbench.kinematics.robot import Robot, SingularJacobian, TreeJoint
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from random_chains import close
-from random_robots import motion, tree
+from kinematics.random_chains import close
+from kinematics.random_robots import motion, tree
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.scalars import object_motion
@@ -201,11 +201,11 @@ def test_jax_computes_the_same_and_its_jacobian():
     pytest.importorskip("jax")
     program = f"""
 import sys
-sys.path.insert(0, {str(Path(__file__).parent)!r})
+sys.path.insert(0, {str(Path(__file__).parents[2])!r})
 import jax
 import numpy as np
-from random_chains import close
-from random_robots import tree
+from kinematics.random_chains import close
+from kinematics.random_robots import tree
 from workbench.kinematics.robot import Robot
 jax.config.update("jax_enable_x64", True)
 robot, order = Robot("arm", tree(2, ["revolute", "prismatic", "revolute"]).joints), 2

@@ -4,7 +4,7 @@ import logging
 
 import numpy as np
 import pytest
-from random_robots import NEAR
+from kinematics.random_robots import NEAR
 
 from workbench.drake.plants import load_urdf
 from workbench.kinematics.robot import Robot

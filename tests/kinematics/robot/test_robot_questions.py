@@ -5,7 +5,7 @@ import weakref
 
 import numpy as np
 import pytest
-from random_robots import NEAR, motion, tree
+from kinematics.random_robots import NEAR, motion, tree
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.joints import Limits

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from random_robots import motion, tree
+from kinematics.random_robots import motion, tree
 from test_robot_torques import drakes_torques, floating_plant, hand
 
 from workbench.drake.plants import load_models

@@ -1,7 +1,7 @@
 """Plants of Drake for comparison."""
 
 import numpy as np
-from random_robots import random_pose
+from kinematics.random_robots import random_pose
 
 
 def arm_plant(links=6, seed=0):

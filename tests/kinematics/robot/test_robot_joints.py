@@ -4,8 +4,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from kinematics.taylor_kinematics import derivatives, exact, joint, pose, product, rpy, taylor
 from mpmath import mpf
-from taylor_kinematics import derivatives, exact, joint, pose, product, rpy, taylor
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 

@@ -5,7 +5,7 @@ from math import factorial
 import mpmath
 import numpy as np
 import pytest
-from random_robots import random_pose
+from kinematics.random_robots import random_pose
 
 from workbench.algebra.dual import Dual
 from workbench.kinematics.cylindrical_chains import twist_derivatives_3c

@@ -4,7 +4,7 @@ from math import comb
 
 import numpy as np
 import pytest
-from random_robots import NEAR, motion, series_pose, tree
+from kinematics.random_robots import NEAR, motion, series_pose, tree
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.leibniz import (

@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
-from random_robots import tree
+from kinematics.random_robots import tree
 
 from workbench.kinematics.chain import Joint, SerialChain
 from workbench.kinematics.robot import Robot

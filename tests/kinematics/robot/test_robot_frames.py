@@ -5,8 +5,8 @@ from math import comb
 import numpy as np
 import pytest
 from drake_arms import arm_plant
-from random_chains import close
-from random_robots import NEAR, joint, motion, random_pose, tree
+from kinematics.random_chains import close
+from kinematics.random_robots import NEAR, joint, motion, random_pose, tree
 
 from workbench.kinematics.robot import Robot, SingularJacobian, TreeJoint
 from workbench.kinematics.robot.balls import quaternion_of_rpy, rotation_of_rpy

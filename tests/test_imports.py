@@ -142,8 +142,9 @@ def test_no_file_is_longer_than_400_lines() -> None:
 
 
 def test_no_room_has_more_than_25_files() -> None:
-    sizes = Counter(path.parent for path in ROOT.rglob("*.py"))
-    assert {str(room.relative_to(ROOT)): size for room, size in sizes.items() if size > 25} == {}
+    here = Path(__file__).parent
+    sizes = Counter(path.parent for root in (ROOT, here) for path in root.rglob("*.py"))
+    assert {str(room): size for room, size in sizes.items() if size > 25} == {}
 
 
 def test_each_package_says_what_it_is() -> None:

@@ -3,5 +3,5 @@
 What is this? `pipeline` runs the claims of papers, with the cache and the worker processes; `commands` is the
 command line; `servers` are the editor, the assistant and watching; `api` and `checked` are the Python API.
 When do I come here? To add a command or an option. What may it import? Everything. What checks it?
-tests/test_cli.py, tests/test_commands.py, tests/test_listing.py.
+tests/app/test_cli.py, tests/app/test_commands.py, tests/app/test_listing.py.
 """

@@ -2,7 +2,7 @@
 
 What is this? A pool of processes that can be ended, and a store on disk with a checksum per entry. When do I
 come here? To change the limits of a judgement, or what a cached result depends on. What may it import? core.
-What checks it? tests/test_budget.py, tests/test_memory.py.
+What checks it? tests/app/test_budget.py, tests/app/test_memory.py.
 """
 
 from workbench.runtime.limits import STANDARD, Budget, OutOfBudget

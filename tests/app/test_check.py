@@ -14,7 +14,7 @@ from workbench import check
 from workbench.core.verdict import Outcome
 
 AB = {"a": "vector", "b": "vector"}
-EVERY_VERDICT = Path(__file__).parent / "papers" / "every_verdict.toml"
+EVERY_VERDICT = Path(__file__).parents[1] / "papers" / "every_verdict.toml"
 
 
 @pytest.mark.parametrize(

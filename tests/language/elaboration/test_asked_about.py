@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-
 from language.field_kinds import KINDS, TABLE
+
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex

@@ -17,7 +17,7 @@ from click.testing import CliRunner, Result
 
 from workbench.app.commands.commands import main
 
-PAPERS = Path(__file__).parent / "papers"
+PAPERS = Path(__file__).parents[1] / "papers"
 EVERY_VERDICT = str(PAPERS / "every_verdict.toml")
 IDENTITIES = str(PAPERS / "vector_identities.toml")
 COMMAND = [sys.executable, "-c", "from workbench.app.commands.commands import main; main()"]

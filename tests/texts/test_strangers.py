@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import doubts, told
+from tests.texts.marked_texts import MarkedText, marked_texts
+from tests.texts.written import doubts, told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.paper_errors import PaperError
 from workbench.core.verdict import Outcome
@@ -136,58 +137,10 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
 )  # fmt: skip
 
 
-OPEN = [
-    (r"$$\mathbf{r} \cdot (\mathbf{s} \times \mathbf{r}) = r_1^2$$", "says what r_{1} is"),
-    (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", None),
-    ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says more: \\alpha"),
-    (r"$$x y + x z + y = x$$", "says what z is"),
-    (r"$$x^2 y - x^2 y^2 = 0$$", None),
-    (r"$$\mathbf{r} + x\mathbf{s} + \mathbf{s} = x^2 \mathbf{s}$$", "says what"),
-    (r"$$\widetilde{\mathbf{r}} = \mathbf{s} \mathbf{s}^T$$", "says what"),
-    (r"$$x y + x y^2 = x + y$$", None),
-    (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", "says what"),
-    (r"$$\mathbf{r} \cdot \mathbf{s} = -\mathbf{s} \cdot \mathbf{r}$$", None),
-    ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),
-    (r"$$\mathbf{u} \cdot \mathbf{u} = x y$$", "says what y is"),
-    (r"$$\mathbf{u} \cdot \mathbf{u} = x$$", None),
-    (r"$$\mathbf{w} = \mathbf{s} \times \mathbf{r}$$", r"defines \mathbf{w}"),
-    (r"$$\mathbf{w} + x \mathbf{s} = \mathbf{s}$$", None),
-    (r"$$\mathbf{p}_j = x \mathbf{p}_i + x^2 \mathbf{p}_i$$", r"defines \mathbf{p}_{j}"),
-    (r"$$\mathbf{p}_i \cdot \mathbf{p}_j = x (\mathbf{p}_i \cdot \mathbf{p}_j) + x$$", None),
-    (
-        r"$$x \mathbf{r} + y \mathbf{s} + x y \mathbf{r} \times \mathbf{s} = (1, 2, 3)$$",
-        "says what",
-    ),
-    (r"$$x \mathbf{r} + y \mathbf{s} + x y \mathbf{r} \times \mathbf{s} = \mathbf{0}$$", None),
-    (r"$$\mathbf{r} \cdot \mathbf{r} + x^2 - x \mathbf{r} \cdot \mathbf{r} = 2$$", None),
-]
-DEFINED = (
-    "[definitions]\n"
-    r"'\mathbf{u}' = '\begin{bmatrix} x \\ 0 \\ 1 \end{bmatrix}'"
-    "\n"
-    r"'\mathbf{w}' = '\begin{bmatrix} x \\ y \\ z \end{bmatrix}'"
-    "\n"
-)
-
-
-@pytest.mark.parametrize(("text", "why"), OPEN)
-def test_other_statements_of_the_text_keep_a_falsehood_open(
-    tmp_path: Path, text: str, why: str | None
-) -> None:
-    (tmp_path / "p.md").write_text(text)
-    (tmp_path / "p.toml").write_text(f"{MODEL}{DEFINED}")
-    *_, result = judge_paper(load_paper(tmp_path / "p.toml"), motions=False)
-    assert result.claim.printed.statement is not None
-    verdict = result.verdict
-    assert told(verdict) == "refuted" if why is None else why in doubts(verdict), told(verdict)
-
-
-@pytest.mark.parametrize("text", [text for text, _ in OPEN])
-def test_declared_free_symbols_ignore_the_text(tmp_path: Path, text: str) -> None:
-    (tmp_path / "p.md").write_text(text)
-    (tmp_path / "p.toml").write_text(MODEL.replace('" }', '", free = true }') + DEFINED)
-    result = judge_paper(load_paper(tmp_path / "p.toml"))[-1]
-    assert told(result.verdict) == "refuted"
+@pytest.mark.parametrize("text", list(marked_texts("other_statements")), ids=lambda text: text.name)
+def test_declared_free_symbols_ignore_the_text(tmp_path: Path, text: MarkedText) -> None:
+    model = text.model.replace('" }', '", free = true }')
+    assert told(verdicts(tmp_path, text.text, model)[-1]) == "refuted"
 
 
 SPINNING = {r"\mathbf{r}": "vector", r"\mathbf{s}": "vector", "x": "scalar"}
@@ -248,34 +201,6 @@ COLUMNS = 'source = "p.md"\n[symbols]\n' + "".join(
         "R": "rotation", "f": "scalar",
     }.items()
 )  # fmt: skip
-SKEW = "[notation]\n'[z]' = { where = { z = \"vector\" }, means = '\\operatorname{skew}(z)' }\n"
-
-
-@pytest.mark.parametrize(
-    ("formula", "question"),
-    [
-        (r"R R^T = 1", "one of unit tensors?"),
-        (r"R = f R - 2", "one of unit tensors?"),
-        (r"R R^T = f", None),
-        (r"x = \begin{bmatrix} a & b \end{bmatrix}^T", "below each other?"),
-        (r"y = \begin{bmatrix} a & b \end{bmatrix}^T", None),
-        (r"x = \begin{bmatrix} a & b \end{bmatrix}", None),
-        (r"T \begin{bmatrix} a \\ 1 \end{bmatrix} = b", "a 1 (a point) or a 0 (a direction)"),
-        (r"x = a", None),
-        (r"[V] = \begin{bmatrix} [a] & b \\ 0 & 0 \end{bmatrix}", "of a matrix 6×1 an entry can say it"),
-        (r"a = [R] + b", None),
-    ],
-)
-def test_deliberate_omissions_raise_questions_not_faults(
-    tmp_path: Path, formula: str, question: str | None
-) -> None:
-    (tmp_path / "p.md").write_text(f"$$ {formula} $$")
-    (tmp_path / "p.toml").write_text(COLUMNS + SKEW)
-    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
-    if question is None:
-        assert result.verdict.outcome is Outcome.ILL_FORMED
-    else:
-        assert result.verdict.outcome is Outcome.UNCHECKED and question in result.verdict.reason
 
 
 def test_the_column_of_a_point_says_what_the_point_is(tmp_path: Path) -> None:

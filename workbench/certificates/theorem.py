@@ -28,6 +28,7 @@ from workbench.certificates.reading.compare import faults_of
 from workbench.certificates.values.trial import can_be_certified
 from workbench.core.construct import relation as make_relation
 from workbench.core.integer_expressions import Linear
+from workbench.core.statement_parts import conjuncts
 from workbench.core.terms import (
     Apply,
     Conjunction,
@@ -235,15 +236,12 @@ def _written(
 
 
 def relations(statement: Statement) -> Iterator[Relation]:
-    match statement:
-        case Relation(operator="=" | "≠"):
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from relations(part)
-        case _:
+    """Yields the equations and disequations of a statement. Raises NotCertified for another part of it."""
+    for part in conjuncts(statement):
+        if not isinstance(part, Relation) or part.operator not in ("=", "≠"):
             own = {Relation: "an approximation", Extremum: "a minimum or maximum", Naming: "a set or a map"}
-            raise NotCertified(own.get(type(statement), f"an {type(statement).__name__.lower()}"))
+            raise NotCertified(own.get(type(part), f"an {type(part).__name__.lower()}"))
+        yield part
 
 
 def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:

@@ -11,6 +11,7 @@ from itertools import chain
 from random import Random
 
 from workbench.context.claims import Claim, Formula
+from workbench.core.statement_parts import concluded
 from workbench.core.terms import (
     Apply,
     Conjunction,
@@ -128,14 +129,7 @@ def _unordered(term: Term) -> object:
 
 
 def _relations(statement: Statement) -> Iterator[Relation]:
-    match statement:
-        case Relation():
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from _relations(part)
-        case Implication(right=right):
-            yield from _relations(right)
+    return (part for part in concluded(statement) if isinstance(part, Relation))
 
 
 def _are_same(one: Relation, other: Relation, definitions: Definitions) -> bool:

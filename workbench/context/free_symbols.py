@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from workbench.core.names import Name
+from workbench.core.statement_parts import concluded
 from workbench.core.terms import (
     Apply,
-    Conjunction,
     IllFormed,
-    Implication,
     Relation,
     Statement,
     Symbol,
@@ -40,14 +39,9 @@ def _written(term: Term) -> Iterator[Term]:
 
 def equations_of(statement: Statement) -> Iterator[Relation]:
     """Yields the equations that a statement concludes."""
-    match statement:
-        case Relation(operator="="):
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from equations_of(part)
-        case Implication(right=right):
-            yield from equations_of(right)
+    for part in concluded(statement):
+        if isinstance(part, Relation) and part.operator == "=":
+            yield part
 
 
 def names_in(statement: Statement) -> set[Name]:

@@ -18,6 +18,7 @@ from workbench.core.construct import number, relation, symbol, zero
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.names import Name
+from workbench.core.statement_parts import conjuncts
 from workbench.core.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term
 from workbench.core.types import SCALAR, Declaration
 from workbench.language.definitions import replaced
@@ -55,14 +56,10 @@ def written_out(latex: str, notation: Notation) -> Statement | None:
 
 def _relations(statement: Statement) -> Iterator[Relation]:
     """Yields the equations of a statement. Raises LookupError if it is none."""
-    match statement:
-        case Relation():
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from _relations(part)
-        case _:
+    for part in conjuncts(statement):
+        if not isinstance(part, Relation):
             raise LookupError
+        yield part
 
 
 def _may_be_contracted(equation: Relation, members: Members) -> bool:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from workbench.core.formula_errors import ReadError
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
+from workbench.core.statement_parts import conjuncts
 from workbench.core.terms import Conjunction, Relation, Statement, Term
 from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
@@ -168,11 +169,7 @@ def bound_integers(goal: Goal) -> set[str]:
 
 def equations(statement: Statement) -> Iterator[Relation]:
     """Yields the relations of a chain or a system. Raises GoalError for a statement with ⇒ or ⇔."""
-    match statement:
-        case Relation(operator="=" | "≠"):
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from equations(part)
-        case _:
+    for part in conjuncts(statement):
+        if not isinstance(part, Relation) or part.operator not in ("=", "≠"):
             raise GoalError("expected equations, got an implication or an approximation")
+        yield part

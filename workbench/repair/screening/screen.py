@@ -19,7 +19,8 @@ from flint import nmod, nmod_mat
 
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import Instantiation, instantiate
-from workbench.core.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term, sides_of
+from workbench.core.statement_parts import conjuncts
+from workbench.core.terms import IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import with_parts_of_angles
 from workbench.engines.inventory.assumptions import Assumptions
@@ -288,14 +289,10 @@ def _with_circles(point: RandomPoint, about: Sequence[Statement], definitions: L
 
 def equations_of(statement: Statement) -> Iterator[Relation]:
     """Yields the equations of the statement. Raises NotExact for other statements."""
-    match statement:
-        case Relation(operator="="):
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from equations_of(part)
-        case _:
+    for part in conjuncts(statement):
+        if not isinstance(part, Relation) or part.operator != "=":
             raise NotExact("not an equation")
+        yield part
 
 
 def satisfy(point: RandomPoint, equations: Sequence[Relation], definitions: Lookup) -> None:

@@ -94,6 +94,17 @@ PRINTED_NOTATION = {
     r"\lfloor x \times\rfloor": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
     r"\langle b, c\rangle": {"means": r"\phi"},
 }
+#: Symbols with powers of 1/time.
+WEIGHTS = {
+    r"\omega": {"kind": "vector", "weight": 1},
+    r"\mathbf{v}": {"kind": "vector", "weight": 1},
+    r"\mathbf{S}": {"kind": "tensor", "weight": 1},
+    r"\Phi_n": {"kind": "tensor", "weight": "n"},
+    r"\mathbf{P}_n": {"kind": "operator"},
+    r"\alpha": {"kind": "scalar", "weight": 1},
+    r"\beta": {"kind": "scalar", "weight": 0},
+    r"\underline{\mathbf{a}}": {"kind": "dual vector", "weight": 1},
+}
 VARIABLES = ("n", "k_1")
 
 
@@ -159,6 +170,7 @@ def tables() -> dict[str, SymbolTable]:
         "fewer with quaternions": fewer,
         "powers of values": replace(fewer, conventions=Conventions().relaxed(Relaxation.POWERS_OF_VALUES)),
         "with a place": SymbolTable.build(kinds(FEWER) | kinds(QUATERNIONS) | {"r": TRAITS["r"]}),
+        "weights": SymbolTable.build(WEIGHTS),
         "each kind": SymbolTable.build(kinds(EACH_KIND) | {"e": TRAITS["e"]}),
     } | {str(each): replace(plain, conventions=Conventions().relaxed(each)) for each in LOOSE}
 

@@ -23,11 +23,6 @@ PLAIN = {
     "H": "matrix 4×4",
     "u": "matrix 6×1",
 }
-WITH_QUATERNIONS = PLAIN | {
-    "q": "hamilton quaternion",
-    "p": "hamilton quaternion",
-    r"\underline{q}": "dual hamilton quaternion",
-}
 
 KINDS = {
     r"\lambda": "scalar",

@@ -16,9 +16,6 @@ def outcomes(folder: Path, text: str, model: str) -> list[str]:
     return [str(each.outcome) for each in verdicts(folder, text, model)]
 
 
-POWERS = r"$$ \sin(x)^2 + \cos(x)^2 = 1 $$" "\n\n" r"$$ \sin(2x)^2 = 4\sin(x)^2\cos(x) $$"
-
-
 CHAIN = {
     "md": "$$ a = b + b $$\n$$ = 2 b $$\n\n$$ = 3 b $$\n",
     "tex": r"\begin{document}\[ a = b + b \] \[ = 2 b \]\begin{equation} = 3 b \end{equation}\end{document}",
@@ -167,9 +164,3 @@ def test_a_vector_with_0_above_may_be_declared(tmp_path: Path, formula: str, exp
         "'a_1^0' = 'vector'\n[definitions]\na = 'R a^0'\n"
     )
     assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]
-
-
-PRODUCTS = (
-    r"\begin{bmatrix} 0 \\ a \end{bmatrix} \begin{bmatrix} 0 \\ b \end{bmatrix}",
-    r"\begin{bmatrix} 0 \\ b \end{bmatrix} \begin{bmatrix} 0 \\ a \end{bmatrix}",
-)

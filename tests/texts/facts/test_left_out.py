@@ -10,7 +10,6 @@ from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome, Verdict
 from workbench.papers.load import load_paper
 
-SKEW = r"\operatorname{skew}(v)"
 TURN = r"\begin{bmatrix} c_\theta & -s_\theta \\ s_\theta & c_\theta \end{bmatrix}"
 SQUARES = "q_0^2 + q_1^2 - q_2^2 - q_3^2"
 OF_A_TURN = r"2 s v^T v - (s^2 + v^T v)^2 s = 2 s v^T v - s"

@@ -8,6 +8,7 @@ from dataclasses import fields, replace
 from functools import cache
 from typing import Any
 
+from tests.language.field_kinds import TABLE as FIELD
 from workbench.core.formula_errors import Fault, IllFormedAt, ReadError, SpecError
 from workbench.core.names import Name
 from workbench.core.terms import IllFormed, Naming, Statement, Symbol, Term
@@ -105,6 +106,17 @@ WEIGHTS = {
     r"\beta": {"kind": "scalar", "weight": 0},
     r"\underline{\mathbf{a}}": {"kind": "dual vector", "weight": 1},
 }
+#: What texts print without a word of explanation.
+AUTHORS = """
+x scalar;  y scalar;  z scalar;  \\alpha scalar;  \\beta scalar;  \\Delta t scalar;  \\Delta scalar
+\\Delta\\mathbf{x}_k vector;  \\mathbf{p} tensor;  \\mathbf{q} tensor;  \\mathbf{q}_n vector;  q_{t+1} scalar;  v vector
+w vector;  R rotation;  R_{\\text{3-2-1}} rotation;  v_\\mathcal{B} vector;  {x_D}_0 scalar;  \\vec{v_a}_b vector
+R_{i \\to b} rotation;  R_{b \\to i} rotation;  R_{\\text{3-1-3}} rotation
+"""
+AUTHORS_NOTATION = {
+    sign: {"where": {"a": "vector"}, "means": r"\tilde{a}"}
+    for sign in (r"\lfloor a \rfloor_\times", r"[a \times]", "[a]")
+}
 VARIABLES = ("n", "k_1")
 
 
@@ -171,6 +183,8 @@ def tables() -> dict[str, SymbolTable]:
         "powers of values": replace(fewer, conventions=Conventions().relaxed(Relaxation.POWERS_OF_VALUES)),
         "with a place": SymbolTable.build(kinds(FEWER) | kinds(QUATERNIONS) | {"r": TRAITS["r"]}),
         "weights": SymbolTable.build(WEIGHTS),
+        "field": FIELD,
+        "authors": SymbolTable.build(kinds(AUTHORS)).with_notations(AUTHORS_NOTATION),
         "each kind": SymbolTable.build(kinds(EACH_KIND) | {"e": TRAITS["e"]}),
     } | {str(each): replace(plain, conventions=Conventions().relaxed(each)) for each in LOOSE}
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.language.reading_tables import tables
 from workbench import check
 from workbench.core.formula_errors import ReadError
 from workbench.core.verdict import Outcome
@@ -33,79 +34,7 @@ KINDS = {
     r"R_{b \to i}": "rotation",
     r"R_{\text{3-1-3}}": "rotation",
 }
-TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()}).with_notations(
-    {
-        r"\lfloor a \rfloor_\times": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
-        r"[a \times]": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
-        "[a]": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
-    }
-)
-SAME = [
-    (r"\left[\begin{matrix} x \\ y \\ z \end{matrix}\right]", r"\begin{bmatrix} x \\ y \\ z \end{bmatrix}"),
-    (
-        r"[w] \left[\begin{array}{c} x \\ y \\ z \end{array}\right]",
-        r"\tilde{w} \begin{bmatrix} x \\ y \\ z \end{bmatrix}",
-    ),
-    (r"w \times w \times v", r"w \times (w \times v)"),
-    (r"x w \times w \times y w \times v", r"(x w) \times (w \times ((y w) \times v))"),
-    (r"\mathbf{pq}^T", r"\mathbf{p} (\mathbf{q}^T)"),
-    (r"(\mathbf{pq})^T", r"(\mathbf{p} \mathbf{q})^T"),
-    (r"\Delta t^2", r"(\Delta t)^2"),
-    (r"\dot{\Delta t}", r"\Delta \dot{t}"),
-    (r"\dot{\Delta\mathbf{x}}_1", r"\Delta\dot{\mathbf{x}}_1"),
-    (r"{x (\mathbf{p} \mathbf{q})}^T", r"x (\mathbf{p} \mathbf{q})^T"),
-    (r"{x v}_\mathcal{B}", r"x v_\mathcal{B}"),
-    (r"{\Delta\mathbf{x}}_1", r"\Delta\mathbf{x}_1"),
-    (r"[\Delta\mathbf{x}_1 \times] w", r"\widetilde{\Delta\mathbf{x}_1} w"),
-    (r"[R v \times] w", r"\widetilde{R v} w"),
-    (r"\Delta y", r"(\Delta) (y)"),
-    (r"x/2", r"\frac{x}{2}"),
-    (r"x y/(x + y)", r"\frac{x y}{x + y}"),
-    (r"\sin(x/2)", r"\sin\frac{x}{2}"),
-    (r"y \sin x/\cos\alpha", r"\frac{y \sin x}{\cos\alpha}"),
-    (r"(x, y, z)^T", r"\begin{bmatrix} x \\ y \\ z \end{bmatrix}"),
-    (r"[v^T, w^T]^T", r"\begin{bmatrix} v \\ w \end{bmatrix}"),
-    (r"\lfloor v \rfloor_\times w", r"\tilde{v} w"),
-    (r"[v \times] w", r"\tilde{v} w"),
-    (r"\textrm{so we find: } x + y", "x + y"),
-    (r"[I_{3\times3}] v + \mathbb{I}_{3 \times 3} w", r"\mathbf{I} v + \mathbf{I} w"),
-    (r"[R]_\text{3-2-1} v", "R_{321} v"),
-    (r"{x_D}_0 \vec{v_a}_b", r"x_{D,0} \vec{v}_{a,b}"),
-    (r"R_{i \rightarrow b} v", r"R_{i\to b} v"),
-    (r"R_{\text{3-1-3}}^T (v)_\mathcal{B}", r"R_{313}^T v_{\mathcal{B}}"),
-    (r"\left(\tilde{v}\right)_{\mathcal{B}} [R]_{\text{3-1-3}}^T", r"\tilde{v}_{\mathcal{B}} R_{313}^T"),
-    (r"\sum_{i}^{3} x", r"\sum_{i=1}^{3} x"),
-    (
-        r"\left[\arraycolsep=2pt \begin{array}{c} x \\ y \end{array}\right] \enskip z",
-        r"\begin{bmatrix} x \\ y \end{bmatrix} z",
-    ),
-]
-
-
-@pytest.mark.parametrize(("spelt", "meant"), SAME)
-def test_the_short_form_is_the_long_one(spelt: str, meant: str) -> None:
-    (relation,) = read(f"{spelt} = {meant}", TABLE)
-    assert relation.left == relation.right
-    assert read(to_latex(relation), TABLE) == (relation,)
-
-
-@pytest.mark.parametrize(
-    ("formula", "message"),
-    [
-        (r"x/2y = z", "how far does / reach"),
-        (r"x/y/z = z", "what is divided by what"),
-        (r"v = \pm w", "says either"),
-        (r"x = \pm y \pm z", "says either"),
-        (r"xy = \pm y + \mp z", "says either"),
-        (r"(v, w)^T = v", "columns beside each other"),
-        (r"\lfloor x \rfloor = y", "between brackets"),
-        (r"x \gets y", "an assignment"),
-        (r"x \textrm{so: } = y", "words"),
-    ],
-)
-def test_two_readings_are_refused(formula: str, message: str) -> None:
-    with pytest.raises(ReadError, match=message):
-        read(formula, TABLE)
+TABLE = tables()["authors"]
 
 
 _CASES = r"x = \begin{cases} y & \text{if } z = 0 \\ 2 y & \text{if } z \neq 0 \end{cases}"

@@ -106,6 +106,17 @@ WEIGHTS = {
     r"\beta": {"kind": "scalar", "weight": 0},
     r"\underline{\mathbf{a}}": {"kind": "dual vector", "weight": 1},
 }
+#: The symbols of definitions with powers of 1/time.
+DEFINED = {
+    r"\omega": {"kind": "vector", "weight": 1},
+    r"\mathbf{v}": {"kind": "vector", "weight": 1},
+    r"\mathbf{w}": {"kind": "vector", "weight": 2},
+    r"\mathbf{R}": {"kind": "rotation", "weight": 0},
+    r"\mathbf{c}_n": {"kind": "vector", "weight": "n"},
+    r"x": {"kind": "vector", "weight": 1},
+    r"\mathbf{P}_n": {"kind": "operator", "weight": "n-1"},
+    r"\mathbf{T}": {"kind": "tensor"},
+}
 #: What texts print without a word of explanation.
 AUTHORS = """
 x scalar;  y scalar;  z scalar;  \\alpha scalar;  \\beta scalar;  \\Delta t scalar;  \\Delta scalar
@@ -182,6 +193,7 @@ def tables() -> dict[str, SymbolTable]:
         "fewer with quaternions": fewer,
         "powers of values": replace(fewer, conventions=Conventions().relaxed(Relaxation.POWERS_OF_VALUES)),
         "with a place": SymbolTable.build(kinds(FEWER) | kinds(QUATERNIONS) | {"r": TRAITS["r"]}),
+        "defined": SymbolTable.build(DEFINED),
         "weights": SymbolTable.build(WEIGHTS),
         "field": FIELD,
         "authors": SymbolTable.build(kinds(AUTHORS)).with_notations(AUTHORS_NOTATION),

@@ -126,55 +126,6 @@ def test_the_letter_of_a_symbol_is_a_label_unless_an_index() -> None:
     assert to_latex(read_term("m T_m + T_n", table, ["n"])) == "m T_{m} + T_{n}"
 
 
-BAD_SPECS = [
-    ({"x": {}}, "kind is None; expected scalar | vector"),
-    ({"x": {"kind": "vectr"}}, "kind is 'vectr'"),
-    ({"x": {"kind": "real vector"}}, "kind is 'real vector'"),
-    ({"x": {"kind": 3}}, "kind is 3"),
-    ({"x": "vector"}, "expected a table"),
-    ({"x": {"kind": "vector", "wieght": 1}}, "unknown key 'wieght'; allowed: kind, weight"),
-    ({"x": {"kind": "vector", "weight": "n"}}, "weight is 'n'; expected an integer"),
-    ({"x_n": {"kind": "vector", "weight": "m"}}, "expected an integer or a string linear in n"),
-    ({"x_n": {"kind": "vector", "weight": "n^2"}}, "weight is 'n^2'"),
-    ({"x_n": {"kind": "vector", "weight": ""}}, "weight is ''"),
-    ({"x": {"kind": "vector", "weight": 1.5}}, "weight is 1.5"),
-    ({"x": {"kind": "vector", "weight": True}}, "weight is True"),
-    ({"x": {"kind": "scalar", "unit": True}}, "unit is for a vector"),
-    ({"x": {"kind": "tensor", "coordinate": True}}, "coordinate is for a vector"),
-    ({"x": {"kind": "vector", "constant": "yes"}}, "expected true or false"),
-    ({"x": {"kind": "vector", "aliases": "y"}}, "aliases is 'y'"),
-    ({"x": {"kind": "vector", "aliases": ["x"]}}, "declared twice"),
-    ({"x": {"kind": "vector"}, "y": {"kind": "vector", "aliases": ["x"]}}, "declared twice"),
-    ({"x_n": {"kind": "vector"}, "x_m": {"kind": "vector"}}, "declared twice"),
-    ({"x_n": {"kind": "vector", "aliases": ["y"]}}, "index places"),
-    ({"": {"kind": "vector"}}, "expected one symbol"),
-    ({"a b": {"kind": "vector"}}, "expected one symbol"),
-    ({"a = b": {"kind": "vector"}}, "expected one symbol"),
-    ({r"\dot{x}": {"kind": "vector"}}, "expected one symbol"),
-    ({r"\tilde{\omega}": {"kind": "tensor"}, r"\omega": {"kind": "vector"}}, "the skew tensor of a vector"),
-    (
-        {r"\omega_i": {"kind": "vector"}, r"\tilde{\omega}_i": {"kind": "rotation"}},
-        "the skew tensor of a vector",
-    ),
-    ({"x^T": {"kind": "tensor"}}, "the transpose"),
-    ({"x^2": {"kind": "scalar"}}, "a power"),
-    ({"x^n": {"kind": "scalar"}}, "a power"),
-    ({"{x": {"kind": "scalar"}}, "column 1: { is never closed"),
-    ({r"\foo": {"kind": "scalar"}}, "unknown command"),
-    ({"3": {"kind": "scalar"}}, "expected a letter"),
-    ({r"\det": {"kind": "scalar"}}, "expected a letter"),
-    ({"x!": {"kind": "scalar"}}, "expected"),
-]
-
-
-@pytest.mark.parametrize(("specs", "part"), BAD_SPECS, ids=[str(s)[:40] for s, _ in BAD_SPECS])
-def test_bad_entries(specs: dict, part: str) -> None:
-    with pytest.raises(SpecError) as caught:
-        SymbolTable.build(specs)
-    assert part in str(caught.value)
-    assert caught.value.key in specs
-
-
 TILDES = {
     "x": "vector",
     r"\tilde{x}": "vector",

@@ -59,6 +59,31 @@ def test_consequences_of_an_earlier_law_are_conditional(
     assert failed.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
 
 
+#: A law, and the rate of a momentum that follows from it, with a false form and one that says something new.
+RATES_OF_MOMENTA = [
+    (r"\ddot x + \sin x = 0", r"\dot x", r"-\sin x", r"\sin x", r"F - \sin x"),
+    (r"\ddot x = -k x", r"\dot x", r"-k x", r"k x", r"-c x"),
+    (r"m \ddot x = -k x", r"m \dot x", r"-k x", r"-\frac{k}{m} x", r"-k y"),
+    (r"m \ddot x = -k x - c \dot x", r"m \dot x", r"-k x - c \dot x", r"k x - c \dot x", r"F - c \dot x"),
+    (r"m \ddot x = F", r"m \dot x", r"F", r"m F", r"-k x"),
+]
+
+
+@pytest.mark.parametrize(("law", "momentum", "right", "false", "new"), RATES_OF_MOMENTA)
+def test_a_rate_of_a_defined_symbol_is_a_claim_beside_a_law(
+    tmp_path: Path, law: str, momentum: str, right: str, false: str, new: str
+) -> None:
+    """A warning, since it may be of another motion; one with a new symbol, or without one of the law, is a law."""
+    found = [
+        judged(tmp_path, law, f"\\dot f = {side}", more=f"f = '{momentum}'") for side in (right, false, new)
+    ]
+    assert {told(stated) for stated, _ in found} == {"said"}
+    (_, held), (_, failed), (_, other) = found
+    assert held.outcome is Outcome.CONDITIONAL and "(L1)" in held.reason
+    assert failed.outcome is Outcome.REFUTED and "(L1)" in doubts(failed)
+    assert told(other) == "said"
+
+
 def test_a_law_of_each_rate_is_the_last_one_before(tmp_path: Path) -> None:
     laws = [r"\ddot x = -k x", r"\ddot x = -c x", r"\ddot y = k y"]
     *_, of_the_second, of_the_first, of_both = judged(

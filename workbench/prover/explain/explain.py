@@ -38,7 +38,7 @@ from workbench.prover.explain.family_facts import for_members
 from workbench.prover.explain.field_alternatives import other_convention, with_other_gradient
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
-from workbench.prover.explain.laws_of_motion import is_all_given, is_law
+from workbench.prover.explain.laws_of_motion import is_all_given, is_law, rates_a_definition
 from workbench.prover.explain.other_readings import other_reading
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.runtime.limits import within
@@ -125,10 +125,13 @@ class _Explanation:
         was, own = self.act, self.own
         self._count_again()
         if self.base.outcome is not Outcome.REFUTED:
-            is_claim = self.act is Act.ASSERT and (was is Act.POSTULATE or bool(self._definitions()))
+            rated = rates_a_definition(self.claim, self.known)
+            self.doubts += [f"it is another case than {law}" for law in rated]
+            is_given = was is Act.POSTULATE or bool(self._definitions() or rated)
+            is_claim = self.act is Act.ASSERT and is_given
             if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
-                is_given = was in GIVES
-                return self._said_or_held(was if is_given else Act.POSTULATE, own if is_given else None)
+                gives = was in GIVES
+                return self._said_or_held(was if gives else Act.POSTULATE, own if gives else None)
             self.base = self.against
         if self.act in GIVES:
             return self._said_or_held(self.act, self.own)

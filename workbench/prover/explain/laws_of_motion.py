@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache
 
-from workbench.context.claims import Claim
+from workbench.context.claims import Claim, Formula
 from workbench.context.facts import Fact, Provider
-from workbench.context.free_symbols import free_in, terms_of
+from workbench.context.formula_subject import derived
+from workbench.context.free_symbols import body_of, free_in, terms_of
 from workbench.core.construct import derivative
 from workbench.core.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.engines.inventory import NotExact
@@ -81,6 +82,41 @@ def is_all_given(claim: Claim) -> bool:
     definitions = claim.notation.definitions
     given = [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
     return bool(given) and free_in(sides_of(claim.printed.parsed), definitions) <= free_in(given, definitions)
+
+
+def rates_a_definition(claim: Claim, known: Sequence[Fact]) -> list[Fact]:
+    """Returns the laws from which a rate of a defined symbol follows, if the claim gives one; else [].
+
+    With p = ẋ, ṗ = k x is no law beside ẍ = -k x. It may be one of a case if it lacks a moving symbol of the
+    laws.
+    """
+    said, definitions = claim.printed.statement, claim.notation.definitions
+    laws = [fact for fact in known if fact.origin.provider is Provider.LAW]
+    if (
+        not laws
+        or not isinstance(said, Relation)
+        or not any(_is_named_rate(s, definitions) for s in sides_of(said))
+    ):
+        return []
+    own = free_in(sides_of(said), definitions)
+    equations = [law.content for law in laws if isinstance(law.content, Relation)]
+    spoken = free_in((side for each in equations for side in sides_of(each)), definitions)
+    return laws if own <= spoken and all(each.constant for each in spoken - own) else []
+
+
+def under_its_laws(claim: Claim) -> Claim:
+    """Returns a claim on the rate of a defined symbol with the laws given from which the rate follows."""
+    if not isinstance(claim.printed.statement, Relation):
+        return claim
+    laws = rates_a_definition(claim, laws_of(claim)[:1])
+    given = tuple(Formula(law.origin.text, law.content) for law in laws if isinstance(law.content, Relation))
+    return claim.with_context(given=(*claim.context.given, *given)) if given else claim
+
+
+def _is_named_rate(side: Term, definitions: Definitions) -> bool:
+    """True for a rate of a symbol that a definition gives, as ṗ for p = ẋ."""
+    own, order = derived(side)
+    return own is not None and order > 0 and body_of(own, definitions) is not None
 
 
 def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:

@@ -21,6 +21,7 @@ from workbench.engines.inventory import NotExact
 from workbench.language.printing.author_spelling import printed_for
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.decide import Judge
+from workbench.prover.explain.laws_of_motion import under_its_laws
 from workbench.repair.propose.candidate_judge import judging
 from workbench.repair.propose.chain_neighbours import ALONE, Neighbours
 from workbench.repair.propose.fitting import FITS, fitting, says_what
@@ -57,6 +58,7 @@ def repair(
 
     beside: the neighbouring steps in its chain; proposals that agree with them are preferred.
     """
+    claim = under_its_laws(claim)
     judge = judge or Judge(claim.notation.definitions)
     found = Repair(claim)
     bench = _Bench(claim, judge, limits, found, progress, beside)

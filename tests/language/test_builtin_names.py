@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from contextlib import nullcontext
 
 import pytest
 
@@ -66,6 +67,14 @@ def test_a_name_with_a_meaning_is_neither_declared_nor_defined(name: str) -> Non
                 SymbolTable.build({**entries, "u": {"kind": "dual vector"}})
     with pytest.raises(SpecError, match=meaning):
         read_definition(name, r"2 \alpha", table())
+
+
+@pytest.mark.parametrize("name", [r"\varepsilon", r"\mathbf{I}", r"\mathbf{D}"])
+def test_a_declaration_replaces_a_name_that_only_dual_papers_use(name: str) -> None:
+    term = read_term(rf"{name} x", table(**{name: SCALAR}))
+    assert str(term.type) == "vector" and not any(isinstance(part, RESERVED[name][1]) for part in term.walk())
+    with pytest.raises(SpecError, match=RESERVED[name][0]) if name != r"\mathbf{I}" else nullcontext():
+        table(**{name: SCALAR, "P": {"kind": "dual operator"}})
 
 
 def test_a_letter_in_another_font_or_with_an_index_is_free() -> None:

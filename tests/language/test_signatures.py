@@ -159,7 +159,7 @@ def two(head: str, left: str, right: str) -> Type | None:
             return KINDS["s"] if left == right == "s" else None
         case "kronecker":
             rows, columns = (SIZES.get(left, (0, 0))[i] * SIZES.get(right, (0, 0))[i] for i in (0, 1))
-            return Type(rows, columns) if {left, right} <= set(MATRICES) else None
+            return Type(rows, columns) if {left, right} <= {*MATRICES, "c"} else None
     if left == "s" and right in "tcrhw":
         return KINDS[right]
     is_by_column = right in "vf" and left in "svf"

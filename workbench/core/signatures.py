@@ -229,11 +229,12 @@ def transpose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 _MATRICES = {"tensor", "matrix"}
+_KRONECKER = {*_MATRICES, "covector"}
 
 
 def kronecker(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """Returns the type and weight of A ⊗ B, the block matrix of the A_ij B, for two matrices."""
-    _expect(arguments, _MATRICES, _MATRICES)
+    """Returns the type and weight of A ⊗ B, the block matrix of the A_ij B, for two matrices or rows."""
+    _expect(arguments, _KRONECKER, _KRONECKER)
     left, right = (a.type for a in arguments)
     if any(filling(a) is not None for a in arguments):
         raise Unsupported(TypeCode.KRONECKER_OF_UNIT())

@@ -30,6 +30,9 @@ LAWS = [
     (r"(\operatorname{vec} A)^T \operatorname{vec} B = %s", r"\operatorname{tr}(A^T B)", r"\operatorname{tr}(A B)"),
     (r"\frac{d}{dt} (A \otimes M) = %s", r"\dot{A} \otimes M + A \otimes \dot{M}", r"\dot{A} \otimes \dot{M}"),
     (r"\mathbf{I}_2 \otimes x^T = %s", r"\begin{bmatrix} x^T & 0 \\ 0 & x^T \end{bmatrix}", r"\begin{bmatrix} x^T & x^T \\ 0 & x^T \end{bmatrix}"),
+    (r"(\mathbf{I}_3 \otimes v^T) \operatorname{vec} T = %s", r"T^T v", r"T v"),
+    (r"(R^T R \otimes (R^T v)^T) \operatorname{vec} (T R T) = %s", r"(T R T)^T R^T v", r"(T R T) R^T v"),
+    (r"(v^T \otimes \mathbf{I}_3) \operatorname{vec} T = %s", r"T v", r"T^T v"),
     (r"\operatorname{vec} M = %s", r"\operatorname{vec}(2 M) - \operatorname{vec} M", r"\operatorname{vec}(2 M)"),
 ]  # fmt: skip
 

@@ -117,11 +117,16 @@ def _of_tensors(scope: Scope, at: int, head: Head, left: Term, right: Term) -> T
         raise Fault(SyntaxCode.CROSS_OF(type=left.type, type_2=right.type), at)
     if head == "compose" and not {"operator", "tensor"} & set(kinds):
         raise Fault(SyntaxCode.COMPOSITION_OF(type=left.type, type_2=right.type), at)
-    if head == "outer" and set(kinds) <= {"tensor", "matrix"} and not scope.table.has_quaternions:
+    if head == "outer" and _is_kronecker(set(kinds)) and not scope.table.has_quaternions:
         head = "kronecker"
     if head == "outer" and (left.type.is_square or right.type.is_square) and "scalar" not in kinds:
         raise Fault(SyntaxCode.DYAD_OF(type=left.type, type_2=right.type), at)
     return scope.apply(at, head, left, right)
+
+
+def _is_kronecker(kinds: set[str]) -> bool:
+    """True for ⊗ between matrices, or between a matrix and a row: a tensor and a vector may have order 3."""
+    return kinds <= {"tensor", "matrix", "covector"} and kinds != {"covector"}
 
 
 def _last(product: Term) -> Term | None:

@@ -47,13 +47,14 @@ _FLAGS = flag_names()
 _ALLOWED = key_names("symbol")
 
 #: Names with a meaning in every formula. A declaration may replace the unit tensor's, and also the dual
-#: unit's if no symbol is dual.
+#: unit's and that of d/dt if no symbol is dual or an operator.
 UNIT, DUAL_UNIT = Name("I", ("\\mathbf",)), Name("\\varepsilon")
+TIME_OPERATOR = Name("D", ("\\mathbf",))
 BUILTIN = {
     DUAL_UNIT: "the dual unit",
     UNIT: "the unit tensor",
     Name("I", ("\\underline", "\\mathbf")): "the unit tensor",
-    Name("D", ("\\mathbf",)): "the operator d/dt",
+    TIME_OPERATOR: "the operator d/dt",
     Name("\\partial"): "the sign of a partial derivative",
     Name("\\nabla"): "the sign of a gradient",
 }

@@ -23,6 +23,7 @@ from workbench.core.types import CLOCK, Declaration
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import (
     DUAL_UNIT,
+    TIME_OPERATOR,
     UNIT,
     aliases,
     arguments_of,
@@ -78,9 +79,7 @@ class SymbolTable:
         """
         symbols: dict[Name, Declaration] = {}
         functions: dict[Name, Sequence[str]] = {}
-        kinds = (spec.get("kind") for spec in specs.values() if isinstance(spec, Mapping))
-        has_duals = any(str(kind).startswith("dual") for kind in kinds)
-        own = {UNIT} if has_duals else {UNIT, DUAL_UNIT}
+        own = {UNIT} if _has_duals(specs.values()) else {UNIT, DUAL_UNIT, TIME_OPERATOR}
         letters = INDEX_LETTERS.intersection((*specs, *labels))
         for key, spec in specs.items():
             name, index = read_key(key)
@@ -309,6 +308,12 @@ def _is_labelled(name: Name, keys: Iterable[str]) -> bool:
     base = replace(name, sup=())
     known = [read_key(key)[0] for key in keys]
     return not any(each == base or each.index_of(base) is not None for each in known)
+
+
+def _has_duals(specs: Iterable[object]) -> bool:
+    """True if a declared kind is dual, or an operator."""
+    kinds = (str(spec.get("kind")) for spec in specs if isinstance(spec, Mapping))
+    return any(kind.startswith(("dual", "operator")) for kind in kinds)
 
 
 def _unindexed(spec: Mapping[str, Any]) -> dict[str, Any]:

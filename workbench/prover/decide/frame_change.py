@@ -188,7 +188,7 @@ class _Frame:
 
 
 def _product(word: Word, like: Term) -> Term:
-    """Returns the product of the letters; for an empty word the unit tensor of the type of `like`."""
+    """Returns the product of the letters; for an empty word the unit tensor of the size of `like`."""
     if not word:
-        return identity(like.type)
+        return identity(like.type, printed=str(like.type.rows))
     return fold(lambda a, b: apply("mul", a, b), word)

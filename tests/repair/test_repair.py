@@ -139,7 +139,7 @@ def test_a_point_is_put_on_the_supposed_equations(paper):
 
 
 def test_a_residue_ring_divides():
-    from workbench.repair.screening.screen import FlintResidueRing
+    from workbench.repair.screening.random_points import FlintResidueRing
 
     ring = FlintResidueRing()
     third = ring.constant(1, 3)

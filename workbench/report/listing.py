@@ -9,10 +9,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from workbench.core.code_labels import suffix
+from workbench.core.codes.context_codes import ContextCode
 from workbench.core.spans import Span
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
+from workbench.prover.results.proposed_form import Proposed
 from workbench.report.anchors import display_name
 from workbench.report.counterexamples import Against, told
 from workbench.report.erratum.equation_groups import states_of
@@ -207,7 +209,7 @@ def _items(results: Sequence[ClaimResult]) -> Iterator[Item]:
             grade=result.shown,
             name=display_name(result.claim),
             span=place_of(result),
-            what=proposed.edit if proposed else _what(result),
+            what=_what_to_do(result, proposed),
             edits=own,
             proposal=proposed.latex if proposed and not own else "",
             proved=proposed is not None and proposed.verdict is Outcome.PROVED,
@@ -220,6 +222,14 @@ def _items(results: Sequence[ClaimResult]) -> Iterator[Item]:
             item = replace(item, span=replace(item.span, line=own[0].span.line))
         found.append(item)
         yield item
+
+
+def _what_to_do(result: ClaimResult, proposed: Proposed | None) -> str:
+    """Returns the correction, after a reason that it does not show: a lost property."""
+    if proposed is None:
+        return _what(result)
+    is_lost = result.verdict.code is ContextCode.LACKS_PROPERTY
+    return f"{_what(result)}; perhaps {proposed.edit}" if is_lost else proposed.edit
 
 
 def _what(result: ClaimResult) -> str:

@@ -13,6 +13,7 @@ from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.prover.results.proposed_form import Proposed
 from workbench.repair.author_edits import with_author_edits
 from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of
+from workbench.repair.propose.lost_property import property_stated_of
 from workbench.repair.propose.parallel_repairs import repair_claims
 from workbench.repair.propose.proposal import Repair
 from workbench.repair.propose.search_limits import STANDARD, Limits
@@ -78,5 +79,6 @@ def asks_for_proposals(result: ClaimResult, beside_right: bool = True) -> bool:
     """True if another form of the printed one is searched. beside_right: also beside a proved right form."""
     is_right = any(form and form.outcome in HOLDS for form in (result.corrected, result.reading))
     is_false = result.verdict.outcome in _TO_REPAIR and result.claim.proof.theorem is None
-    is_false = is_false and result.verdict.code is not ContextCode.LACKS_PROPERTY  # the equation defines
+    if result.verdict.code is ContextCode.LACKS_PROPERTY:  # the equation defines
+        is_false = is_false and property_stated_of(result.claim) is not None
     return is_false and not result.known and (beside_right or not is_right)

@@ -55,7 +55,7 @@ def _against(
     if sum(each.type.rows * each.type.columns for each in numbers) > _MOST_NUMBERS:
         return None
     with suppress(IllFormed):
-        statement = PROPERTIES[name].statement_of(_turned(value))
+        statement = stated_property(name, value)
         alone = _claim_of(claim, statement)
         base = judged_alone(alone, judge_of)
         found = explained(alone, base) if base.outcome is Outcome.REFUTED else base
@@ -64,7 +64,12 @@ def _against(
     return None
 
 
-def _turned(value: Term) -> Term:
+def stated_property(name: str, value: Term) -> Statement:
+    """Returns the statement that a value, or the rotation in it, has the property. Raises IllFormed."""
+    return PROPERTIES[name].statement_of(turned(value))
+
+
+def turned(value: Term) -> Term:
     """Returns the rotation in a matrix: the first three rows and columns of 4×4 numbers, else all of it."""
     if isinstance(value, Block) and (value.type.rows, value.type.columns) == (4, 4):
         cells = value.entries

@@ -25,6 +25,12 @@ from workbench.prover.explain.laws_of_motion import under_its_laws
 from workbench.repair.propose.candidate_judge import judging
 from workbench.repair.propose.chain_neighbours import ALONE, Neighbours
 from workbench.repair.propose.fitting import FITS, fitting, says_what
+from workbench.repair.propose.lost_property import (
+    HAS_PROPERTY,
+    other_values,
+    property_stated_of,
+    under_guesses,
+)
 from workbench.repair.propose.proposal import Proposal, Repair
 from workbench.repair.propose.search_limits import STANDARD, Limits
 from workbench.repair.propose.symbols_like import symbols_like
@@ -61,15 +67,19 @@ def repair(
     claim = under_its_laws(claim)
     judge = judge or Judge(claim.notation.definitions)
     found = Repair(claim)
-    bench = _Bench(claim, judge, limits, found, progress, beside)
     start = monotonic()
-    try:
-        with printed_for(claim.notation.author_notation):
-            bench.run()
-    except (KeyboardInterrupt, _LimitReached) as cut:
-        found.complete, found.interrupted = False, isinstance(cut, KeyboardInterrupt)
-    finally:
-        bench.aside.close()
+    for supposing, most_signs in under_guesses(claim):
+        bench = _Bench(supposing, judge, limits, found, progress, beside)
+        bench.most_signs, bench.end = most_signs, start + limits.seconds
+        try:
+            with printed_for(claim.notation.author_notation):
+                bench.run()
+        except (KeyboardInterrupt, _LimitReached) as cut:
+            found.complete, found.interrupted = False, isinstance(cut, KeyboardInterrupt)
+        finally:
+            bench.aside.close()
+        if found.proposals or not found.complete:
+            break
     found.seconds = monotonic() - start
     return found
 
@@ -103,6 +113,7 @@ class _Bench:
         self.printed_size = None if printed is None else _size(printed)
         self.like_terms = None if printed is None else like_terms(printed)
         self.table = claim.notation.symbols
+        self.of_value, self.most_signs = property_stated_of(claim), 1
         self.aside = judging(claim, judge)
 
     def run(self) -> None:
@@ -115,6 +126,8 @@ class _Bench:
         if printed is not None and (parts := membership(self.claim.printed.latex)) is not None:
             notation, orders = self.claim.notation, self.claim.orders
             self._offer(other_members(parts, notation, orders, self.screen, self._tick))
+        elif printed is not None and self.of_value is not None:
+            self._repair_value(printed, self.of_value)
         elif printed is not None:
             if not self._offer(other_signs(printed)):
                 self._repair_false([Candidate(printed, ())])
@@ -158,15 +171,32 @@ class _Bench:
         else:
             self._repair_false(likeliest)
 
+    def _repair_value(self, printed: Statement, of_value: Callable[[Statement], Statement]) -> None:
+        """Searches values with the property that the text states, and suggests them."""
+        stages = (
+            ()
+            if self.screen is None
+            else other_values(printed, of_value, self.screen, self.most_signs, self._tick)
+        )
+        for stage in stages:
+            for candidate in sorted(islice(stage, self.limits.judged), key=self._rank):
+                verdict = self._verdict(of_value(candidate.statement))
+                if verdict is not None and verdict.outcome in _PROVED:
+                    enough = self._suggest(candidate, HAS_PROPERTY)
+                    if enough:
+                        return
+            if self.found.proposals:
+                return
+
     def _is_met(self, candidate: Candidate) -> bool:
         self._tick()
         return not is_vacuous(candidate.statement)
 
-    def _suggest(self, candidate: Candidate) -> bool:
-        """Proposes a well-typed form that cannot be tested further, and returns whether enough are found."""
+    def _suggest(self, candidate: Candidate, verdict: Verdict = FITS) -> bool:
+        """Proposes a form that cannot be tested further, and returns whether enough are found."""
         proposals = self.found.proposals
         if not any(self.sameness.same(known, candidate.statement) for known in self.proved):
-            proposals.append(Proposal(self._latex(candidate), candidate.changes, FITS))
+            proposals.append(Proposal(self._latex(candidate), candidate.changes, verdict))
             self.proved.append(candidate.statement)
         return len(proposals) >= self.limits.proposals
 

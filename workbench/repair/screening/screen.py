@@ -12,10 +12,7 @@ cached, so that only the changed subterms are computed.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from random import Random
 from typing import Any
-
-from flint import nmod, nmod_mat
 
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import Instantiation, instantiate
@@ -25,70 +22,14 @@ from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import with_parts_of_angles
 from workbench.engines.inventory.assumptions import Assumptions
 from workbench.engines.inventory.inventory import take_inventory
-from workbench.engines.inventory.parameters import SPHERES, Parameter
-from workbench.engines.jet.jets import JetEngine
-from workbench.engines.jet.rings import PRIME, PointSource
-from workbench.language.printing.printer import to_latex
+from workbench.engines.inventory.parameters import Parameter
+from workbench.engines.jet.rings import PointSource
+from workbench.repair.screening.random_points import FlintResidueRing, RandomPoint
 from workbench.repair.screening.sharing_engine import SharingEngine
+from workbench.repair.screening.supposed_points import satisfy
 
 #: The most points tried to find one where the roots of the printed statement exist.
 _TRIED_POINTS = 16
-
-
-class FlintResidueRing:
-    """The integers modulo PRIME in FLINT. It only screens, so it need not be independent of the first
-    engine."""
-
-    def __init__(self) -> None:
-        self.took_roots = False
-
-    def constant(self, numerator: int, denominator: int) -> nmod:
-        return nmod(numerator, PRIME) / nmod(denominator, PRIME)
-
-    def divide(self, a: nmod, b: nmod) -> nmod:
-        if not b:
-            raise ZeroDivisionError("division by zero modulo the prime")
-        return nmod(int(a), PRIME) / b
-
-    def root(self, square: nmod) -> nmod:
-        """Returns one of the two roots, always the same.
-
-        The other root would serve equally in identities that hold for either sign of norms; the judge rejects
-        others.
-        """
-        self.took_roots = True
-        root = square ** ((PRIME + 1) // 4)
-        if root * root != square:
-            raise ZeroDivisionError("no root modulo the prime at this point")
-        return root
-
-
-class RandomPoint(dict):
-    """A point with a random value for each parameter, drawn at first use."""
-
-    def __init__(self, seed: int) -> None:
-        super().__init__()
-        self._seed = seed
-
-    def __missing__(self, parameter: Parameter) -> nmod:
-        symbol = parameter.symbol
-        place = to_latex(symbol)  # the angle of a circle may also be a product or a norm
-        if isinstance(symbol, Symbol):
-            place = f"{symbol.declaration.name} {symbol.index} {symbol.arguments or ''}"
-        key = f"{self._seed} {place} {parameter.part}"
-        if parameter.part in SPHERES:
-            self._put_on_sphere(parameter, Random(key))
-        else:
-            place = f"{key} {parameter.order} {parameter.component}"
-            self[parameter] = nmod(Random(place).randrange(1, PRIME), PRIME)
-        return self[parameter]
-
-    def _put_on_sphere(self, parameter: Parameter, random: Random) -> None:
-        """Sets a random point on a sphere by stereographic projection."""
-        slopes = [nmod(random.randrange(1, PRIME), PRIME) for _ in range(SPHERES[parameter.part] - 1)]
-        square = sum((t * t for t in slopes), start=nmod(0, PRIME))
-        for index, x in enumerate([1 - square, *(t + t for t in slopes)]):
-            self[Parameter(parameter.symbol, parameter.part, 0, index)] = x / (1 + square)
 
 
 class ScreenPoint:
@@ -173,8 +114,8 @@ class ScreenPoint:
 class Screen:
     """The points at which candidates for one statement are tested.
 
-    Assumed equations are satisfied by solving them for a free symbol in which they are linear. Raises
-    NotExact if there is none.
+    Assumed equations are satisfied by solving them for a free symbol in which they are linear, or else
+    quadratic. Raises NotExact if there is none.
 
     instances: assignments of the integer variables.
     assume: the assumptions of the claim.
@@ -211,7 +152,8 @@ class Screen:
         supposed = Assumptions([instantiate(a, values) if values else a for a in self._assume])
         about = instantiate(self._about, values) if self._about is not None and values else self._about
         known = _with_circles(point, (*supposed.relations, *([] if about is None else [about])), definitions)
-        satisfy(point, supposed.equations, known)
+        if satisfy(point, supposed.equations, known):
+            self._ring.took_roots = True
         return ScreenPoint(values, SharingEngine(PointSource(self._ring, point), known))
 
     @property
@@ -293,52 +235,3 @@ def equations_of(statement: Statement) -> Iterator[Relation]:
         if not isinstance(part, Relation) or part.operator != "=":
             raise NotExact("not an equation")
         yield part
-
-
-def satisfy(point: RandomPoint, equations: Sequence[Relation], definitions: Lookup) -> None:
-    """Changes the point so that the equations hold there. Raises NotExact if this fails."""
-    solved: set[tuple[Symbol, str, int]] = set()
-    for equation in equations:
-        _differences(point, equation, definitions)  # adds all parameters of the equation to the point
-        groups = dict.fromkeys((p.symbol, p.part, p.order) for p in point if p.part not in SPHERES)
-        for group in reversed(groups):
-            if group not in solved and _solve(point, equation, definitions, group):
-                solved.add(group)
-                break
-        else:
-            raise NotExact("no symbol in which the supposed equation is linear")
-    if any(any(_differences(point, e, definitions)) for e in equations):
-        raise NotExact("the supposed equations depend on one another")
-
-
-def _solve(
-    point: RandomPoint, equation: Relation, definitions: Lookup, group: tuple[Symbol, str, int]
-) -> bool:
-    """Solves an equation for the components of one derivative of one symbol if it is linear in them, and
-    returns whether that succeeded."""
-    parameters = [p for p in point if (p.symbol, p.part, p.order) == group]
-    before = dict(point)
-
-    def at(values: Sequence[int]) -> list[nmod]:
-        point.update({p: nmod(v, PRIME) for p, v in zip(parameters, values, strict=True)})
-        return _differences(point, equation, definitions)
-
-    size = len(parameters)
-    start = at([0] * size)
-    units = [[int(i == j) for j in range(size)] for i in range(size)]
-    columns = [[x - y for x, y in zip(at(unit), start, strict=True)] for unit in units]
-    matrix = nmod_mat(len(start), size, [int(c[i]) for i in range(len(start)) for c in columns], PRIME)
-    if len(start) == size and matrix.rank() == size:
-        target = nmod_mat(size, 1, [int(-x) for x in start], PRIME)
-        if not any(at([int(x) for x in matrix.solve(target).entries()])):
-            return True
-    point.update(before)
-    return False
-
-
-def _differences(point: RandomPoint, equation: Relation, definitions: Lookup) -> list[nmod]:
-    engine = JetEngine(PointSource(FlintResidueRing(), point), definitions)
-    try:
-        return engine.differences(equation.left, equation.right)
-    except ZeroDivisionError:
-        raise NotExact("a denominator vanishes in a supposed equation") from None

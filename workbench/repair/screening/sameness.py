@@ -9,7 +9,7 @@ Chains, equivalences and implications are compared part by part.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from workbench.context.claims import Claim
@@ -97,7 +97,9 @@ class Sameness:
         sides = [value for value in values if value is not None]
         if len(sides) < len(values) or not any(sides[0]):
             return False
-        if self._is_constant(one.left, sides[0]) and _symbols(one) != _symbols(other):
+        if self._is_constant(one.left, sides[0]) and (
+            _symbols(one) != _symbols(other) or self._are_numbers(_symbols(one))
+        ):
             return False
         factors = {factor_between(sides[0], sides[2]), factor_between(sides[1], sides[3])}
         crossed = {factor_between(sides[0], sides[3]), factor_between(sides[1], sides[2])}
@@ -106,6 +108,15 @@ class Sameness:
     def _is_constant(self, side: Term, components: Vector) -> bool:
         """True if the side has this value at all points, as both sides of R Rᵀ = I have."""
         return self._elsewhere is not None and self._elsewhere.components(side, side) == components
+
+    def _are_numbers(self, symbols: Iterable[Symbol]) -> bool:
+        """True if the definitions give the values of the symbols, as those of the units i, j, k."""
+        assert self._as_supposed is not None
+        for each in symbols:
+            found = self._as_supposed.components(each, each)
+            if found is None or not self._is_constant(each, found):
+                return False
+        return True
 
     def _rearranged(self, one: Relation, other: Relation) -> bool:
         # a free symbol does not depend on the coordinate, so its div and curl would be 0

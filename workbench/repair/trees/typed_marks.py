@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import permutations
+from itertools import pairwise, permutations
 
 from workbench.language.elaboration.superscripts import is_transpose
 from workbench.language.grammar.latex_forms import latex_of
@@ -24,6 +24,7 @@ from workbench.language.grammar.syntax import (
     Sum,
     core,
     in_a_row,
+    is_left_script,
 )
 from workbench.repair.trees.lost_marks import Mark
 from workbench.repair.trees.tree_nodes import below
@@ -40,6 +41,7 @@ def type_marks(lines: Lines) -> Iterator[Mark]:
     for part in parts:
         if isinstance(part, Product):
             yield from _moved_transposes(part)
+            yield from _exchanged_factors(part)
     for part in parts:
         if isinstance(part, Sum):
             yield from _products_for_sums(part)
@@ -101,6 +103,20 @@ def _moved_transposes(product: Product) -> Iterator[Mark]:
         changed[one], changed[other] = first, second
         said = f"move the transpose of ${latex_of(items[one])}$ to ${latex_of(items[other])}$"
         yield Mark(product, Product(product.at, tuple(changed)), 1, "transpose", said)
+
+
+def _exchanged_factors(product: Product) -> Iterator[Mark]:
+    """Yields x A as A x, also with a sign between the factors."""
+    items = product.items
+    at = [index for index, item in enumerate(items) if not isinstance(item, Infix)]
+    for one, other in pairwise(at):
+        first, second = items[one], items[other]
+        if not (_is_factor(first) and _is_factor(second)) or any(map(is_left_script, (first, second))):
+            continue
+        changed = list(items)
+        changed[one], changed[other] = second, first
+        said = f"${latex_of(first)}$ and ${latex_of(second)}$ change places"
+        yield Mark(product, Product(product.at, tuple(changed)), 1, "swap", said)
 
 
 def _transposes(part: Node) -> Iterator[Mark]:

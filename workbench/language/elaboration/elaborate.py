@@ -16,6 +16,7 @@ from workbench.language.elaboration.empty_cells import entries_of
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.operators.nablas import as_del
 from workbench.language.elaboration.products import product
+from workbench.language.elaboration.signed_factors import with_signed_factors
 from workbench.language.elaboration.spelled import refuse_row_of_vectors
 from workbench.language.grammar.syntax import (
     Accented,
@@ -118,7 +119,7 @@ class Elaborator(Scope):
     def sum(self, node: Sum) -> Term:
         addends: list[Term] = []
         places: list[int] = []
-        for sign, at, addend in node.addends:
+        for sign, at, addend in with_signed_factors(self, node.addends):
             term = self.term(addend)
             if sign == "-":
                 is_bare = not isinstance(addend, Bracket | Group)

@@ -16,7 +16,7 @@ from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Chain, Lines
 from workbench.repair.propose.chain_neighbours import Neighbours
 from workbench.repair.terms.changes import Candidate, Change
-from workbench.repair.trees.lost_marks import Mark, marked_lines
+from workbench.repair.trees.lost_marks import Mark, letter_marks, marked_lines
 from workbench.repair.trees.typed_marks import stray_relations, type_marks
 
 #: The verdict on a well-typed form that gives the value of a free symbol, and so cannot be tested further.
@@ -35,6 +35,10 @@ def fitting(claim: Claim, beside: Neighbours) -> Iterator[Candidate]:
             yield from _read(claim, mark, joined)
     for mark in type_marks(lines):
         yield from _read(claim, mark, lines)
+    for alternatives in letter_marks(lines, claim.notation.symbols):
+        for mark in alternatives:
+            if mark.kind == "mark":  # the letter in another font, or without an arrow
+                yield from _read(claim, mark, lines)
 
 
 def _chains(lines: Lines, beside: Neighbours) -> Iterator[tuple[Lines, Chain]]:

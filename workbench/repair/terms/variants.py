@@ -313,10 +313,12 @@ def _marks_added(term: Term) -> Iterator[Variant]:
         yield "mark", ("put a star on {}", term), partial(apply, "conjugate", term)
     if term.type.kind == "vector":
         yield "tilde", ("put a tilde over {}", term), partial(apply, "skew", term)
-    if term.type.kind != "tensor":
+    if term.type.kind not in ("tensor", "matrix"):
         return
     if not (isinstance(term, Apply) and term.head == "transpose"):
         yield "transpose", ("transpose {}", term), partial(apply, "transpose", term)
+    if term.type.kind == "matrix":
+        return
     match term:
         case Apply(head="mul", arguments=(left, Apply(head="skew", arguments=(x,)))):
             said = ("move the tilde from {} over the product {}", x, term)

@@ -57,6 +57,10 @@ def test_wrong_entries_are_mended_together(
     ("printed", "corrected"),
     [
         (r"(a + b)^2 - (a - b)^2 = 4 a", r"4 b a"),
+        (
+            r"\frac{b c}{a} - \frac{b}{a} + 1 + \frac{c}{a} = \frac{b c}{a} + (a + c - b)",
+            r"\frac{a + c - b}{a}",
+        ),
         (r"\cos 2\theta = 1 - 2 \sin\theta", r"\left(\sin \theta\right)^{2}"),
     ],
 )

@@ -1,7 +1,7 @@
 """Search for a scalar factor that is missing from an addend or must replace another one.
 
 Random points determine the ratio by which one addend must change so that the equation holds. The factors are
-looked up by their values there: scalars of the statement, 1 ± x, products and quotients of two.
+looked up by their values there: scalars x of the statement, 1 ± x, 1/x, products and quotients of two.
 """
 
 from __future__ import annotations
@@ -40,6 +40,8 @@ class _Table:
     def with_pairs(self) -> None:
         singles = list(self.terms.items())
         inverses = [(tuple(pow(x, -1, PRIME) for x in values), term) for values, term in singles]
+        for values, term in inverses:
+            self.terms.setdefault(values, apply("div", number(1), term))
         ways: tuple[tuple[Head, list[tuple[Vector, Term]]], ...] = (("mul", singles), ("div", inverses))
         for head, factors in ways:
             for one, left in singles:
@@ -64,7 +66,7 @@ def other_factors(relation: Relation, screen: Screen, replacements: Sequence[Ter
         goal = None if isinstance(side, Zero) else screen.components(other, side)
         if goal is None:
             continue
-        for chosen in chain([((),)], addend_places(side)):
+        for chosen in dict.fromkeys(chain([((),)], _whole_addends(side), addend_places(side))):
             columns = contributions(side, chosen, screen)
             if columns is None or len(columns[0]) != len(goal):
                 continue
@@ -74,6 +76,12 @@ def other_factors(relation: Relation, screen: Screen, replacements: Sequence[Ter
                     continue
                 table = table or _table(relation, screen, replacements)
                 yield from _changed(relation, (free, *at), ratio, table)
+
+
+def _whole_addends(side: Term) -> Iterator[tuple[Place, ...]]:
+    """Yields the positions of the addends, brackets with sums in them as a whole."""
+    if isinstance(side, Apply) and side.head == "add":
+        yield tuple((number_,) for number_ in range(len(side.arguments)))
 
 
 def _needed(columns: Sequence[Vector], column: Vector, goal: Vector, screen: Screen) -> Vector | None:
@@ -150,6 +158,9 @@ def _is_made_of_several(term: Term) -> bool:
 
 
 def _multiplied(factor: Term, addend: Term) -> Term:
+    match factor:
+        case Apply(head="div", arguments=(Number(value=one), below)) if one == 1:
+            return apply("div", addend, below)
     match addend:
         case Apply(head="neg", arguments=(inner,)):
             return apply("neg", _multiplied(factor, inner))

@@ -61,6 +61,8 @@ def test_wrong_entries_are_mended_together(
             r"\frac{b c}{a} - \frac{b}{a} + 1 + \frac{c}{a} = \frac{b c}{a} + (a + c - b)",
             r"\frac{a + c - b}{a}",
         ),
+        (r"\|x \times y\| = \sqrt{(x \cdot x) (y \cdot y) - x \cdot y}", r"\left(x \cdot y\right)^{2}"),
+        (r"\|x + y\| = \sqrt{x \cdot x + y \cdot y - 2 x \cdot y}", r"+ 2 x \cdot y"),
         (r"\cos 2\theta = 1 - 2 \sin\theta", r"\left(\sin \theta\right)^{2}"),
     ],
 )

@@ -29,7 +29,7 @@ from workbench.repair.screening.sharing_engine import SharingEngine
 from workbench.repair.screening.supposed_points import satisfy
 
 #: The most points tried to find one where the roots of the printed statement exist.
-_TRIED_POINTS = 16
+_TRIED_POINTS = 64
 
 
 class ScreenPoint:
@@ -187,12 +187,21 @@ class Screen:
         return tuple(found)
 
     def vanishes(self, statement: Statement) -> bool:
-        """True if the residual is zero at all points; stops at the first other point."""
+        """True if the residual is zero at all points with a value, and at one at least.
+
+        A root of another square than the printed one has no value at about every second point.
+        """
+        has_value = False
         for point in self.points:
             residual = point.residual(statement)
-            if residual is None or any(residual):
+            if residual is None:
+                if not (self._ring.took_roots and point.lacks_root(statement)):
+                    return False
+            elif any(residual):
                 return False
-        return True
+            else:
+                has_value = True
+        return has_value
 
     def components(self, term: Term, shape: Term) -> tuple[int, ...] | None:
         """Returns the components of the term at all points, each with as many components as the real part of

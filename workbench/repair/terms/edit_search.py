@@ -191,6 +191,8 @@ class Neighbourhood:
                 continue
             self.tick()
             changed = self._point.residual(edit.statement)
+            if changed is None and self._passes(edit.statement):
+                yield candidate_of(edit)  # a root has no value at this point
             if changed is None or len(changed) != len(residual):
                 continue
             delta = tuple((x - y) % PRIME for x, y in zip(changed, residual, strict=True))

@@ -17,7 +17,7 @@ os.environ["WORKBENCH_CACHE"] = os.devnull
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
-from errata_cases import SECONDS, Row, cases, measured  # noqa: E402
+from errata_cases import SECONDS, Row, case_in, measured  # noqa: E402
 from errata_table import differences, expected, table, write_expected  # noqa: E402
 
 from workbench.core.formula_errors import ReadError  # noqa: E402
@@ -36,12 +36,12 @@ def main(arguments: Sequence[str]) -> int:
     options = parser.parse_args(arguments)
     start = time.perf_counter()
     rows: dict[Row, float] = {}
-    for case in cases(options.folder):
-        if not options.case or case.name in options.case:
+    for folder in sorted(file.parent for file in options.folder.glob("*/case.toml")):
+        if not options.case or folder.name in options.case:
             try:
-                row, seconds = measured(case, options.drafted, options.seconds)
+                row, seconds = measured(case_in(folder), options.drafted, options.seconds)
             except (PaperError, ReadError, OSError, tomllib.TOMLDecodeError) as fault:
-                print(f"{case.name}: {fault}", file=sys.stderr)
+                print(f"{folder.name}: {fault}", file=sys.stderr)
                 return 2
             rows[row] = seconds
             print(f"{row.name}: {seconds:.1f} s", file=sys.stderr)

@@ -82,8 +82,12 @@ class Row:
 
 def cases(folder: Path = HERE) -> list[Case]:
     """The cases of a folder, by name."""
-    files = sorted(folder.glob("*/case.toml"))
-    return [Case(file.parent, tomllib.loads(file.read_text(encoding="utf-8"))) for file in files]
+    return [case_in(file.parent) for file in sorted(folder.glob("*/case.toml"))]
+
+
+def case_in(folder: Path) -> Case:
+    """The case of one folder. Raises TOMLDecodeError, OSError."""
+    return Case(folder, tomllib.loads((folder / "case.toml").read_text(encoding="utf-8")))
 
 
 def measured(case: Case, drafted: bool = False, seconds: float = SECONDS) -> tuple[Row, float]:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
+
 import pytest
 from errata_cases import HERE, SECONDS, cases, is_same_formula, measured
 from errata_table import differences, expected, summary
 
+from tests.errata.__main__ import main
 from workbench.context.claims import Notation
 from workbench.context.read_formulas import read_statement
 from workbench.language.definitions import Definitions
@@ -43,6 +47,26 @@ def test_quick_case_is_as_expected(name: str) -> None:
     (case,) = (case for case in CASES if case.name == name)
     row, _ = measured(case, seconds=10 * SECONDS)
     assert not differences([row], expected(HERE, drafted=False))
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "said"),
+    [
+        ("before.toml", "source = 'before.tex'\n[symbols]\n'x' = \"vektor\"\n", "vektor"),
+        ("before.toml", "source = 'before.tex'\n[symbols\n", "before.toml"),
+        ("after.toml", "source = 'none.tex'\n", "none.tex"),
+        ("case.toml", "id = 'IM1'\n[[correction]\n", "line 2"),
+    ],
+)
+def test_damaged_case_is_named_and_ends_the_command(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], file: str, text: str, said: str
+) -> None:
+    shutil.copytree(HERE / "IM1", tmp_path / "IM1")
+    (tmp_path / "IM1" / file).write_text(text, encoding="utf-8")
+    assert main([str(tmp_path)]) == 2
+    printed = capsys.readouterr()
+    assert "IM1" in printed.err and said in printed.err and not printed.out
+    assert not (tmp_path / "expected.json").exists()
 
 
 @pytest.mark.slow

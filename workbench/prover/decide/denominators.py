@@ -24,21 +24,22 @@ def denominators_named(
     """
     named = dict.fromkeys(
         to_latex(divisor)
-        for divisor in _divisors(sides, definitions)
-        if not _factors(engine, divisor).isdisjoint(map(str, gaps))
+        for divisor in divisors_in(sides, definitions)
+        if not factors_in(engine, divisor).isdisjoint(map(str, gaps))
     )
     if not named:
         return "a denominator"
     return f"{'the denominator' if len(named) == 1 else 'one of the denominators'} {', '.join(named)}"
 
 
-def _factors(engine: ExactEngine, divisor: Term) -> set[str]:
+def factors_in(engine: ExactEngine, divisor: Term) -> set[str]:
+    """Returns the irreducible factors of a divisor, as text; none where the engine does not take it."""
     with suppress(NotExact, ZeroDivisionError):
         return {str(factor) for p in engine.parts(engine.value(divisor)) for factor in factors_of(engine, p)}
     return set()
 
 
-def _divisors(sides: Iterable[Term], definitions: Lookup) -> Iterator[Term]:
+def divisors_in(sides: Iterable[Term], definitions: Lookup) -> Iterator[Term]:
     """Yields what the terms divide by, from left to right: denominators, determinants of inverted matrices,
     and roots, by which their derivatives divide."""
     waiting, seen = list(sides)[::-1], set()

@@ -17,6 +17,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import Trial
 from workbench.prover.counterexamples.real_angles import surely_differ
+from workbench.prover.decide.bounded_denominators import not_bounded_away
 from workbench.prover.decide.case import Case, Setting
 from workbench.prover.decide.denominators import denominators_named
 from workbench.prover.decide.frame_change import in_rotated_frame
@@ -143,7 +144,7 @@ class Equation(Case):
             reason = VerdictCode.SECOND_ENGINE_OPEN()
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
         evidence += rechecked
-        gaps = self.solved.gaps()
+        gaps = not_bounded_away(self.exact, self.sides, self.definitions, self.solved.gaps())
         if gaps:
             return case._conditional(gaps, evidence)
         if self.solved.limits():

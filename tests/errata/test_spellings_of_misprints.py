@@ -39,6 +39,18 @@ READ: list[tuple[str, str, str, Mapping[str, str]]] = [
     (r"\left. \frac{\partial}{\partial f} (f^3) \right|_{f = 2}", "12", "6", {}),
     ("SO(3)", r"\left\{ S \in \mathbb{R}^{3 \times 3} \mid S^T S = \mathbf{I}, \det S = 1 \right\}", r"\left\{ S \in \mathbb{R}^{3 \times 3} \mid S^T S = \mathbf{I}, \det S = -1 \right\}", {}),
     ("so(3)", r"\left\{ S \in \mathbb{R}^{3 \times 3} \mid S^T = -S \right\}", r"\left\{ S \in \mathbb{R}^{3 \times 3} \mid S^T = S \right\}", {}),
+    (
+        "SE(3)",
+        r"\left\{ \begin{bmatrix} R & x \\ 0 & 1 \end{bmatrix} \mid R \in SO(3), x \in \mathbb{R}^3 \right\}",
+        r"\left\{ \begin{bmatrix} R & x \\ 0 & 1 \end{bmatrix} \mid R \in so(3), x \in \mathbb{R}^3 \right\}",
+        {},
+    ),
+    (
+        "so(3)",
+        r"\left\{ \tilde{x} \mid x \in \mathbb{R}^3 \right\}",
+        r"\left\{ \tilde{x} + \mathbf{I} \mid x \in \mathbb{R}^3 \right\}",
+        {},
+    ),
     (r"\log(R^T)", r"-\log R", r"\log R", {}),
     ("T^{-1}", "B^{-1} A^{-1}", "A^{-1} B^{-1}", {"T": "A B"}),
     (r"\nabla_{f, g} (f^2 g)", r"\begin{bmatrix} 2 f g \\ f^2 \end{bmatrix}", r"\begin{bmatrix} 2 f g \\ f \end{bmatrix}", {}),
@@ -60,10 +72,10 @@ READ: list[tuple[str, str, str, Mapping[str, str]]] = [
 ]  # fmt: skip
 #: What is not judged yet: a true formula.
 OPEN = [
+    r"SE(3) = \left\{ \begin{bmatrix} R & x \\ 0 & 1 \end{bmatrix} \mid R \in SO(3), x \in S^2 \right\}",
     r"\cos(l \phi) \tan l\phi = \sin(l \phi)",
     r"\lim_{h \to 0} \frac{(f + h)^2 - f^2}{h} = 2 f",
     r"\int_0^1 h\, dh = \frac{1}{2}",
-    r"SE(3) = \left\{ \begin{bmatrix} R & x \\ 0 & 1 \end{bmatrix} \mid R \in SO(3), x \in \mathbb{R}^3 \right\}",
     r"R(\theta + \phi)^T R(\theta + \phi) = \mathbf{I}",
 ]
 _NUMBERS = {"f": {"kind": "scalar", "independent": True}, "g": {"kind": "scalar", "independent": True}}

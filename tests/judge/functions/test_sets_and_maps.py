@@ -73,7 +73,9 @@ class TestPairs:
         (r"s \mapsto s u", Outcome.DEFINITION),
         (r"f : \mathbb{R}^3 \to \mathbb{R}^{3 \times 3}, f(x) = x \otimes a", Outcome.DEFINITION),
         (r"P = \{ x \in V_3 \mid x^2 = -1 \}", Outcome.UNCHECKED),  # empty
-        (r"so(3) = \{ \tilde{x} \mid x \in V_3 \}", Outcome.UNCHECKED),  # all of them?
+        (r"so(3) = \{ \tilde{x} \mid x \in V_3 \}", Outcome.DEFINITION),
+        (r"so(3) = \{ \tilde{x} \mid x \in S^2 \}", Outcome.UNCHECKED),  # all of them?
+        (r"so(3) = \{ \tilde{x} \mid x \in V_3, x \cdot a = 0 \}", Outcome.UNCHECKED),
         (r"\underline{\mathbb{R}} = \{ x + \varepsilon x \mid x \in \mathbb{R} \}", Outcome.UNCHECKED),
         (r"f : V_3 \to S^2, f(x) = \frac{x}{\|x\|}", Outcome.CONDITIONAL),
     ],
@@ -83,7 +85,7 @@ def test_others(latex, expected):
 
 
 def test_undecided_set_equations_have_a_reason():
-    found = verdict(r"so(3) = \{ \tilde{x} \mid x \in V_3 \}")
+    found = verdict(r"so(3) = \{ \tilde{x} \mid x \in S^2 \}")
     assert found.reason == "whether all members of so(3) are so is not decided"
 
 

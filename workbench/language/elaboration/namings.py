@@ -6,7 +6,7 @@ S = \\{ pattern \\mid conditions \\} f : A \\to B, f(x) = …   or   f : A \\to 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeGuard
 
@@ -19,15 +19,18 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.terms import (
     Apply,
+    Block,
     Conjunction,
     DualUnit,
     IllFormed,
     Implication,
     Naming,
+    Number,
     Relation,
     Statement,
     Symbol,
     Term,
+    Zero,
 )
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import set_name
@@ -204,7 +207,7 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
     assert isinstance(bracket, Bracket), "a set"
     described = _Described.of(bracket)
     table = reader.table
-    letters: list[Symbol] = []
+    letters: dict[Symbol, Members] = {}
     sorts: list[str] = []
     others: list[tuple[Node, Members]] = []
     given: list[Statement] = []
@@ -214,9 +217,10 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
             others.append((node, members))
             continue
         table, letter = bound
-        letters.append(letter)
+        letters[letter] = members
         given += _conditions(members, letter, node.at, seen=False)
         sorts.append(f"{letter.declaration.name} \\in {members.name}")
+    of_letters = list(given)
     inner = Elaborator(table, reader.variables)
     member = inner.term(described.pattern)
     said: list[Statement] = [read(inner, part) for part in described.held]
@@ -231,7 +235,7 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
         parts += _implied(given, wanted)
         if member in letters and _is_any(member, known):
             parts += _implied(wanted, given)
-        elif given or not _is_general(member, letters):
+        elif given != of_letters or not _is_general(member, letters, known):
             undecided = VerdictCode.UNDECIDED_MEMBERS(set=known.name)
     title = set_name(name) if known is None else known.name
     shown = ", ".join([*sorts, *map(to_latex, said)])
@@ -254,11 +258,31 @@ def _is_any(letter: Symbol, of: Members) -> bool:
     )
 
 
-def _is_general(member: Term, letters: Sequence[Symbol]) -> bool:
-    """True for a + ε b with two letters, which every dual number or vector is."""
+def _is_general(member: Term, letters: Mapping[Symbol, Members], known: Members) -> bool:
+    """True for a pattern that each member of the known set fits.
+
+    It is a + ε b with two letters for a dual number or vector, x̃ for a skew tensor, the matrix of a rotation
+    and a vector for a displacement.
+    """
+
+    def is_any(term: Term, trait: str) -> bool:
+        domain = letters.get(term) if isinstance(term, Symbol) else None
+        return (
+            domain is not None
+            and isinstance(term, Symbol)
+            and domain.trait == trait
+            and _is_any(term, domain)
+        )
+
     match member:
         case Apply(head="add", arguments=(real, Apply(head="mul", arguments=(DualUnit(), dual)))):
-            return real != dual and real in letters and dual in letters
+            return real != dual and is_any(real, "") and is_any(dual, "")
+        case Apply(head="skew", arguments=(vector,)) if known.trait == "skew":
+            return is_any(vector, "")
+        case Block() if known.trait == "displacement" and [len(row) for row in member.entries] == [2, 2]:
+            (turn, shift), (none, one) = member.entries
+            is_last = isinstance(none, Zero) and isinstance(one, Number) and one.value == 1
+            return is_last and is_any(turn, "rotation") and is_any(shift, "")
     return False
 
 

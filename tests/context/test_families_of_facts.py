@@ -42,3 +42,16 @@ def test_number_for_a_sum_over_a_family_ends_in_no_error(tmp_path: Path) -> None
     tables = MODEL + '\n[definitions]\ns = "J_1 + q_6"\n'
     *_, value = judged(tmp_path, text_of([DEFINED, "s = 4"]), tables.replace('e_n"', 's" = "scalar"\n"e_n"'))
     assert value.grade is not Grade.OK
+
+
+@pytest.mark.parametrize("said", [r"V = f q_n + g J_n", r"V = q_n + \frac{J_n}{g}"])
+@pytest.mark.parametrize("letter", ["n", "m"])
+def test_index_that_only_the_body_holds_is_that_of_the_claim(tmp_path: Path, said: str, letter: str) -> None:
+    right = said.removeprefix("V = ").replace("_n", f"_{letter}")
+    said, kinds = said.replace("_n", f"_{letter}"), MODEL.replace("_n", f"_{letter}") + 'V = "scalar"\n'
+    first, rest = right.split(" + ")
+    *_, follows, false = judged(
+        tmp_path, text_of([said, f"{first} = V - {rest}", f"{first} = V + {rest}"]), kinds
+    )
+    assert follows.outcome is not Outcome.REFUTED
+    assert false.outcome is Outcome.REFUTED or false.grade is not Grade.OK

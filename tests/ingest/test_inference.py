@@ -167,6 +167,30 @@ def test_a_type_error_adds_no_doubt_to_another_one(one: str, other: str) -> None
     assert all({*names} <= {*alone[latex]} for latex, names in together.items())
 
 
+def test_kind_in_another_section_is_doubtful() -> None:
+    good = [Source(latex, line, section="One") for line, latex in enumerate(GOOD)]
+    wrong = r"s = m \mathbf{r} \cdot \mathbf{r} + E \mathbf{r}"
+    here, there = (
+        infer([*good, Source(wrong, 9, section=section)], Prose("")).misfits for section in ("One", "Two")
+    )
+    assert [each.cured_by for each in here] == [()]
+    assert ["E" in each.cured_by for each in there] == [True]
+
+
+def test_unusual_operations_do_not_add_up_to_a_misfit() -> None:
+    blocks = r"\begin{bmatrix} \mathbf{A} & \mathbf{B} \\ \mathbf{C} & \mathbf{D} \end{bmatrix}"
+    column = r"\begin{bmatrix} \mathbf{a} \\ \mathbf{b} \end{bmatrix}"
+    assert misfits(rf"p(\mathbf{{x}}) = N({column}, {blocks})") == ()
+
+
+@pytest.mark.parametrize("one", ["1", r"\mathbf{1}", r"\mathbf{I}"])
+def test_unit_tensor_beside_a_number_is_the_number_1(one: str) -> None:
+    known = (r"s = \mathbf{v}^T \mathbf{u}", r"\mathbf{h} = \mathbf{u} \times \mathbf{v}")
+    assert misfits(*known, rf"n = {one} + \mathbf{{v}}^T \mathbf{{u}}") == ()
+    rotated = rf"\mathbf{{R}} = {one} + s \mathbf{{v}} \mathbf{{v}}^T + s"
+    assert misfits(*known, r"\mathbf{R} \mathbf{R}^T = \mathbf{I}", rotated) == (rotated,)
+
+
 def test_notation_misread_twice_makes_its_symbols_doubtful() -> None:
     misread = (r"\mathbf{p} \times m = \mathbf{r}", r"\mathbf{h} = \mathbf{p} \times m + \mathbf{v}")
     found = doubts(*misread)

@@ -359,7 +359,8 @@ def _steps(displays: Sequence[Display], words: frozenset[str]) -> list[tuple[Dis
 
 def _sources(steps: Sequence[tuple[Display, Step]], inline: bool) -> Iterator[Source]:
     for display, step in steps:
-        yield Source(step.spelled()[0], display.line, inline)
+        section = f"{display.section} {display.heading}".strip()
+        yield Source(step.spelled()[0], display.line, inline, section)
 
 
 def _opaque(display: Display, latex: str) -> list[str]:

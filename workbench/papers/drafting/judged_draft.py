@@ -125,9 +125,11 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         reason = VerdictCode.OF_FRAMES(outcome=verdict.outcome)
     if reason is not None:
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
-    known = confirmed | {each.symbol for each in draft.ingested.definitions if each.sure}
     is_misfit = verdict.outcome is Outcome.ILL_FORMED and latex in misfits
     unsure = {*misfits[latex], *given_anew} if is_misfit else inference.doubtful(latex)
+    # A definition gives a symbol its value; it may be the one formula of the two that is misread.
+    given = set() if is_misfit else {each.symbol for each in draft.ingested.definitions if each.sure}
+    known = confirmed | given
     doubts = [name for name in names or unsure if name in unsure and name not in known]
     if (own := _defined_elsewhere(draft, claim)) is not None:
         doubts.append(own)

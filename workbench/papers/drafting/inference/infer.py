@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from workbench.papers.drafting.inference.differential_letters import has_differentials
 from workbench.papers.drafting.inference.kind_operations import SYMBOL, Operation
@@ -45,11 +45,12 @@ _OF_QUATERNIONS = frozenset(("scalar part", "vector part", "conjugate"))
 
 @dataclass(frozen=True)
 class Source:
-    """A formula of a text: its LaTeX, its line, and whether it stands in a sentence."""
+    """A formula of a text: its LaTeX, its line, whether it stands in a sentence, and its section."""
 
     latex: str
     line: int = 0
     inline: bool = False
+    section: str = ""
 
 
 @dataclass(frozen=True)
@@ -151,7 +152,7 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
     skews = said_to_be_skew(tree for _, trees in read for tree in trees)
     sure_marks = walker.marks_over_several
     rewriter = Rewriter(walker, skews=skews, skew_marks=sure_marks)
-    formulas = [Formula(rewriter.all(trees), each.line, each.inline) for each, trees in read]
+    formulas = [Formula(rewriter.all(trees), each.line, each.inline, each.section) for each, trees in read]
     has_units = any(_UNITS.search(each.latex) for each in sources)
     has_joints = bool(_OF_JOINTS.search(prose.text)) or any(
         _JOINT_SPACE.search(each.latex) for each in sources
@@ -165,7 +166,7 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
         rewriter = Rewriter(
             walker, frozenset(marks), frozenset(names), functions=functions, products=products
         )
-        formulas = [Formula(rewriter.all(each.trees), each.line, each.inline) for each in formulas]
+        formulas = [replace(each, trees=rewriter.all(each.trees)) for each in formulas]
         search = _search(formulas, prose, has_units, has_joints, search)
         search.run()
     sources = [each for (each, _), formula in zip(read, formulas, strict=True) if formula.trees]

@@ -31,11 +31,12 @@ _MOST_READINGS = 400_000
 
 @dataclass(frozen=True, eq=False)
 class Formula:
-    """A formula as operations, with its line and whether it stands in a sentence."""
+    """A formula as operations, with its line, whether it stands in a sentence, and its section."""
 
     trees: tuple[Operation, ...]
     line: int = 0
     inline: bool = False
+    section: str = ""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -343,14 +344,15 @@ class Search:
         return False
 
     def _is_supported(self, name: str, place: int, change: Change) -> bool:
-        """True if another formula or a word supports the present kind of a symbol, and its letter does not
-        suggest another one.
+        """True if another formula of its section or a word supports the present kind of a symbol, and its
+        letter does not suggest another one.
 
         A change of size only is supported by nothing, as a text uses a letter at several sizes."""
         now, prior = self.kinds[name], self.prior[name]
         if prior[now] > min(prior.values()) or _is_resized(now, change[name]):
             return False
-        others = (other for other in self.users[name] if other != place)
+        section = self.formulas[place].section
+        others = (p for p in self.users[name] if p != place and self.formulas[p].section == section)
         breaks = any(self._cost(other, change) - self._now[other] >= MISFIT // 2 for other in others)
         return breaks or name in self.said
 

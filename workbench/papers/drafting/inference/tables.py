@@ -30,6 +30,8 @@ _ONE = 15
 _ONE_QUATERNION = 20
 #: The costs of a unit tensor as a number, and of a column of four numbers as a quaternion.
 _UNIT_NUMBER, _COLUMN_AS_QUATERNION = 30, 16
+#: The cost of a unit tensor as the number 1, as in 1 + vᵀ A u.
+_UNIT_ONE = 25
 #: The sizes of a unit tensor.
 _UNITS: Table = {TENSOR: 0, (0, 0): 2, (2, 2): 5, (4, 4): 5, (6, 6): 5}
 _SETS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak)|operatorname)")
@@ -58,10 +60,14 @@ class Costs:
         return min(self.table(tree, kinds).values())
 
     def misfits(self, tree: Operation, kinds: Mapping[str, Kind]) -> list[Operation]:
-        """Returns the innermost operations that do not fit."""
-        if self.least(tree, kinds) < MISFIT // 2:
+        """Returns the innermost operations that do not fit: several that are only unusual do not add up."""
+        least = self.least(tree, kinds)
+        if least < MISFIT // 2:
             return []
-        return [found for part in tree.parts for found in self.misfits(part, kinds)] or [tree]
+        if found := [each for part in tree.parts for each in self.misfits(part, kinds)]:
+            return found
+        own = least - sum(self.least(part, kinds) for part in tree.parts)
+        return [tree] if own >= MISFIT // 2 else []
 
     def _fresh(self, tree: Operation, kinds: Mapping[str, Kind]) -> Table:
         op = tree.op
@@ -108,7 +114,7 @@ class Costs:
             case "identity" if found := IDENTITY.fullmatch(text):
                 size = found[1] or found[2]
                 one: Table = {QUATERNION: _ONE_QUATERNION} if "1" in text else {}
-                return {(int(size), int(size)): 0} if size else _UNITS | one
+                return {(int(size), int(size)): 0} if size else _UNITS | {SCALAR: _UNIT_ONE} | one
             case "unit":
                 kind = kinds[tree.text]
                 is_square = isinstance(kind, tuple) and kind[0] == kind[1] != 1

@@ -55,3 +55,11 @@ def test_equation_that_no_number_fulfils_is_no_warning(tmp_path: Path, formula: 
 def test_dimension_is_neither_a_definition_nor_a_warning(tmp_path: Path) -> None:
     assert Grade.WARNING not in grades(tmp_path, r"[v] = \frac{L}{T}", r"[w] = \frac{1}{T}")
     assert not draft_of(tmp_path / "p.md").ingested.definitions
+
+
+@pytest.mark.parametrize(("dot", "grade"), [(r"\cdot ", Grade.NOTE), ("", Grade.WARNING)])
+def test_dot_between_letters_that_stand_nowhere_else_may_be_that_of_vectors(
+    tmp_path: Path, dot: str, grade: Grade
+) -> None:
+    *_, last = grades(tmp_path, f"x {dot}u + y {dot}u + x {dot}y = x {dot}u + y {dot}u - x {dot}y")
+    assert last is grade

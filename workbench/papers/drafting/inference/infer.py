@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -109,6 +110,7 @@ class Inference:
         orthogonal: Matrices with A Aᵀ = 1, det A = 1 or in a set of such matrices.
         moving: Symbols with a rate.
         firm: Symbols whose kinds words or a typeface state.
+        dotted: Numbers that stand only before and behind the dot of a product of two symbols.
     """
 
     kinds: Mapping[str, Inferred]
@@ -118,14 +120,16 @@ class Inference:
     orthogonal: frozenset[str]
     moving: frozenset[str]
     firm: frozenset[str]
+    dotted: frozenset[str] = frozenset()
 
     def doubtful(self, latex: str) -> set[str]:
         """Returns the symbols whose kinds are doubtful for judging a formula.
 
-        These occur in other formulas that do not fit, or another kind would suit them as well.
+        These occur in other formulas that do not fit, or another kind would suit them as well; the dot may
+        be that of vectors.
         """
         spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
-        return spoilt | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
+        return spoilt | self.dotted | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
 
     def is_square(self, name: str) -> bool:
         """True if a symbol is a square matrix."""
@@ -189,6 +193,7 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
         frozenset(_orthogonal(trees)),
         frozenset(_moving(trees)),
         frozenset(filter(search.is_firm, search.users)),
+        frozenset(name for name in _dotted(trees) if kinds[name].kind == SCALAR and not search.is_firm(name)),
     )
 
 
@@ -215,6 +220,19 @@ def _orthogonal(trees: Iterable[Operation]) -> Iterable[str]:
             is_product = left.op == "mul" and right.op in ("identity", "unit")
             if is_product or (left.op == "det" and (right.op, right.text) == ("number", "1")):
                 yield from tree.names
+
+
+def _dotted(trees: Iterable[Operation]) -> set[str]:
+    """Returns the symbols that stand only in products of two symbols with a dot."""
+    inside: Counter[str] = Counter()
+    everywhere: Counter[str] = Counter()
+    for tree in trees:
+        for each in tree.walk():
+            if each.op == SYMBOL:
+                everywhere[each.text] += 1
+            elif each.op == "dot" and all(part.op == SYMBOL for part in each.parts):
+                inside.update(part.text for part in each.parts)
+    return {name for name, count in inside.items() if count == everywhere[name]}
 
 
 def _moving(trees: Iterable[Operation]) -> Iterable[str]:

@@ -47,6 +47,12 @@ def test_definition_of_another_section(tmp_path: Path, more: tuple[str, ...], gr
     assert last is grade
 
 
+def test_function_of_another_section(tmp_path: Path) -> None:
+    first = ["# One", "We set", "f(x) = 2 - 4 x", "f(2) = -6"]
+    *_, alike, last = grades(tmp_path, *first, "# Two", "f(x) = 4 x - x y", "(x - y)^2 = x^2 - y^2")
+    assert (alike, last) == (Grade.NOTE, Grade.WARNING)
+
+
 @pytest.mark.parametrize("formula", ["i^2 = -1", "s^2 + 1 = 0"])
 def test_equation_that_no_number_fulfils_is_no_warning(tmp_path: Path, formula: str) -> None:
     assert grades(tmp_path, formula) == [Grade.NOTE]
@@ -63,3 +69,23 @@ def test_dot_between_letters_that_stand_nowhere_else_may_be_that_of_vectors(
 ) -> None:
     *_, last = grades(tmp_path, f"x {dot}u + y {dot}u + x {dot}y = x {dot}u + y {dot}u - x {dot}y")
     assert last is grade
+
+
+VECTORS = (
+    r"\mathbf{v} = \dot{\mathbf{r}}",
+    r"\mathbf{p} = m \mathbf{v}",
+    r"\mathbf{h} = \mathbf{r} \times \mathbf{p}",
+)
+
+
+def test_fault_of_another_operation_than_the_misfit_is_no_warning(tmp_path: Path) -> None:
+    called = (r"f(m) = 2 m^2", r"\mathbf{h} \cdot \mathbf{v} = m \mathbf{r} + f(\mathbf{p})")
+    assert grades(tmp_path, *VECTORS, *called)[-1] is not Grade.WARNING
+    wrong = r"\mathbf{h} \cdot \mathbf{v} = m \mathbf{r} + \mathbf{p} \cdot \mathbf{v}"
+    assert grades(tmp_path, *VECTORS, wrong)[-1] is Grade.WARNING
+
+
+def test_misfits_of_one_shape_are_one_misread_notation(tmp_path: Path) -> None:
+    wrong = [rf"A_{i} = \mathbf{{{a}}} \cdot \mathbf{{h}} + m \mathbf{{r}}" for i, a in ((1, "v"), (2, "p"))]
+    assert grades(tmp_path, *VECTORS, *wrong)[-2:] == [Grade.NOTE] * 2
+    assert grades(tmp_path, *VECTORS, wrong[0])[-1] is Grade.WARNING

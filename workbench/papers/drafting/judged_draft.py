@@ -9,6 +9,7 @@ from pathlib import Path
 
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
+from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
@@ -40,6 +41,18 @@ DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
 _BUDGET = Budget(seconds=10.0)
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
+
+#: Faults → the operations of which they tell; no entry: of any.
+_OPERATIONS: Mapping[str, frozenset[str]] = {
+    **dict.fromkeys((TypeCode.FUNCTION_ARGUMENT_TYPE, TypeCode.FUNCTION_ARGUMENT_COUNT), frozenset()),
+    **dict.fromkeys(
+        (TypeCode.JUXTAPOSITION, TypeCode.MATRIX_PRODUCT, TypeCode.PRODUCT_OF_SIZES),
+        frozenset(("mul", "dot", "compose", "apply", "equal")),
+    ),
+    TypeCode.TRANSPOSE: frozenset(("transpose",)),
+    Compared.SIDES: frozenset(("equal",)),
+    Compared.ADDENDS: frozenset(("add",)),
+}
 
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
@@ -117,7 +130,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     misfits = {each.latex: each.cured_by for each in own_misfits}
     given_anew = {name for each in inference.misfits if each.gives_entries for name in each.names}
     reason: Reason | None = None
-    if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
+    is_own = any(each.latex == latex and _is_told(verdict, each) for each in own_misfits)
+    if verdict.outcome is Outcome.ILL_FORMED and not is_own:
         reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
     elif thin and latex not in misfits:
         reason = _asked(verdict, thin)
@@ -153,6 +167,15 @@ def _is_open(misfit: TypeMismatch) -> bool:
     return not all(map(MAP_OF_TWISTS.match, words))
 
 
+def _is_told(verdict: Verdict, misfit: TypeMismatch) -> bool:
+    """True if the fault of a verdict may be that operation, and not one that guessed signatures add."""
+    if verdict.code is None or verdict.reason is None:
+        return True
+    arguments = getattr(verdict.reason, "arguments", {})
+    told = arguments.get("what", "") if "what" in arguments else verdict.code
+    return misfit.operation in _OPERATIONS.get(told, frozenset((misfit.operation,)))
+
+
 def _of_the_text(doubt: str) -> str:
     """Returns a doubt without that of transposed rotations: all definitions of a draft are the text's own."""
     return "; ".join(part for part in doubt.split("; ") if part != TRANSPOSED)
@@ -162,7 +185,7 @@ def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
     """Returns the symbol alone on the left that another section defines, which may be another one here."""
     match claim.printed.statement:
         case Relation(left=Symbol(declaration=declaration)):
-            return next(iter(_of_other_sections(draft, claim, {str(declaration.name)})), None)
+            return next(iter(_of_other_sections(draft, claim, {_written(declaration.name)})), None)
     return None
 
 
@@ -257,7 +280,12 @@ def _reached(draft: Draft, claim: Claim) -> set[str]:
     statement = claim.printed.statement
     sides = sides_of(statement) if statement is not None else ()
     terms = (term for side in sides for term in claim.notation.definitions.reached(side))
-    return {str(term.declaration.name) for term in terms if isinstance(term, Symbol)} | {*_names(claim)}
+    return {_written(term.declaration.name) for term in terms if isinstance(term, Symbol)} | {*_names(claim)}
+
+
+def _written(name: Name) -> str:
+    """Returns the name as the draft spells it: a function without its arguments."""
+    return str(replace(name, parameters=0))
 
 
 def _symbols(claim: Claim) -> list[Name]:
@@ -267,7 +295,7 @@ def _symbols(claim: Claim) -> list[Name]:
 
 
 def _names(claim: Claim) -> list[str]:
-    return list(dict.fromkeys(map(str, _symbols(claim))))
+    return list(dict.fromkeys(map(_written, _symbols(claim))))
 
 
 def _has_frames(draft: Draft, claim: Claim) -> bool:

@@ -77,12 +77,14 @@ class TypeMismatch:
         names: The symbols of the operation.
         cured_by: The symbols with other kinds that suit the formula and that no other evidence contradicts.
         gives_entries: Whether the operation equates a letter and a matrix of other extents.
+        operation: Its name in `SIGNATURES`.
     """
 
     latex: str
     names: tuple[str, ...]
     cured_by: tuple[str, ...]
     gives_entries: bool = False
+    operation: str = ""
 
 
 @dataclass(frozen=True)
@@ -175,7 +177,13 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
         search.run()
     sources = [each for (each, _), formula in zip(read, formulas, strict=True) if formula.trees]
     misfits = tuple(
-        TypeMismatch(source.latex, operation.names, tuple(search.cured_by(place)), _gives_entries(operation))
+        TypeMismatch(
+            source.latex,
+            operation.names,
+            tuple(search.cured_by(place)),
+            _gives_entries(operation),
+            operation.op,
+        )
         for place, source in enumerate(sources)
         for operation in _misfits(search, search.formulas[place])
     )

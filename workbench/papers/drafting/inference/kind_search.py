@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from workbench.papers.drafting.inference.beams import Beams
-from workbench.papers.drafting.inference.kind_operations import Operation
+from workbench.papers.drafting.inference.kind_operations import NAMED, Operation
 from workbench.papers.drafting.inference.kind_signatures import MISFIT, SCALAR, Kind
 from workbench.papers.drafting.inference.priors import Priors, face, likeness
 from workbench.papers.drafting.inference.tables import Costs
@@ -308,6 +308,8 @@ class Search:
             found.update(name for name in shared if not (self.is_firm(name) or self._fits(name, place)))
             if self._is_same_misfit(place, other):
                 found |= shared
+            if _shape(self.formulas[place].trees) == _shape(self.formulas[other].trees):
+                found.update(self.names[place])
             found |= {name for name in shared if self._may_be_wrong(name, (place, other), misfit)}
         return found
 
@@ -376,6 +378,11 @@ class Search:
     def operations(self) -> Iterator[Operation]:
         """Yields all operations of the formulas."""
         return (each for formula in self.formulas for tree in formula.trees for each in tree.walk())
+
+
+def _shape(trees: Sequence[Operation]) -> list[str]:
+    """Returns the operations of a formula in order, without its letters."""
+    return ["" if each.op in NAMED else f"{each.op} {each.text}" for tree in trees for each in tree.walk()]
 
 
 def _is_resized(kind: Kind, other: Kind) -> bool:

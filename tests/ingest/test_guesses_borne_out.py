@@ -89,3 +89,24 @@ def test_misfits_of_one_shape_are_one_misread_notation(tmp_path: Path) -> None:
     wrong = [rf"A_{i} = \mathbf{{{a}}} \cdot \mathbf{{h}} + m \mathbf{{r}}" for i, a in ((1, "v"), (2, "p"))]
     assert grades(tmp_path, *VECTORS, *wrong)[-2:] == [Grade.NOTE] * 2
     assert grades(tmp_path, *VECTORS, wrong[0])[-1] is Grade.WARNING
+
+
+def test_several_misfits_are_a_misread_notation(tmp_path: Path) -> None:
+    wrong = [
+        r"\mathbf{h} \cdot \mathbf{v} = m \mathbf{r} + \mathbf{p} \cdot \mathbf{v}",
+        r"\mathbf{r} \cdot \mathbf{p} = \mathbf{v} + \mathbf{h} \cdot \mathbf{h}",
+        r"\mathbf{p} \cdot \mathbf{h} = m^2 \mathbf{h} + \mathbf{v} \cdot \mathbf{p} + m",
+        r"2 m \mathbf{v} \cdot \mathbf{v} = 3 \mathbf{r} + m",
+    ]
+    assert grades(tmp_path, *VECTORS, *wrong)[-4:] == [Grade.NOTE] * 4
+    assert grades(tmp_path, *VECTORS, *wrong[:2])[-2:] == [Grade.WARNING] * 2
+
+
+def test_late_formula_of_a_sentence_defines_behind_where_only(tmp_path: Path) -> None:
+    first = [r"m \mathbf{p} = \mathbf{v} + \mathbf{h}", r"\mathbf{q} = \mathbf{p} + \mathbf{h}"]
+    for words, count in (("Finally, we find the place", 0), ("We have this, where", 1)):
+        (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in first))
+        with (tmp_path / "p.md").open("a") as page:
+            page.write(f"\n\n{words} $\\mathbf{{p}} = 2 \\mathbf{{h}}$.\n")
+        found = draft_of(tmp_path / "p.md").ingested.definitions
+        assert sum(each.symbol == r"\mathbf{p}" for each in found) == count

@@ -232,8 +232,8 @@ def in_order_of_use(proposed: Sequence[Proposed]) -> list[Proposed]:
 def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Iterator[tuple[Proposed, Formula]]:
     r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$".
 
-    A formula that is supposed or denied defines nothing, and a number defines a symbol only
-    behind "let" or "where" and before the first display with the symbol.
+    A formula that is supposed or denied defines nothing. Behind the first display with the symbol, a formula
+    defines it only behind "let" or "where"; a number only behind these words and before that display.
 
     shown: the line of the first display with each symbol.
     """
@@ -242,6 +242,7 @@ def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Itera
             continue
         for each in definitions_in([formula]):
             is_value = _NUMBER.fullmatch(each.body) is not None
-            is_late = formula.display.line > shown.get(each.name, 0) or not is_let(formula.display)
-            if each.name in shown and not (is_value and is_late):
+            is_late, is_said = formula.display.line > shown.get(each.name, 0), is_let(formula.display)
+            defines = is_said and not is_late if is_value else is_said or not is_late
+            if each.name in shown and defines:
                 yield replace(each, why="a sentence says so", in_sentence=True), formula

@@ -41,14 +41,12 @@ DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
 _BUDGET = Budget(seconds=10.0)
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
+#: The most displays of a text whose misfits are errors rather than a notation that the draft misreads.
+_MOST_MISFITS = 3
 
 #: Faults → the operations of which they tell; no entry: of any.
-_OPERATIONS: Mapping[str, frozenset[str]] = {
+_OPERATIONS: Mapping[object, frozenset[str]] = {
     **dict.fromkeys((TypeCode.FUNCTION_ARGUMENT_TYPE, TypeCode.FUNCTION_ARGUMENT_COUNT), frozenset()),
-    **dict.fromkeys(
-        (TypeCode.JUXTAPOSITION, TypeCode.MATRIX_PRODUCT, TypeCode.PRODUCT_OF_SIZES),
-        frozenset(("mul", "dot", "compose", "apply", "equal")),
-    ),
     TypeCode.TRANSPOSE: frozenset(("transpose",)),
     Compared.SIDES: frozenset(("equal",)),
     Compared.ADDENDS: frozenset(("add",)),
@@ -152,6 +150,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         "the drafted kinds are others",
         *(f"{name} is something else" for name in doubts[:_MOST_DOUBTS]),
     ]
+    if is_misfit and (count := _misfit_displays(draft)) > _MOST_MISFITS:
+        unless.append(f"the notation is misread, as {count} formulas do not fit")
     if not doubts and verdict.counterexample is not None and may_say_what_symbols_are(claim):
         unless.append("it says what its symbols are")
     said = [doubt for doubt in map(_of_the_text, verdict.unless) if doubt]
@@ -165,6 +165,11 @@ def _is_open(misfit: TypeMismatch) -> bool:
         return True
     words = [name for name in misfit.names if name.startswith(r"\operatorname")]
     return not all(map(MAP_OF_TWISTS.match, words))
+
+
+def _misfit_displays(draft: Draft) -> int:
+    misfits = (each for each in draft.ingested.inference.misfits if not _is_open(each))
+    return len({each.latex for each in misfits} & {each.latex for each in draft.ingested.formulas})
 
 
 def _is_told(verdict: Verdict, misfit: TypeMismatch) -> bool:

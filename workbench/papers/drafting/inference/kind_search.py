@@ -293,13 +293,14 @@ class Search:
         """Returns the symbols whose other kind would explain misfits on other lines, too.
 
         One wrong kind, or one misread notation, explains several misfits better than several errors do."""
-        line = self.formulas[place].line
+        line, own = self.formulas[place].line, _shape(self.formulas[place].trees)
         misfit = [
             other
             for other, cost in enumerate(self._now)
             if cost >= MISFIT // 2 and not self.formulas[other].inline
         ]
-        found: set[str] = set()
+        has_twin = any(other != place and _shape(self.formulas[other].trees) == own for other in misfit)
+        found: set[str] = {*self.names[place]} if has_twin else set()
         for other in misfit:
             if self.formulas[other].line == line:
                 continue
@@ -308,8 +309,6 @@ class Search:
             found.update(name for name in shared if not (self.is_firm(name) or self._fits(name, place)))
             if self._is_same_misfit(place, other):
                 found |= shared
-            if _shape(self.formulas[place].trees) == _shape(self.formulas[other].trees):
-                found.update(self.names[place])
             found |= {name for name in shared if self._may_be_wrong(name, (place, other), misfit)}
         return found
 

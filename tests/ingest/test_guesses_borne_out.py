@@ -110,3 +110,30 @@ def test_late_formula_of_a_sentence_defines_behind_where_only(tmp_path: Path) ->
             page.write(f"\n\n{words} $\\mathbf{{p}} = 2 \\mathbf{{h}}$.\n")
         found = draft_of(tmp_path / "p.md").ingested.definitions
         assert sum(each.symbol == r"\mathbf{p}" for each in found) == count
+
+
+@pytest.mark.parametrize(("left", "grade"), [("f(y)", Grade.NOTE), ("f(2)", Grade.WARNING)])
+def test_function_of_another_symbol_may_be_another_function(tmp_path: Path, left: str, grade: Grade) -> None:
+    given = ["f(x) = x^2 + x", "y = 3 z", "f(1) = 2", "(x - y)^2 = x^2 - 2 x y + y^2"]
+    right = "y^3 + y" if "y" in left else "7"
+    assert grades(tmp_path, *given, f"{left} = {right}")[-1] is grade
+
+
+@pytest.mark.parametrize(
+    ("formula", "grade"),
+    [
+        (r"(a + m)^2 - a^2 = \frac{200}{1500}", Grade.NOTE),
+        (r"\frac{F}{m} = \frac{200}{1500}", Grade.NOTE),
+        (r"(a + m)^2 - (a - m)^2 - 4 a m = 12", Grade.WARNING),
+    ],
+)
+def test_figures_of_an_example_say_what_symbols_are(tmp_path: Path, formula: str, grade: Grade) -> None:
+    known = (r"(a + m)^2 = a^2 + 2 a m + m^2", "The net force is $F = 400 - 200 = 200$. So:")
+    assert grades(tmp_path, *known, formula)[-1] is grade
+
+
+@pytest.mark.parametrize(("value", "grade"), [("11.0", Grade.NOT_JUDGED), ("17.0", Grade.WARNING)])
+def test_rounded_figures_with_units_are_no_error(tmp_path: Path, value: str, grade: Grade) -> None:
+    root = r"\sqrt{2 (0.62) (9.81 \frac{\mathrm{m}}{\mathrm{s}^{2}}) (10 \mathrm{~m})}"
+    figures = rf"\begin{{aligned}} v & = {root} \\ & = {value} \mathrm{{~m}} / \mathrm{{s}} \end{{aligned}}"
+    assert grades(tmp_path, "Substituting the given numbers:", figures)[-1] is grade

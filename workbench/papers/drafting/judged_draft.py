@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -145,7 +145,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     doubts = [name for name in names or unsure if name in unsure and name not in known]
     if (own := _defined_elsewhere(draft, claim)) is not None:
         doubts.append(own)
-    doubts += [name for name in _given_anew(draft, claim) if name not in doubts]
+    doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
     unless = [
         "the drafted kinds are others",
         *(f"{name} is something else" for name in doubts[:_MOST_DOUBTS]),
@@ -192,6 +192,16 @@ def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
         case Relation(left=Symbol(declaration=declaration)):
             return next(iter(_of_other_sections(draft, claim, {_written(declaration.name)})), None)
     return None
+
+
+def _of_other_place(claim: Claim) -> Iterator[str]:
+    """Yields the function E of E(v) = …, where the text defines E(p): it may be the E as a function of v."""
+    match claim.printed.statement:
+        case Relation(left=Symbol(declaration=own, arguments=arguments) as left):
+            for definition in claim.notation.definitions.about(left):
+                pairs = zip(definition.parameters, arguments, strict=False)
+                if any(isinstance(a, Symbol) and a.declaration.name != p.name for p, a in pairs):
+                    yield _written(own.name)
 
 
 def _of_other_sections(draft: Draft, claim: Claim, names: Collection[str]) -> list[str]:

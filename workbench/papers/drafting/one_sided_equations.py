@@ -9,19 +9,23 @@ from workbench.context.facts import Provider
 from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.context.repeated_laws import rate_in
-from workbench.core.terms import Definition, Derivative, Relation, Symbol
+from workbench.core.terms import Definition, Derivative, Number, Relation, Symbol, Term
 from workbench.core.types import PI, Declaration
 from workbench.language.definitions import Definitions
 from workbench.papers.drafting.drafted_definitions import gives_dimension
 from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.decide_under_facts import Decider
 
+#: Numbers from here on, and decimal fractions, are values of examples.
+_FIGURE = 10
+
 
 def may_say_what_symbols_are(claim: Claim) -> bool:
     """True if an equation gives a sequence, or has no free symbol on both sides and is true for some values.
 
     An identity relates what stands on both sides; F + G = 0 and AᵀP + PA = -1 rather state a law or a
-    condition of the text, and x_n = x_{n-1} + v_n Δt says how x proceeds. If no value of a single symbol
+    condition of the text, x_n = x_{n-1} + v_n Δt says how x proceeds, and F/m = 200/1500 is an example, of which
+    its sentence may give more figures. If no value of a single symbol
     without properties suits, as in i² = -1, the symbol is of another kind than the drafted one. [x] = L/T
     gives the dimension of a number x.
     """
@@ -35,10 +39,26 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
     said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
     definitions = Definitions([*claim.notation.definitions, *said]) if said else claim.notation.definitions
     left, right = (free_in([side], definitions) - {PI} for side in (statement.left, statement.right))
-    if not (left or right) or not left.isdisjoint(right) or _is_ruled(claim, statement):
+    if not (left or right) or not left.isdisjoint(right):
+        return False
+    if (_is_figure(statement.left) or _is_figure(statement.right)) and not _is_impossible(claim):
+        return True
+    if _is_ruled(claim, statement):
         return False
     written = {term.declaration for term in terms_of(statement) if isinstance(term, Symbol)}
-    return _is_about_one((left | right) & written) or not Decider(claim, _judge, True).is_impossible(())
+    return _is_about_one((left | right) & written) or not _is_impossible(claim)
+
+
+def _is_impossible(claim: Claim) -> bool:
+    return Decider(claim, _judge, True).is_impossible(())
+
+
+def _is_figure(term: Term) -> bool:
+    """True if the term consists of numbers, and one of them is none that an identity has."""
+    parts = list(term.walk())
+    numbers = [part.value for part in parts if isinstance(part, Number)]
+    has_symbol = any(isinstance(part, Symbol) for part in parts)
+    return not has_symbol and any(abs(n) >= _FIGURE or n.denominator >= _FIGURE for n in numbers)
 
 
 def _is_ruled(claim: Claim, statement: Relation) -> bool:

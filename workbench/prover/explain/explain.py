@@ -39,7 +39,7 @@ from workbench.prover.explain.field_alternatives import other_convention, with_o
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law, rates_a_definition
-from workbench.prover.explain.other_readings import other_reading
+from workbench.prover.explain.other_readings import is_rounded, other_reading
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.runtime.limits import within
 
@@ -292,6 +292,8 @@ class _Explanation:
         with_hints = self.decider.decide([*self.known, *self.hints]) if self.hints else against
         meets = with_hints.outcome is Outcome.REFUTED
         shown = (with_hints if meets else against).counterexample or self.base.counterexample
+        if shown is not None and is_rounded(self.claim.printed.latex, shown):
+            return Verdict(Outcome.UNCHECKED, reason=ContextCode.ROUNDED(), read_back=self.base.read_back)
         unless = [*self._rescuing(context), *self.doubts]
         met = {_said(fact) for fact in self.known}
         unless += [f"the text says more: {fact}" for fact in context.opaque if not _is_met(fact, met)]

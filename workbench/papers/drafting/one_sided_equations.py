@@ -24,10 +24,9 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
     """True if an equation gives a sequence, or has no free symbol on both sides and is true for some values.
 
     An identity relates what stands on both sides; F + G = 0 and AᵀP + PA = -1 rather state a law or a
-    condition of the text, x_n = x_{n-1} + v_n Δt says how x proceeds, and F/m = 200/1500 is an example, of which
-    its sentence may give more figures. If no value of a single symbol
-    without properties suits, as in i² = -1, the symbol is of another kind than the drafted one. [x] = L/T
-    gives the dimension of a number x.
+    condition of the text, and x_n = x_{n-1} + v_n Δt says how x proceeds. F/m = 200/1500 is an example. If no
+    value of a single symbol without properties suits, as in i² = -1, the symbol is of another kind than the
+    drafted one. [x] = L/T gives the dimension of a number x.
     """
     statement = claim.printed.statement
     if not isinstance(statement, Relation) or statement.operator != "=":

@@ -137,3 +137,9 @@ def test_rounded_figures_with_units_are_no_error(tmp_path: Path, value: str, gra
     root = r"\sqrt{2 (0.62) (9.81 \frac{\mathrm{m}}{\mathrm{s}^{2}}) (10 \mathrm{~m})}"
     figures = rf"\begin{{aligned}} v & = {root} \\ & = {value} \mathrm{{~m}} / \mathrm{{s}} \end{{aligned}}"
     assert grades(tmp_path, "Substituting the given numbers:", figures)[-1] is grade
+
+
+@pytest.mark.parametrize(("count", "seconds"), [(2, 10.0), (40, 2.5), (90, 2.0)])
+def test_long_text_gets_less_time_for_each_claim(tmp_path: Path, count: int, seconds: float) -> None:
+    (tmp_path / "p.md").write_text("\n\n".join(f"$$ x + {n} y = {n} y + x $$" for n in range(2, count + 2)))
+    assert draft_of(tmp_path / "p.md").paper.budget.seconds == seconds

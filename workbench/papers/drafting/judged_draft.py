@@ -37,8 +37,9 @@ _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORE
 #: The libraries whose versions a draft depends on, beside the files of its text.
 DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
 
-#: The limits of each judgement under a drafted model: what guesses do not decide soon, a model may.
-_BUDGET = Budget(seconds=10.0)
+#: The limits of each judgement under a drafted model: what guesses do not decide soon, a model may. A text of
+#: many claims gets about as much time as one of ten, but each claim at least the least.
+_MOST_SECONDS, _LEAST_SECONDS, _SECONDS_OF_TEXT = 10.0, 2.0, 100.0
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
 #: The most displays of a text whose misfits are errors rather than a notation that the draft misreads.
@@ -98,7 +99,13 @@ def draft_from(ingested: Ingested) -> Draft:
     path = ingested.text.path
     _, model, scopes = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
     paper = text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))
-    return Draft(ingested, replace(paper, budget=_BUDGET), scopes)
+    return Draft(ingested, replace(paper, budget=_budget_of(len(paper.claims))), scopes)
+
+
+def _budget_of(claims: int) -> Budget:
+    """Returns the limits of each of so many judgements."""
+    share = _SECONDS_OF_TEXT / max(claims, 1)
+    return Budget(seconds=min(_MOST_SECONDS, max(_LEAST_SECONDS, share)))
 
 
 def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:

@@ -143,3 +143,9 @@ def test_rounded_figures_with_units_are_no_error(tmp_path: Path, value: str, gra
 def test_long_text_gets_less_time_for_each_claim(tmp_path: Path, count: int, seconds: float) -> None:
     (tmp_path / "p.md").write_text("\n\n".join(f"$$ x + {n} y = {n} y + x $$" for n in range(2, count + 2)))
     assert draft_of(tmp_path / "p.md").paper.budget.seconds == seconds
+
+
+@pytest.mark.parametrize(("words", "grade"), [("When it moves away:", Grade.NOTE), ("Hence", Grade.WARNING)])
+def test_symbol_given_for_another_case(tmp_path: Path, words: str, grade: Grade) -> None:
+    given = ["The source moves:", "f = g v + s", "(v - s)(v + s) = v^2 - s^2"]
+    assert grades(tmp_path, *given, words, "f = g v - s")[-1] is grade

@@ -34,6 +34,8 @@ from workbench.source.documents.titles import own_title
 
 #: The words for one of several cases, before a display.
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
+#: The words for another case than that of an earlier display.
+_OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
 #: The libraries whose versions a draft depends on, beside the files of its text.
 DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
 
@@ -150,7 +152,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     given = set() if is_misfit else {each.symbol for each in draft.ingested.definitions if each.sure}
     known = confirmed | given
     doubts = [name for name in names or unsure if name in unsure and name not in known]
-    if (own := _defined_elsewhere(draft, claim)) is not None:
+    if (own := _defined_elsewhere(draft, claim) or _of_another_case(draft, claim)) is not None:
         doubts.append(own)
     doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
     unless = [
@@ -198,6 +200,20 @@ def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
     match claim.printed.statement:
         case Relation(left=Symbol(declaration=declaration)):
             return next(iter(_of_other_sections(draft, claim, {_written(declaration.name)})), None)
+    return None
+
+
+def _of_another_case(draft: Draft, claim: Claim) -> str | None:
+    """Returns the symbol alone on the left that an earlier display defines, and this one for another case."""
+    match claim.printed.statement:
+        case Relation(left=Symbol(declaration=declaration)):
+            name, line = _written(declaration.name), claim.line or 0
+            is_known = any(
+                each.sure and each.symbol == name and each.line < line for each in draft.ingested.definitions
+            )
+            own = (each for each in draft.ingested.text.displays if each.line == line)
+            is_case = any(_OTHER_CASE.search(each.before) for each in own)
+            return name if is_known and is_case else None
     return None
 
 

@@ -12,6 +12,7 @@ from workbench.context.facts import Act
 from workbench.context.formula_subject import Subject, derived
 from workbench.context.free_symbols import body_of, equations_of, free_in, terms_of
 from workbench.core.integer_expressions import Linear
+from workbench.core.integer_instances import free_integers
 from workbench.core.names import Name
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import (
@@ -95,7 +96,8 @@ def stated(statement: Statement) -> str | None:
 
 def definition_by(statement: Statement, own: Symbol | None) -> Definition | None:
     """Returns the equation as a definition of the symbol alone on one side; None if the symbol has declared
-    properties beyond its kind.
+    properties beyond its kind, or if the other side has an index of its own, as in V = R i_m: the index is that
+    of the claim, to which no symbol V could be unfolded.
     """
     match statement:
         case Relation(operator="=", left=left, right=right) if own is not None:
@@ -110,6 +112,7 @@ def _definition(symbol: Symbol, body: Term) -> Definition | None:
     plain = Declaration(declaration.name, declaration.type, declaration.weight, indices=declaration.indices)
     uses_itself = any(isinstance(part, Symbol) and part.declaration == declaration for part in body.walk())
     is_member = all(each.is_number or each in map(Linear.variable, each.variables) for each in symbol.index)
+    is_member = is_member and free_integers(body) <= free_integers(symbol)
     if declaration != plain or symbol.arguments or uses_itself or body.type != declaration.type:
         return None
     return Definition(declaration, symbol.index, (), body) if is_member else None

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from workbench.context.claims import Claim, Notation
 from workbench.context.facts import Duration, Fact, Provider, Supposition
 from workbench.core.codes.verdict_codes import UNLESS_IT_LASTS, VerdictCode
-from workbench.core.construct import relation, symbol
-from workbench.core.integer_instances import free_integers
+from workbench.core.construct import relation
 from workbench.core.names import Name
 from workbench.core.reasons import Reason, reason_of
 from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
@@ -162,17 +161,6 @@ class Decider:
         return False
 
 
-def _of_some_member(definition: Definition) -> Relation | None:
-    """Returns the equation of a definition that holds an index of its body only: the m of V := R i_m.
-
-    It is the index of the claim. None for other definitions.
-    """
-    own = frozenset().union(*(place.variables for place in definition.index))
-    if free_integers(definition.body) <= own or definition.parameters:
-        return None
-    return relation("=", symbol(definition.declaration, definition.index), definition.body)
-
-
 def _is_momentary(fact: Fact) -> bool:
     return fact.origin.provider is Provider.CONVENTION and fact.duration is Duration.INSTANT
 
@@ -192,8 +180,6 @@ class _Put:
         match fact.content:
             case None:
                 pass
-            case Definition() as definition if (said := _of_some_member(definition)) is not None:
-                self.always.append(said)
             case Definition() as definition:
                 self.definitions.append(definition)
             case Supposition(terms=terms, equations=equations):

@@ -59,7 +59,11 @@ def test_index_that_only_the_body_holds_is_that_of_the_claim(tmp_path: Path, sai
 
 def test_two_symbols_solved_for_each_other_under_an_index_define_no_circle(tmp_path: Path) -> None:
     kinds = model({"V": "scalar", "f": "scalar", "g": "scalar", "i_m": "scalar", "w_m": "scalar"})
-    solved = [r"V = f i_m + \frac{w_m}{g}", r"f i_m = V - \frac{w_m}{g}", r"i_m = \frac{V}{f} - \frac{w_m}{f g}"]
+    solved = [
+        r"V = f i_m + \frac{w_m}{g}",
+        r"f i_m = V - \frac{w_m}{g}",
+        r"i_m = \frac{V}{f} - \frac{w_m}{f g}",
+    ]
     for wrong in ("", "2"):
         *_, last = judged(tmp_path, text_of([*solved, rf"V = f i_m + {wrong} \frac{{w_m}}{{g}}"]), kinds)
         assert (last.outcome is Outcome.REFUTED) <= bool(wrong)

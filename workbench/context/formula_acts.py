@@ -95,9 +95,10 @@ def stated(statement: Statement) -> str | None:
 
 
 def definition_by(statement: Statement, own: Symbol | None) -> Definition | None:
-    """Returns the equation as a definition of the symbol alone on one side; None if the symbol has declared
-    properties beyond its kind, or if the other side has an index of its own, as in V = R i_m: the index is that
-    of the claim, to which no symbol V could be unfolded.
+    """Returns the equation as a definition of the symbol alone on one side.
+
+    Returns None if the symbol has declared properties beyond its kind. Returns None if the other side has an
+    index of its own, as in V = R i_m: the index is that of the claim, and V has none to unfold it with.
     """
     match statement:
         case Relation(operator="=", left=left, right=right) if own is not None:

@@ -57,7 +57,7 @@ def test_index_that_only_the_body_holds_is_that_of_the_claim(tmp_path: Path, sai
     assert false.outcome is Outcome.REFUTED or false.grade is not Grade.OK
 
 
-def test_two_symbols_solved_for_each_other_under_an_index_define_no_circle(tmp_path: Path) -> None:
+def test_symbols_under_an_index_define_no_circle(tmp_path: Path) -> None:
     kinds = model({"V": "scalar", "f": "scalar", "g": "scalar", "i_m": "scalar", "w_m": "scalar"})
     solved = [
         r"V = f i_m + \frac{w_m}{g}",

@@ -64,9 +64,7 @@ def test_dimension_is_neither_a_definition_nor_a_warning(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize(("dot", "grade"), [(r"\cdot ", Grade.NOTE), ("", Grade.WARNING)])
-def test_dot_between_letters_that_stand_nowhere_else_may_be_that_of_vectors(
-    tmp_path: Path, dot: str, grade: Grade
-) -> None:
+def test_dot_between_letters_may_be_that_of_vectors(tmp_path: Path, dot: str, grade: Grade) -> None:
     *_, last = grades(tmp_path, f"x {dot}u + y {dot}u + x {dot}y = x {dot}u + y {dot}u - x {dot}y")
     assert last is grade
 
@@ -78,7 +76,7 @@ VECTORS = (
 )
 
 
-def test_fault_of_another_operation_than_the_misfit_is_no_warning(tmp_path: Path) -> None:
+def test_fault_of_another_operation_is_no_warning(tmp_path: Path) -> None:
     called = (r"f(m) = 2 m^2", r"\mathbf{h} \cdot \mathbf{v} = m \mathbf{r} + f(\mathbf{p})")
     assert grades(tmp_path, *VECTORS, *called)[-1] is not Grade.WARNING
     wrong = r"\mathbf{h} \cdot \mathbf{v} = m \mathbf{r} + \mathbf{p} \cdot \mathbf{v}"
@@ -102,7 +100,7 @@ def test_several_misfits_are_a_misread_notation(tmp_path: Path) -> None:
     assert grades(tmp_path, *VECTORS, *wrong[:2])[-2:] == [Grade.WARNING] * 2
 
 
-def test_late_formula_of_a_sentence_defines_behind_where_only(tmp_path: Path) -> None:
+def test_late_formula_defines_behind_where_only(tmp_path: Path) -> None:
     first = [r"m \mathbf{p} = \mathbf{v} + \mathbf{h}", r"\mathbf{q} = \mathbf{p} + \mathbf{h}"]
     for words, count in (("Finally, we find the place", 0), ("We have this, where", 1)):
         (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in first))
@@ -113,7 +111,7 @@ def test_late_formula_of_a_sentence_defines_behind_where_only(tmp_path: Path) ->
 
 
 @pytest.mark.parametrize(("left", "grade"), [("f(y)", Grade.NOTE), ("f(2)", Grade.WARNING)])
-def test_function_of_another_symbol_may_be_another_function(tmp_path: Path, left: str, grade: Grade) -> None:
+def test_function_of_another_symbol_may_be_another(tmp_path: Path, left: str, grade: Grade) -> None:
     given = ["f(x) = x^2 + x", "y = 3 z", "f(1) = 2", "(x - y)^2 = x^2 - 2 x y + y^2"]
     right = "y^3 + y" if "y" in left else "7"
     assert grades(tmp_path, *given, f"{left} = {right}")[-1] is grade

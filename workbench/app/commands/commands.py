@@ -133,12 +133,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
 @click.option("--pdf", is_flag=True, help="Typeset erratum.tex by pdflatex, and link to erratum.pdf.")
 @json_flag
 @engine_options
-@click.option(
-    "--proposals/--no-proposals",
-    default=False,
-    show_default=True,
-    help="Search for the right form of what is not right; takes a minute or two.",
-)
+@proposals_flag
 @reports_faults
 def report(
     select: Sequence[str],
@@ -164,7 +159,7 @@ def report(
     results = judged_claims(paper, select, **engines)
     recheck = "workbench report" + f" --paper {paper_name}" * bool(paper_name)
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})
-    told = with_proposals(results, True, engines["cache"], paper=paper) if proposals else results
+    told = with_proposals(results, proposals, engines["cache"], beside_right=False, paper=paper)
     told = with_certificates(told, paper)
     written = write_report(cited, told, out, source, pdf)
     if as_json:

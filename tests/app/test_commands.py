@@ -90,18 +90,28 @@ def test_python_m_workbench_runs() -> None:
     ],
 )
 def test_shell_completion_completes(typed: str, completion: str) -> None:
-    words = {"COMP_WORDS": typed, "COMP_CWORD": str(len(typed.split()) - 1)}
-    done = subprocess.run(
-        [
-            sys.executable,
-            "-c",
-            "from workbench.app.commands.commands import main; main(prog_name='workbench')",
-        ],
-        env=os.environ | words | {"_WORKBENCH_COMPLETE": "bash_complete"},
-        capture_output=True,
-        text=True,
-    )
+    done = _completed("bash", typed, str(len(typed.split()) - 1))
     assert f"plain,{completion}" in done.stdout.splitlines()
+    done = _completed("zsh", typed, str(len(typed.split()) - 1))
+    assert ["plain", completion] in [
+        done.stdout.splitlines()[k : k + 2] for k in range(len(done.stdout.splitlines()))
+    ]
+    done = _completed("fish", typed, typed.split()[-1])
+    assert f"plain,{completion}" in [line.split("\t")[0] for line in done.stdout.splitlines()]
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_shell_completion_after_an_unknown_command_offers_nothing(shell: str) -> None:
+    done = _completed(shell, "workbench chk fi", "fi" if shell == "fish" else "2")
+    assert (done.returncode, done.stdout.strip(), done.stderr) == (0, "", "")
+
+
+def _completed(shell: str, typed: str, at: str) -> subprocess.CompletedProcess[str]:
+    words = {"COMP_WORDS": typed, "COMP_CWORD": at, "_WORKBENCH_COMPLETE": f"{shell}_complete"}
+    code = "from workbench.app.commands.commands import main; main(prog_name='workbench')"
+    return subprocess.run(
+        [sys.executable, "-c", code], env=os.environ | words, capture_output=True, text=True
+    )
 
 
 HEAVY = ("numpy", "scipy", "sympy", "flint", "pydrake", "lark", "numba", "jinja2", "rich")

@@ -28,7 +28,8 @@ class CommandGroups(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        if self.get_command(ctx, args[0]) is None and not args[0].startswith("-"):
+        unknown = self.get_command(ctx, args[0]) is None and not args[0].startswith("-")
+        if unknown and not ctx.resilient_parsing:  # completion of a word that is no command offers nothing
             _refuse(ctx, args[0], self.list_commands(ctx))
         return super().resolve_command(ctx, args)
 

@@ -26,6 +26,8 @@ _SPACE = re.compile(
 )
 _BESIDE = re.compile(r"[,;]?(?:\\text|\\forall|\\mbox|\()")
 
+#: The claims that the reason of a conditional verdict names.
+_PREMISE = re.compile(r"\((d\d+x\w[.\d]*)\)")
 HOLDS = {"proved"}
 DENIED = {"refuted", "ill-formed"}
 
@@ -169,7 +171,7 @@ def compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | N
         claim = next((each for each in left if _says(each, whole)), None)
         if claim is not None:  # one claim for all steps
             left.remove(claim)
-            yield from ((kind_of(whole, claim.outcome), step, claim) for step in steps)
+            yield from ((kind_of(whole, claim), step, claim) for step in steps)
             continue
         for step in steps:
             claim = next((each for each in left if _says(each, step)), None)
@@ -177,7 +179,7 @@ def compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | N
                 lost.append(step)
                 continue
             left.remove(claim)
-            yield kind_of(step, claim.outcome), step, claim
+            yield kind_of(step, claim), step, claim
             if _is_mislabelled(display, step, claim):
                 yield "mislabelled", None, claim
     asides = {key_of(each) for each in display.asides}
@@ -224,16 +226,19 @@ def _says(claim: Seen, step: Step) -> bool:
     return key.endswith(wanted) and key.startswith(r"\text")
 
 
-def kind_of(step: Step, outcome: str) -> str:
-    """What a verdict is, given the truth; a condition that is not beside a formula makes it false."""
-    if outcome == "definition":
+def kind_of(step: Step, claim: Seen) -> str:
+    """Returns what a verdict is, given the truth. A false formula with a condition beside it is false under
+    the condition, unless the verdict names an equation of another display that the condition does not say.
+    """
+    if claim.outcome == "definition":
         return "definition"
-    if outcome in HOLDS:
+    if claim.outcome in HOLDS:
         return "proved" if step.truth in (TRUE, UNDER) else "false proof"
-    if outcome in DENIED:
+    if claim.outcome in DENIED:
         return "refuted" if step.truth == FALSE else "false alarm"
-    if outcome == "conditional":
+    if claim.outcome == "conditional":
         if step.truth == FALSE:
-            return "false proof" if step.beside is not None else "excused"
+            rests_on_another = bool(set(_PREMISE.findall(claim.reason)) - {claim.id})
+            return "excused" if step.beside is None or rests_on_another else "false proof"
         return "conditional"
     return "silent"

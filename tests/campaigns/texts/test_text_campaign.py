@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from random import Random
 
 import pytest
@@ -10,7 +11,7 @@ from context_laws import in_formula
 from exact_values import holds
 from formula_trees import Writer, leaf, number, unit, zero
 from identity_pool import FAMILIES, Pool, cross, defined, dot, norm2, t
-from judged_claims import Seen, compared, judged
+from judged_claims import Seen, compared, judged, kind_of
 from one_fault import FALSE, TRUE, UNDER, Stating
 from tally import told, wrong
 from written_documents import Document, Shown, Step, documents
@@ -83,6 +84,19 @@ def test_wrong_verdicts_are_detected(claims: list[tuple[str, str]], kinds: list[
     display = Shown("d0x", "align", "", [STEP, OTHER], [])
     seen = [Seen(f"d0xa.{at}", latex, outcome, "", 1) for at, (latex, outcome) in enumerate(claims)]
     assert [kind for kind, _, _ in compared(display, seen)] == kinds
+
+
+@pytest.mark.parametrize(
+    ("reason", "kind"),
+    [
+        ("holds by $f = g$", "false proof"),
+        ("holds by $f = g$ (d0xa)", "false proof"),
+        ("holds by $h = g$ (d7xa.2)", "excused"),
+    ],
+)
+def test_false_formula_with_a_condition_rests_on_another_display(reason: str, kind: str) -> None:
+    step = replace(OTHER, beside="f = g")
+    assert kind_of(step, Seen("d0xa", "f = g + h", "conditional", reason, 1)) == kind
 
 
 def test_verdicts_on_unprinted_formulas_are_reported() -> None:

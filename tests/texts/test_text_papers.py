@@ -426,7 +426,7 @@ SAID = r"""
         (r"\[ a = r \times b \] \[ a \cdot r = p \] \[ a \cdot a = 0 \]", "refuted", None),
         (r"\[ a = r \times b \] \[ a = p r \] \[ a \cdot b = 0 \]", "conditional", "(L9)"),
         (r"\[ a = r \times b \] \[ r = p b \] \[ a = 0 a \]", "conditional", "(L9)"),
-        (r"\[ a = F b \] \[ b = F a \] \[ a \cdot b = 0 \]", "definition", "says what"),
+        (r"\[ a = F b \] \[ b = F a \] \[ a \cdot b = 0 \]", "refuted", None),
         (r"\[ a \cdot b = \|a\| \|b\| \cos \theta \]", "definition", "says what \\theta is"),
         (r"\[ \sin^2 \theta = \cos \theta \]", "refuted", None),
         (r"\[ a \times b \neq b \times a \]", "unchecked", "always, or in general"),

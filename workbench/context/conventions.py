@@ -18,7 +18,7 @@ from workbench.context.vector_figures import Made, named
 from workbench.core.construct import apply, block, number, symbol
 from workbench.core.operations import CIRCULAR
 from workbench.core.properties import PROPERTIES
-from workbench.core.terms import Apply, Derivative, Symbol, Zero
+from workbench.core.terms import Apply, Derivative, Symbol, Zero, sides_of
 from workbench.core.types import SCALAR
 from workbench.language.naming.symbols import UNIT_LETTERS
 from workbench.language.printing.printer import to_latex
@@ -229,8 +229,19 @@ _PLAIN = "wxyz"
 
 
 def _of_length_one(subject: Subject) -> Iterator[Made]:
-    """Yields unit sets: 2 to 4 numbers of one letter, the numbers x, y, z, w, or a number and a vector."""
-    numbers = _numbers(subject)
+    """Yields unit sets: 2 to 4 numbers of one letter, the numbers x, y, z, w, or a number and a vector.
+
+    An angle, of which a sine or cosine is taken, belongs to none.
+    """
+    turns = (part for side in sides_of(subject.statement) for part in subject.definitions.reached(side))
+    angles = {
+        part
+        for turn in turns
+        if isinstance(turn, Apply) and turn.head in CIRCULAR
+        for part in turn.walk()
+        if isinstance(part, Symbol)
+    }
+    numbers = [each for each in _numbers(subject) if each not in angles]
     vectors = [s for s in subject.free if s.type.kind == "vector" and not s.declaration.unit]
     groups: dict[str, list[Symbol]] = {}
     for own in numbers:

@@ -16,7 +16,7 @@ from workbench.context.formula_subject import conditioned, names_of
 from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.context.repeated_laws import is_repeated
 from workbench.core.names import Name
-from workbench.core.terms import Derivative, Relation, Statement, Symbol, sides_of
+from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol, sides_of
 from workbench.core.types import Declaration
 from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display
@@ -78,10 +78,23 @@ def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> 
             if saying.cases or _is_local(claim, display, first):
                 saying.fact = replace(saying.fact, strength=Strength.GUESSED)
             for declaration in saying.registered:
-                said.setdefault(declaration, []).append(saying)
+                earlier = said.get(declaration, [])
+                said[declaration] = [*(each for each in earlier if not _replaces(saying, each)), saying]
         for declaration in free_in(sides_of(statement), claim.notation.definitions):
             first.setdefault(declaration, display)
     return made
+
+
+def _replaces(later: _Saying, earlier: _Saying) -> bool:
+    """True if a later formula defines a family of which an earlier one defines a member: it speaks anew."""
+    family, member = later.fact.content, earlier.fact.content
+    return (
+        isinstance(family, Definition)
+        and isinstance(member, Definition)
+        and family.declaration == member.declaration
+        and any(not index.is_number for index in family.index)
+        and all(index.is_number for index in member.index)
+    )
 
 
 def _is_local(claim: Claim, display: Display, first: Mapping[Declaration, Display]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -44,6 +44,7 @@ class Subject:
         moving: The symbols whose rates the text writes.
         ruled: The symbols whose rates a law of the text gives.
         letters: Whether letters and accents are used as evidence.
+        laws: Equations that give rates, which are unfolded as definitions are.
     """
 
     statement: Statement
@@ -54,6 +55,7 @@ class Subject:
     moving: frozenset[Name] = frozenset()
     ruled: frozenset[Name] = frozenset()
     letters: bool = True
+    laws: tuple[Relation, ...] = ()
 
     @cached_property
     def free(self) -> list[Symbol]:
@@ -128,7 +130,7 @@ class Subject:
                 continue
             if not self._may_be_given(own):
                 continue
-            highest = self._orders_in(other).get(own)
+            highest = self._orders_in([other]).get(own)
             if highest is None:
                 return (Act.POSTULATE if order else Act.DEFINE), own
             if highest < order:
@@ -153,6 +155,7 @@ class Subject:
                 with suppress(IllFormed):
                     body = self.definitions.lookup(term)
                     behind.update(free_in([body], self.definitions) if body is not None else ())
+        behind.update(free_in(self._laws_behind([*sides_of(self.statement)]), self.definitions))
         once = [
             each
             for each, number in count.items()
@@ -160,6 +163,23 @@ class Subject:
         ]
         once = [each for each in once if not any(o is not each and each in o.declaration.of for o in count)]
         return [each for each in once if not (self.rates and each.declaration.constant)]
+
+    def free_in(self, side: Term) -> set[Declaration]:
+        """Returns the free symbols of a side, with definitions and laws unfolded."""
+        return free_in([side, *self._laws_behind([side])], self.definitions)
+
+    def _laws_behind(self, terms: Sequence[Term]) -> list[Term]:
+        """Returns the sides of the laws for rates in the terms, and for rates in these laws."""
+        found: list[Term] = []
+        waiting = list(self.laws)
+        while waiting:
+            reached = self._orders_in([*terms, *found])
+            used = [law for law in waiting if any(_gives_rate(side, reached) for side in sides_of(law))]
+            if not used:
+                break
+            found += [side for law in used for side in sides_of(law)]
+            waiting = [law for law in waiting if law not in used]
+        return found
 
     @cached_property
     def constrained(self) -> list[Symbol]:
@@ -169,7 +189,7 @@ class Subject:
             return _symbols_of(self.conditioned)[:1]
         if once := self._single:
             return once
-        left, right = (free_in([side], self.definitions) for side in sides_of(self.statement))
+        left, right = map(self.free_in, sides_of(self.statement))
         inside: list[Symbol] = []
         if left and right and left.isdisjoint(right):
             inside = self._symbols
@@ -217,10 +237,10 @@ class Subject:
         others = [term for term in terms_of(self.statement) if isinstance(term, Symbol) and term != own]
         return entries <= self.declarations and entries.isdisjoint(free_in(others, self.definitions))
 
-    def _orders_in(self, term: Term) -> dict[Symbol, int]:
+    def _orders_in(self, terms: Sequence[Term]) -> dict[Symbol, int]:
         with suppress(NotExact, IllFormed):
-            return dict(take_inventory([term], self.definitions).orders)
-        parts = self.definitions.reached(term)
+            return dict(take_inventory(terms, self.definitions).orders)
+        parts = (part for term in terms for part in self.definitions.reached(term))
         return {part: 0 for part in parts if isinstance(part, Symbol)}
 
 
@@ -234,6 +254,15 @@ def derived(term: Term) -> tuple[Symbol | None, int]:
         places = [each for each in term.children if not isinstance(each, Number | Zero)]
         return derived(places[0]) if len(places) == 1 else (None, 0)
     return None, 0
+
+
+def _gives_rate(side: Term, orders: Mapping[Symbol, int]) -> bool:
+    """True if a side is a rate that the orders reach, perhaps with factors."""
+    if isinstance(side, Apply) and side.head in ("mul", "neg", "div"):
+        rates = [part for part in side.arguments if any(isinstance(each, Derivative) for each in part.walk())]
+        return len(rates) == 1 and _gives_rate(rates[0], orders)
+    own, order = derived(side)
+    return own is not None and 0 < order <= orders.get(own, 0)
 
 
 def _symbols_of(declarations: Collection[Declaration]) -> list[Symbol]:

@@ -60,22 +60,32 @@ def is_repeated(claim: Claim, facts: Iterable[Fact]) -> bool:
     return False
 
 
+def laws_in(facts: Iterable[Fact]) -> tuple[Relation, ...]:
+    """Returns the equations of earlier formulas among the facts."""
+    said = (
+        fact.content
+        for fact in facts
+        if fact.origin.provider is Provider.FORMULA or (fact.origin.provider is Provider.LAW and fact.earlier)
+    )
+    return tuple(each for each in said if isinstance(each, Relation))
+
+
 def definitions_in(facts: Sequence[Fact]) -> list[Definition]:
     """Returns the first definition of each symbol among the facts, without those that close a circle."""
     found: dict[object, Definition] = {}
     for content in (fact.content for fact in facts):
         if isinstance(content, Definition):
             key = (content.declaration, content.index)
-            if key not in found and content.declaration not in _reached(content, found.values()):
+            if key not in found and not closes_circle(content, found.values()):
                 found[key] = content
     return list(found.values())
 
 
-def _reached(definition: Definition, others: Collection[Definition]) -> set[Declaration]:
-    """Returns the declarations in the body of a definition, with these definitions unfolded."""
+def closes_circle(definition: Definition, others: Collection[Definition]) -> bool:
+    """True if the body of a definition contains its own symbol, with these definitions unfolded."""
     waiting, reached = [definition], set[Declaration]()
     while waiting:
         used = {part.declaration for part in waiting.pop().body.walk() if isinstance(part, Symbol)} - reached
         reached |= used
         waiting += [each for each in others if each.declaration in used]
-    return reached
+    return definition.declaration in reached

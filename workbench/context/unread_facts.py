@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -18,7 +18,7 @@ from workbench.context.read_formulas import read_statement
 from workbench.core.construct import apply, derivative, number, relation, zero
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.operations import CIRCULAR
-from workbench.core.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
+from workbench.core.terms import Apply, Derivative, IllFormed, Relation, Symbol, Term, sides_of
 from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.definitions import expand
@@ -30,6 +30,7 @@ _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
 #: The indices of a component of a vector, a matrix or a quaternion.
 COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
+_CONSTANT = re.compile(r"(?:\\(?:text|mathrm|mbox|textrm|rm|operatorname))?\.?const(?:ant)?")
 _WHOLE = re.compile(r"[+-]?\d+")
 _RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
 _COSINES = (1, 0, -1, 0)
@@ -55,15 +56,16 @@ class Unread:
     def shown(self) -> str:
         return self.latex if len(self.latex) <= 60 else f"{self.latex[:59]}…"
 
-    def values(self, own: Symbol, terms: Sequence[Term]) -> list[Fact]:
-        """Returns the fact that the symbol always has its value, if that is an integer or a right angle.
+    def values(self, own: Symbol, terms: Sequence[Term]) -> list[Fact] | None:
+        """Returns the facts that the symbol always has its value, if that is an integer, a right angle or
+        any constant.
 
-        Returns nothing otherwise, or if the terms cannot be evaluated at the angle.
+        Returns None otherwise, or if the terms cannot be evaluated at the angle.
         """
         top, is_turn = _top(own, terms), _is_turn(own, terms)
         is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))
         if top is None or own.type.kind != "scalar" or not is_value:
-            return []
+            return None
         right = re.sub(r"[\s{}]|\\[,;!]", "", self.right).rstrip(".,;")
         if (quarters := _quarters(right)) is not None and is_turn:
             premises = [relation("=", apply("cos", own), number(_COSINES[quarters % 4]))]
@@ -71,8 +73,10 @@ class Unread:
                 premises.append(relation("=", apply("sin", own), number(_COSINES[(quarters - 1) % 4])))
         elif _WHOLE.fullmatch(right):
             premises = [relation("=", own, number(int(right)) if int(right) else zero())]
+        elif _CONSTANT.fullmatch(right):
+            premises = []
         else:
-            return []
+            return None
         premises += [relation("=", derivative(own, order + 1), zero()) for order in range(top)]
         about, origin = frozenset({own.declaration.name}), self.origin
         return [Fact(each, about, origin, Strength.STATED, Duration.INSTANT) for each in premises]
@@ -123,11 +127,22 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
             continue
         terms = _expanded(claim)
         own = _own(declaration, terms)
-        values = unread.values(own, terms) if own else []
-        if not values or _is_another_case(unread, claim):
+        values = unread.values(own, terms) if own else None
+        if values is None:
             yield Fact(None, frozenset({declaration.name}), unread.origin, Strength.STATED)
+        elif _is_another_case(unread, claim) or _makes_rate_vanish(values, own, claim):
+            yield from (replace(value, strength=Strength.GUESSED) for value in values)
         elif not _is_elsewhere(unread, claim):
             yield from values
+
+
+def _makes_rate_vanish(values: Sequence[Fact], own: Symbol | None, claim: Claim) -> bool:
+    """True if a symbol is said to be constant of which the claim writes a rate: that is another case."""
+    is_constant = all(
+        isinstance(each.content, Relation) and isinstance(each.content.left, Derivative) for each in values
+    )
+    rates = (part for part in terms_of(claim.printed.parsed) if isinstance(part, Derivative))
+    return is_constant and any(part == own for rate in rates for part in rate.walk())
 
 
 def _is_over(value: Unread, claim: Claim) -> bool:

@@ -18,6 +18,7 @@ _LETTER = re.compile(
 _RATIONAL = re.compile(r"-?\d+(/[1-9]\d*)?")
 #: Types that have no name of a kind.
 _UNDECLARED = {str(each): each for each in (QUATERNION, Type(1, 3))}
+_RELATION = re.compile(r":?=|\\equiv(?![A-Za-z])|\\triangleq(?![A-Za-z])")
 #: The most components of a defined symbol's value that is shown: those of a dual vector.
 _SMALL = 6
 
@@ -79,7 +80,12 @@ def told(example: Counterexample, said: str = "") -> Against:
     """Returns the nonzero values, in the letters of the formula `said`, and the two sides."""
     sides = (example.left, example.right)
     small = {name: entries for name, entries in example.defined.items() if len(entries) <= _SMALL}
-    defined = {name: entries for name, entries in small.items() if entries not in sides}
+    shown_sides = {_bare(side) for side in _RELATION.split(said)}
+    defined = {
+        name: entries
+        for name, entries in small.items()
+        if entries not in sides or _bare(name) not in shown_sides
+    }
     behind = example.behind if defined else ()
     values = {name: entries for name, entries in example.values.items() if name not in behind}
 
@@ -94,6 +100,11 @@ def told(example: Counterexample, said: str = "") -> Against:
     shown_values, shown_defined = shown(values), shown(defined)
     rest = len(shown_values) < len(values) or (not values and len(shown_defined) < len(defined))
     return Against(None, shown_values, rest, shown_defined, left, right)
+
+
+def _bare(latex: str) -> str:
+    """Returns a side or a name without braces, blanks and marks of alignment and punctuation."""
+    return re.sub(r"[{}\s&]|\\,", "", latex).strip(".,;")
 
 
 def as_printed(name: str, said: str) -> str:

@@ -173,6 +173,8 @@ class Elaborator(Scope):
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): side by side
         if len(terms) == 2 and node.kind == "\\langle" and _are_columns(*terms):
             return self.apply(node.at, "dot", *terms)
+        if len(terms) > 1 and node.kind == "(" and _are_numbers(terms):
+            return self.build(node.at, construct.block, [[term] for term in terms])  # p = (x, y)
         message = SyntaxCode.TRIPLE_PRODUCT_OR_PAIR()
         raise Fault(SyntaxCode.EXPRESSIONS_BETWEEN_BRACKETS(terms=len(terms), message=message), node.at)
 

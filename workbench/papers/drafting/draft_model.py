@@ -31,6 +31,7 @@ from workbench.papers.drafting.formula_shapes import (
     components_of,
     coordinates,
     jacobians,
+    matrices,
 )
 from workbench.papers.drafting.inference.infer import Inference, Source, infer
 from workbench.papers.drafting.marked_text import MarkedText
@@ -163,9 +164,9 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         *of_functions,
         *short,
         *columns(reader.guesses, lines, own),
+        *matrices(reader.guesses, lines, own),
         *(each for each, _ in parts),
-        *in_displays,
-        *for_the_text(said),
+        *sorted([*in_displays, *for_the_text(said)], key=lambda each: each.line),
     ]
     found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)

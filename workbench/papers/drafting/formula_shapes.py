@@ -44,6 +44,28 @@ def columns(
                 yield Proposed(name, body, lines.get(name, 1), "its components have the same letter", True)
 
 
+def matrices(
+    guesses: Mapping[str, Guess], lines: Mapping[str, int], defined: Collection[str] = ()
+) -> Iterator[Proposed]:
+    """Yields square matrices of their entries: an M of M_11, M_12, M_22, which is symmetric then.
+
+    lines: symbol → line of its first occurrence.   defined: symbols with another definition.
+    """
+    for name, guess in guesses.items():
+        own = type_of_kind(guess.kind)
+        if own is None or own.columns != own.rows or own.rows < 2 or own.algebra or name in defined:
+            continue
+        places = range(1, own.rows + 1)
+        entry = {(i, j): f"{without_bold(name)}_{{{i}{j}}}" for i in places for j in places}
+        for (i, j), part in entry.items():
+            if part not in guesses and entry[j, i] in guesses:
+                entry[i, j] = entry[j, i]
+        if all(part in guesses and guesses[part].kind == "scalar" for part in entry.values()):
+            rows = (" & ".join(entry[i, j] for j in places) for i in places)
+            body = r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
+            yield Proposed(name, body, lines.get(name, 1), "its entries have the same letter", True)
+
+
 def components(
     guesses: Mapping[str, Guess], lines: Mapping[str, int], defined: Collection[str] = ()
 ) -> Iterator[tuple[Proposed, str]]:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
+from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
@@ -29,7 +30,8 @@ from workbench.prover.explain.field_alternatives import TRANSPOSED
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.runtime import Budget
 from workbench.runtime.store import Store
-from workbench.source.documents import Text, is_text, read_text
+from workbench.source.documents import Display, Text, is_text, read_text
+from workbench.source.documents.surrounding_words import sections_of
 from workbench.source.documents.titles import own_title
 
 #: The words for one of several cases, before a display.
@@ -161,7 +163,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     ]
     if is_misfit and (count := _misfit_displays(draft)) > _MOST_MISFITS:
         unless.append(f"the notation is misread, as {count} formulas do not fit")
-    if not doubts and verdict.counterexample is not None and may_say_what_symbols_are(claim):
+    is_open = verdict.code is not ContextCode.GIVEN_OTHERWISE and may_say_what_symbols_are(claim)
+    if not doubts and verdict.counterexample is not None and is_open:
         unless.append("it says what its symbols are")
     said = [doubt for doubt in map(_of_the_text, verdict.unless) if doubt]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
@@ -228,11 +231,29 @@ def _of_other_place(claim: Claim) -> Iterator[str]:
 
 
 def _of_other_sections(draft: Draft, claim: Claim, names: Collection[str]) -> list[str]:
-    """Returns those of the names that the draft defines by a display of another section than the claim's."""
-    displays, own = draft.ingested.text.displays, claim.source.section
-    sections = {display.line: f"{display.section} {display.heading}".strip() or None for display in displays}
+    """Returns those of the names that the draft defines in a section that does not contain the claim."""
+    displays, own = draft.ingested.text.displays, _display_of(draft, claim)
+    defining = {display.line: display for display in reversed(displays)}
     known = (each for each in draft.ingested.definitions if each.sure and each.symbol in names)
-    return list(dict.fromkeys(each.symbol for each in known if sections.get(each.line, own) != own))
+    return list(dict.fromkeys(each.symbol for each in known if not _reaches(defining.get(each.line), own)))
+
+
+def _display_of(draft: Draft, claim: Claim) -> Display | None:
+    """Returns the display in which the claim stands."""
+    span = claim.context.span
+    behind = (
+        display
+        for display in reversed(draft.ingested.text.displays)
+        if span is not None and display.source.path == span.file and display.line <= span.line
+    )
+    return next(behind, None)
+
+
+def _reaches(definition: Display | None, place: Display | None) -> bool:
+    """True if the section of a definition contains the place, or if a place is not known."""
+    if definition is None or place is None or definition.source is not place.source:
+        return True
+    return sections_of(definition.source.prose).holds(definition.start, place.start)
 
 
 @dataclass(frozen=True)

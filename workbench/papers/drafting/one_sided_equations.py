@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 
 from workbench.context.claims import Claim, Notation
 from workbench.context.facts import Provider
+from workbench.context.formula_acts import subject_of
 from workbench.context.formula_subject import derived
-from workbench.context.free_symbols import free_in, names_in, terms_of
-from workbench.context.repeated_laws import rate_in
+from workbench.context.free_symbols import names_in, terms_of
+from workbench.context.repeated_laws import laws_in, rate_in
 from workbench.core.terms import Definition, Derivative, Number, Relation, Symbol, Term
 from workbench.core.types import PI, Declaration
-from workbench.language.definitions import Definitions
 from workbench.papers.drafting.drafted_definitions import gives_dimension
 from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.decide_under_facts import Decider
@@ -36,8 +37,8 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
     ):
         return True
     said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
-    definitions = Definitions([*claim.notation.definitions, *said]) if said else claim.notation.definitions
-    left, right = (free_in([side], definitions) - {PI} for side in (statement.left, statement.right))
+    subject = replace(subject_of(claim, said), laws=laws_in(claim.context.facts))
+    left, right = (subject.free_in(side) - {PI} for side in (statement.left, statement.right))
     if not (left or right) or not left.isdisjoint(right):
         return False
     if (_is_figure(statement.left) or _is_figure(statement.right)) and not _is_impossible(claim):

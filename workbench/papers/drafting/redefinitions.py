@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from workbench.papers.drafting.drafted_definitions import Formula, Proposed
-from workbench.papers.drafting.formula_shapes import SCALAR_PARTS
+from workbench.papers.drafting.formula_shapes import SCALAR_PARTS, components_of
 from workbench.papers.drafting.inference.kind_operations import SYMBOL
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
@@ -58,7 +58,7 @@ def scopes_of(
         for name in formula.outcome.symbols:
             users.setdefault(name, []).append(places[id(formula.display)])
     given = list(given_in(formulas, places))
-    found = [scope for each in quaternions for scope in _parts(each, displays, given, users, guesses)]
+    found = [scope for each in quaternions for scope in _parts(each, displays, given, defined, guesses)]
     taken = {(name, scope.display.section) for scope in found for name in scope.definitions}
     for each in given:
         display = displays[each.place]
@@ -99,7 +99,7 @@ def _parts(
     quaternion: Quaternion,
     displays: Sequence[Display],
     given: Sequence[_Given],
-    users: Mapping[str, Sequence[int]],
+    defined: Mapping[str, Proposed],
     guesses: Mapping[str, Guess],
 ) -> Iterator[Scope]:
     """Yields the scope of a unit quaternion, from the first display after the sentence about it."""
@@ -112,6 +112,9 @@ def _parts(
     scope = Scope(first, "a sentence says that it is a unit quaternion")
     scope.symbols[quaternion.name] = "{ " + ", ".join(sorted(own)) + " }"
     scope.definitions |= names
+    for part in names.keys() & defined.keys():
+        if len(components := components_of(defined[part].body)) == 3:
+            scope.definitions |= _of_vector_part(components, quaternion.name)
     for each in given:
         guess = guesses.get(each.name)
         is_turn = (
@@ -138,7 +141,13 @@ def _scalar_and_vector(quaternion: Quaternion, guesses: Mapping[str, Guess]) -> 
         return {}
     others = [part for part in parts if part not in scalar]
     found = {scalar[0]: rf"\operatorname{{Sc}} {name}"}
-    for index, part in enumerate(others):
+    return found | _of_vector_part(others, name)
+
+
+def _of_vector_part(components: Sequence[str], name: str) -> dict[str, str]:
+    """Returns the definitions of the components of a quaternion's vector part."""
+    found = {}
+    for index, part in enumerate(components):
         row = " & ".join(str(int(index == at)) for at in range(3))
         found[part] = rf"\begin{{bmatrix}} {row} \end{{bmatrix}} \operatorname{{Vec}} {name}"
     return found

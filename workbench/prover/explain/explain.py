@@ -17,7 +17,7 @@ from workbench.context.facts import Act, Context, Fact, Provider, Strength, Supp
 from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
 from workbench.context.formula_subject import Subject
 from workbench.context.free_symbols import names_in, terms_of
-from workbench.context.repeated_laws import GIVES, is_given_by, rate_in
+from workbench.context.repeated_laws import GIVES, is_given_by, laws_in, rate_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.reasons import Reason
@@ -127,9 +127,11 @@ class _Explanation:
         if self.base.outcome is not Outcome.REFUTED:
             rated = rates_a_definition(self.claim, self.known)
             self.doubts += [f"it is another case than {law}" for law in rated]
-            is_given = was is Act.POSTULATE or bool(self._definitions() or rated)
-            is_claim = self.act is Act.ASSERT and is_given
+            is_known = was is Act.POSTULATE or bool(self._definitions() or laws_in(self.known))
+            is_claim = self.act is Act.ASSERT and is_known
             if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
+                if was is Act.ASSERT and (found := self._on_hints()) is not None:
+                    return found
                 gives = was in GIVES
                 return self._said_or_held(was if gives else Act.POSTULATE, own if gives else None)
             self.base = self.against
@@ -139,6 +141,17 @@ class _Explanation:
         if (held := self._by_hints(context)) is not None:
             return held
         return self._refuted(context) if self._is_claim() else self._only_constrained()
+
+    def _on_hints(self) -> Verdict | None:
+        """Returns the verdict if hints decide it, as that no symbol moves of which the text takes no rate."""
+        context = self._context()
+        if (held := self._by_hints(context)) is not None or not self.hints:
+            return held
+        found = self.decider.decide([*self.known, *self.hints])
+        if found.outcome is not Outcome.REFUTED:
+            return None
+        self.base = found
+        return self._refuted(context)
 
     def _said_or_held(self, act: Act, own: Symbol | None) -> Verdict:
         """Returns what the formula says of a symbol, unless its sentence states a property that proves it."""
@@ -177,13 +190,13 @@ class _Explanation:
         return None
 
     def _count_again(self) -> None:
-        """Determines the act again, with the definitions expanded that the refutation includes.
+        """Determines the act again, with the definitions and laws expanded that the refutation includes.
 
         x = … is a claim about a known x, or constrains another symbol.
         """
-        said = self._definitions()
-        if said and self.act in _TESTED:
-            self.subject = subject_of(self.claim, said)
+        said, laws = self._definitions(), laws_in(self.known)
+        if (said or laws) and self.act in _TESTED:
+            self.subject = replace(subject_of(self.claim, said), laws=laws)
             self.act, self.own = self.subject.act
         statement, definitions = self.claim.printed.statement, self.claim.notation.definitions
         own = self.claim.context.act[1]
@@ -256,8 +269,9 @@ class _Explanation:
         ]
         context = conventional(subject_of(claim, said) if said else self.subject)
         facts = dict.fromkeys((*self.known, *sentences, *context.facts, *others))
-        guesses = ((fact,) for fact in claim.context.facts if fact.strength is Strength.GUESSED)
-        return Context(tuple(facts), (*guesses, *context.alternatives))
+        guessed = [fact for fact in claim.context.facts if fact.strength is Strength.GUESSED]
+        guesses = {fact.origin: tuple(f for f in guessed if f.origin == fact.origin) for fact in guessed}
+        return Context(tuple(facts), (*guesses.values(), *context.alternatives))
 
     def _by_hints(self, context: Context) -> Verdict | None:
         hints = [fact for fact in context.formal if fact.strength is Strength.HINTED]

@@ -12,6 +12,7 @@ from contextlib import suppress
 from workbench.context.claims import Claim
 from workbench.context.facts import Fact, Provider, Supposition
 from workbench.context.formula_subject import Subject
+from workbench.context.repeated_laws import closes_circle
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Definition, IllFormed, sides_of
 from workbench.core.types import Declaration
@@ -58,11 +59,15 @@ def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
 def _first(formulas: Sequence[Fact]) -> list[Fact]:
     """Returns the definitions, only the first one per symbol: later ones are claims about it.
 
-    A definition of a family is one of all its members."""
+    A definition of a family is one of all its members. One that closes a circle is left out."""
     found: dict[object, Fact] = {}
+    known: list[Definition] = []
     families: set[Declaration] = set()
     for fact in formulas:
         if isinstance(said := fact.content, Definition) and said.declaration not in families:
+            if closes_circle(said, known):
+                continue
+            known.append(said)
             found.setdefault((said.declaration, said.index), fact)
             if said.index and all(
                 [Linear.variable(name) for name in each.variables] == [each] for each in said.index

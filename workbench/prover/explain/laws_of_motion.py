@@ -11,7 +11,7 @@ from workbench.context.facts import Fact, Provider
 from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import body_of, free_in, terms_of
 from workbench.core.construct import derivative
-from workbench.core.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
+from workbench.core.terms import Apply, Derivative, IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.language.definitions import Definitions
@@ -88,7 +88,7 @@ def rates_a_definition(claim: Claim, known: Sequence[Fact]) -> list[Fact]:
     """Returns the laws from which a rate of a defined symbol follows, if the claim gives one; else [].
 
     With p = ẋ, ṗ = k x is no law beside ẍ = -k x. It may be one of a case if it lacks a moving symbol of the
-    laws.
+    laws. A relation of several rates, as κ̇ = δ̇/L, is no law.
     """
     said, definitions = claim.printed.statement, claim.notation.definitions
     laws = [fact for fact in known if fact.origin.provider is Provider.LAW]
@@ -96,6 +96,7 @@ def rates_a_definition(claim: Claim, known: Sequence[Fact]) -> list[Fact]:
         not laws
         or not isinstance(said, Relation)
         or not any(_is_named_rate(s, definitions) for s in sides_of(said))
+        or sum(isinstance(part, Derivative) for side in sides_of(said) for part in side.walk()) > 1
     ):
         return []
     own = free_in(sides_of(said), definitions)

@@ -13,6 +13,7 @@ EXPLAINS = "where|with|in which"
 #: The statement is meant for the case that the formula holds.
 CASES = (
     "provided|given|whenever|when|if|for|at|as long as|so long as|in case|in the case|case of|once"
+    "|(?:special|limiting|particular|degenerate) case"
     "|on condition that|on the assumption|under the (?:assumption|condition)|in the event"
     "|case [0-9ivxa-c]{1,4}|subject to|while"
 )

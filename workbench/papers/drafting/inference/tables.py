@@ -135,6 +135,10 @@ class Costs:
         return blocks.table()
 
 
+#: The cost of several blocks of an open size n beside each other: their sum, 2 n, is taken for an open size.
+_OPEN_BLOCKS = 30
+
+
 class _Blocks:
     """The cells of a matrix, with the known numbers of rows and columns of each."""
 
@@ -175,6 +179,7 @@ class _Blocks:
         wrong = sum(size != (heights[i], widths[j]) for i, j, size in self.firm)
         total = (_summed(heights), _summed(widths))
         cost = self.cost + MISFIT // 2 * min(wrong, 3) + (6 if is_blocks else 0)
+        cost += _OPEN_BLOCKS * sum(extents.count(0) > 1 for extents in (heights, widths))
         return {total: cost} | ({QUATERNION: cost + _COLUMN_AS_QUATERNION} if total == (4, 1) else {})
 
 

@@ -55,7 +55,7 @@ def is_repeated(claim: Claim, facts: Iterable[Fact]) -> bool:
         if fact.origin.provider is Provider.FORMULA and fact.strength is Strength.STATED and fact.act in GIVES
     ]
     if any(is_given_by(statement, own, fact, claim.notation.definitions) for fact in said):
-        definitions = definitions_in(said)
+        definitions = definitions_in(said, claim.notation.definitions)
         return not definitions or subject_of(claim, definitions).act[0] is Act.ASSERT
     return False
 
@@ -70,13 +70,16 @@ def laws_in(facts: Iterable[Fact]) -> tuple[Relation, ...]:
     return tuple(each for each in said if isinstance(each, Relation))
 
 
-def definitions_in(facts: Sequence[Fact]) -> list[Definition]:
-    """Returns the first definition of each symbol among the facts, without those that close a circle."""
+def definitions_in(facts: Sequence[Fact], known: Iterable[Definition] = ()) -> list[Definition]:
+    """Returns the first definition of each symbol among the facts, without those that close a circle.
+
+    known: the definitions of the model.
+    """
     found: dict[object, Definition] = {}
     for content in (fact.content for fact in facts):
         if isinstance(content, Definition):
             key = (content.declaration, content.index)
-            if key not in found and not closes_circle(content, found.values()):
+            if key not in found and not closes_circle(content, [*known, *found.values()]):
                 found[key] = content
     return list(found.values())
 

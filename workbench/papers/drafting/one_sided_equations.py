@@ -10,8 +10,8 @@ from workbench.context.facts import Provider
 from workbench.context.formula_acts import subject_of
 from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import names_in, terms_of
-from workbench.context.repeated_laws import laws_in, rate_in
-from workbench.core.terms import Definition, Derivative, Number, Relation, Symbol, Term
+from workbench.context.repeated_laws import definitions_in, laws_in, rate_in
+from workbench.core.terms import Derivative, Number, Relation, Symbol, Term
 from workbench.core.types import PI, Declaration
 from workbench.papers.drafting.drafted_definitions import gives_dimension
 from workbench.prover.decide.decide import Judge
@@ -36,7 +36,7 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
         statement.left.type.kind == "scalar" and gives_dimension(claim.printed.latex)
     ):
         return True
-    said = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
+    said = definitions_in(claim.context.facts, claim.notation.definitions)
     subject = replace(subject_of(claim, said), laws=laws_in(claim.context.facts))
     left, right = (subject.free_in(side) - {PI} for side in (statement.left, statement.right))
     if not (left or right) or not left.isdisjoint(right):

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
+from workbench.context.repeated_laws import definitions_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
-from workbench.core.terms import Relation, Symbol, sides_of
+from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Grade, Outcome, Strength, Verdict
+from workbench.language.definitions import Definitions, expand
+from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested, ingest, ingested
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
@@ -38,6 +42,7 @@ from workbench.source.documents.titles import own_title
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
 _OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
+_BRACES = re.compile(r"[{}\s]")
 #: The libraries whose versions a draft depends on, beside the files of its text.
 DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
 
@@ -157,6 +162,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if (own := _defined_elsewhere(draft, claim) or _of_another_case(draft, claim)) is not None:
         doubts.append(own)
     doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
+    doubts += _unwritten_members(draft, claim)
     unless = [
         "the drafted kinds are others",
         *(f"{name} is something else" for name in doubts[:_MOST_DOUBTS]),
@@ -276,7 +282,7 @@ class Records:
         for result in results:
             claim, outcome = result.claim, result.verdict.outcome
             if outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
-                for name in _reached(draft, claim):
+                for name in _reached(claim):
                     own = true.setdefault(name, {})
                     section = claim.source.section
                     own[section] = own.get(section, frozenset()) | {claim.printed.latex}
@@ -299,7 +305,7 @@ class Records:
             and len(self.false[name] - {claim.printed.latex})
             > sum(map(len, self.true.get(name, {}).values()))
         ]
-        reached = _reached(self.draft, claim) - confirmed
+        reached = _reached(claim) - confirmed
         anew = [
             name
             for name in _of_other_sections(self.draft, claim, reached)
@@ -324,7 +330,7 @@ def _given_anew(draft: Draft, claim: Claim) -> list[str]:
     found = []
     for given in given_in(draft.ingested.formulas, places):
         known, display = defined.get(given.name), displays[given.place]
-        if known is None or given.name not in _reached(draft, claim) or "matrix}" not in given.body:
+        if known is None or given.name not in _reached(claim) or "matrix}" not in given.body:
             continue
         first = next((each for each in displays if each.line == known.line), display)
         is_elsewhere = (first.section, first.heading) != (display.section, display.heading)
@@ -334,17 +340,43 @@ def _given_anew(draft: Draft, claim: Claim) -> list[str]:
     return found
 
 
-def _reached(draft: Draft, claim: Claim) -> set[str]:
+def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
+    """Returns the members of families in the definitions of a claim that the text never writes.
+
+    α_2 in A_2 has its value by other means: in a table or in words.
+    """
+    statement, known = claim.printed.statement, _definitions(claim)
+    sides: list[Term] = []
+    with suppress(IllFormed):
+        sides = [expand(side, known) for side in sides_of(statement)] if statement is not None else []
+    symbols = {part for side in sides for part in side.walk() if isinstance(part, Symbol) and part.index}
+    members = {to_latex(each) for each in symbols if all(index.is_number for index in each.index)}
+    written = "".join(_BRACES.sub("", source.text) for source in draft.ingested.text.sources)
+    return sorted(each for each in members if _BRACES.sub("", each) not in written)
+
+
+def _reached(claim: Claim) -> set[str]:
     """Returns the names of a claim's symbols, and of those in their definitions."""
-    statement = claim.printed.statement
-    sides = sides_of(statement) if statement is not None else ()
-    terms = (term for side in sides for term in claim.notation.definitions.reached(side))
-    return {_written(term.declaration.name) for term in terms if isinstance(term, Symbol)} | {*_names(claim)}
+    return {_written(each.declaration.name) for each in _terms(claim) if isinstance(each, Symbol)} | {
+        *_names(claim)
+    }
 
 
 def _written(name: Name) -> str:
     """Returns the name as the draft spells it: a function without its arguments."""
     return str(replace(name, parameters=0))
+
+
+def _terms(claim: Claim) -> Iterator[Term]:
+    """Yields the terms of a claim's sides and of the definitions of their symbols, also those of the text."""
+    statement, known = claim.printed.statement, _definitions(claim)
+    for side in sides_of(statement) if statement is not None else ():
+        yield from known.reached(side)
+
+
+def _definitions(claim: Claim) -> Definitions:
+    said = definitions_in(claim.context.facts, claim.notation.definitions)
+    return Definitions([*claim.notation.definitions, *said])
 
 
 def _symbols(claim: Claim) -> list[Name]:

@@ -24,6 +24,10 @@ _DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"
 _LABELLED = rf"{_DOTTED}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
 _BEHIND = r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
 _BRACKET = re.compile(rf"{_BEHIND}({_SYMBOL}(?:\s*_\s*(?:\w|\{{\s*\w+\s*\}}))?)\s*(?:\\right)?\)")
+_WORD_WITH_BRACKET = re.compile(
+    r"\\(?:mathrm|text|operatorname|mathsf|mathit|textrm|mbox)\s*\{\s*\w{2,}\s*\}"
+    r"\s*(?:_\s*(?:\w|\{[^{}]*\}))?\s*(?:\\left)?\([^()]*\)"
+)
 _LIST = re.compile(rf"{_BEHIND}({_LABELLED}(?:\s*,\s*{_LABELLED})+)\s*(?:\\right)?\)")
 #: (∂f/∂x)^T, in a text whose gradients are then columns.
 _TRANSPOSED_SLOPE = re.compile(
@@ -104,6 +108,7 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
 def _arguments(formulas: str) -> dict[str, None]:
     """Returns the symbols that stand alone in a bracket behind a letter, the innermost ones first: t and α
     of R_n(α(t))."""
+    formulas = _WORD_WITH_BRACKET.sub("", formulas)  # Rot_z(θ_i) takes a value
     found: dict[str, None] = {}
     while new := dict.fromkeys(match[1] for match in _BRACKET.finditer(formulas)):
         found |= new

@@ -48,6 +48,7 @@ class Facts:
         constants: Symbols that are constant.
         free: Symbols with arbitrary values.
         units: Symbols that are unit tensors.
+        columns: Name → (definition, line) of the columns of a matrix.
     """
 
     spins: list[Spin] = field(default_factory=list)
@@ -55,6 +56,7 @@ class Facts:
     constants: dict[str, None] = field(default_factory=dict)
     free: dict[str, None] = field(default_factory=dict)
     quaternions: list[Quaternion] = field(default_factory=list)
+    columns: dict[str, tuple[str, int]] = field(default_factory=dict)
     units: dict[str, None] = field(default_factory=dict)
 
     def definitions(self, dot: str) -> Iterator[Proposed]:
@@ -65,6 +67,8 @@ class Facts:
         for name, (of, frame, line) in self.rates.items():
             is_plain = frame in ("", dot)
             body = rf"\frac{{d {of}}}{{dt}}" if is_plain else rf"\frac{{{{}}^{{{frame}}} d {of}}}{{dt}}"
+            yield Proposed(name, body, line, "a sentence says so", True, in_sentence=True)
+        for name, (body, line) in self.columns.items():
             yield Proposed(name, body, line, "a sentence says so", True, in_sentence=True)
 
 
@@ -126,6 +130,17 @@ def _two_rates(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Mat
         frame = _frame(text, match)
         facts.rates.setdefault(names[0], (of[0], frame, sentence.line))
         facts.rates.setdefault(names[1], (names[0], frame, sentence.line))
+
+
+def _columns(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+    names = [name for mark in re.findall(MARK, match["names"]) for name in text.names(mark)]
+    whole = text.names(match["of"])
+    if len(names) != 3 or len(whole) != 1:
+        return
+    for at, name in enumerate(names):
+        unit = r" \\ ".join(str(int(at == row)) for row in range(3))
+        body = rf"{whole[0]} \begin{{bmatrix}} {unit} \end{{bmatrix}}"
+        facts.columns.setdefault(name, (body, sentence.line))
 
 
 def _listed(key: str) -> Callable[[Facts, MarkedText, Sentence, re.Match[str]], None]:
@@ -200,6 +215,11 @@ _RULES: tuple[Rule, ...] = (
         rf"\bquaternion {_mark('name')} (?:is normali[sz]ed|(?:has|of|with) unit (?:norm|length))",
         _quaternion,
     ),
+    _rule(
+        rf"(?P<names>{_LIST})(?: be| are| denote| as| for|,)* (?:the )?(?:three )?columns of {_mark('of')}",
+        _columns,
+    ),
+    _rule(rf"columns (?P<names>{_LIST}) of (?:the (?:\w+ )?matrix )?{_mark('of')}", _columns),
     _rule(
         rf"(?P<names>⟦\d+⟧){_IS}(?:\S+ )?(?:identity(?: (?:matrix|tensor))?|unit (?:matrix|tensor))\b",
         _listed("units"),

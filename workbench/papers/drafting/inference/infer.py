@@ -18,7 +18,7 @@ from workbench.papers.drafting.inference.notation_marks import (
     skew_marks,
 )
 from workbench.papers.drafting.inference.pieces import operations_of
-from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS, Priors
+from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS, Priors, components_in
 from workbench.papers.drafting.inference.walker import Walker, counted_letters
 from workbench.papers.drafting.words_on_symbols import Prose
 
@@ -267,7 +267,8 @@ def _search(
     parted = {name for tree in trees if tree.op in _OF_QUATERNIONS for name in tree.names}
     speaks = prose.has_quaternions or bool(units) or bool(parted)
     sizes = _sizes(trees, prose, has_joints) + ([QUATERNION] if speaks else [])
-    priors = Priors(prose, sizes, heads, units, parted, {*_turning(trees)})
+    names = {name for tree in trees for name in tree.names}
+    priors = Priors(prose, sizes, heads, units, parted, {*_turning(trees)}, components_in(names))
     if before is None:
         return Search(formulas, priors)
     return Search(formulas, priors, before.kinds, before.costs)

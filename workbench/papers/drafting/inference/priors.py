@@ -8,7 +8,7 @@ from functools import cache
 
 from workbench.core.types import type_of_kind
 from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, VECTOR, Kind
-from workbench.papers.drafting.typefaces import Guess, GuessOrigin
+from workbench.papers.drafting.typefaces import Guess, GuessOrigin, without_bold
 from workbench.papers.drafting.words_on_symbols import Prose
 
 #: Typeface → costs of a scalar, a 3-vector, a 3×3 tensor, another column, another square matrix, any other
@@ -49,6 +49,8 @@ SAID = {
     "quaternion": (30, 14, 45, 2, 50, 50, 0),
     "hamilton quaternion": (25, 18, 40, 25, 45, 50, 0),
 }
+#: A component of a vector: its letter, with a digit or an axis below.
+_PART = re.compile(r"(\\?[A-Za-z]+)_\{[0-3xyz]\}")
 #: Words that determine no size.
 KINDS_BY_WORDS = frozenset(SAID) - {"transform"}
 #: The bonus of a kind that the text states explicitly.
@@ -120,6 +122,14 @@ def likeness(name: str) -> str:
     return _LIKENESS.sub("", name)
 
 
+def components_in(names: Collection[str]) -> frozenset[str]:
+    """Returns the plain letters with a digit or an axis below of which the same letter stands in bold or
+    under an arrow."""
+    plain = {without_bold(name) for name in names if without_bold(name) != name}
+    found = ((name, _PART.fullmatch(name)) for name in names)
+    return frozenset(name for name, part in found if part is not None and part[1] in plain)
+
+
 class Priors:
     """The prior costs of the kinds of a text's symbols.
 
@@ -128,6 +138,7 @@ class Priors:
         units: i, j and k, if they are those of quaternions.
         parted: Symbols whose scalar or vector part the text takes.
         turning: Symbols T of formulas with a × (T a), which is 0 for a scalar.
+        components: Symbols as Ω_1 in a text with a bold Ω.
     """
 
     def __init__(
@@ -138,9 +149,10 @@ class Priors:
         units: Collection[str] = (),
         parted: Collection[str] = (),
         turning: Collection[str] = (),
+        components: Collection[str] = (),
     ) -> None:
         self.prose, self.kinds, self.functions = prose, kinds, functions
-        self.units, self.parted, self.turning = units, parted, turning
+        self.units, self.parted, self.turning, self.components = units, parted, turning, components
 
     def is_said(self, name: str) -> bool:
         """True if words next to a symbol, or a set that it is in, state its kind."""
@@ -150,7 +162,7 @@ class Priors:
     def of(self, name: str) -> dict[Kind, int]:
         """Returns the cost of each kind, the cheapest kind first."""
         has_quaternions = self.prose.has_quaternions or name in (*self.units, *self.parted)
-        written = "unit" if name in self.units else face(name)
+        written = "unit" if name in self.units else "component" if name in self.components else face(name)
         by_shape, said = list(FACES[written]), self.prose.guess(name)
         if name in self.functions and written in ("capital", "energy"):
             by_shape[0], by_shape[1] = by_shape[0] + 12, by_shape[1] + 8

@@ -39,6 +39,7 @@ from workbench.papers.drafting.missing_features import feature_of
 from workbench.papers.drafting.model_proposal import Proposal, ground_of, words_of
 from workbench.papers.drafting.notation_proposals import proposals_for, unit_tensor
 from workbench.papers.drafting.questions import questions_of
+from workbench.papers.drafting.rates_in_turning_frames import rates_in_turning_frames
 from workbench.papers.drafting.redefinitions import Scope, parted_quaternions, scopes_of
 from workbench.papers.drafting.sentence_kinds import Facts, facts_of
 from workbench.papers.drafting.sentence_scopes import Said, for_the_text, scopes_of_sentences
@@ -165,6 +166,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         *short,
         *columns(reader.guesses, lines, own),
         *matrices(reader.guesses, lines, own),
+        *rates_in_turning_frames(reading.formulas, reader.guesses, lines),
         *(each for each, _ in parts),
         *sorted([*in_displays, *for_the_text(said)], key=lambda each: each.line),
     ]

@@ -22,6 +22,7 @@ from workbench.papers.drafting.drafted_definitions import (
     in_order_of_use,
     in_sentences,
     magnitudes,
+    spins_of_tensors,
 )
 from workbench.papers.drafting.drafted_frames import with_spins
 from workbench.papers.drafting.drafted_functions import DraftedFunction, functions_in
@@ -149,19 +150,22 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     in_displays = definitions_in(made)
     shown = set().union(*(formula.outcome.symbols for formula in made))
     own = {each.symbol for each in in_displays}
-    parts = [(each, whole) for each, whole in components(reader.guesses, lines, own) if each.name in shown]
-    shown |= {whole for _, whole in parts}
     sentences = [
         Formula(display, display.latex, reader.read(display.latex))
         for display in inline
         if display.latex.count("=") == 1 and not _opaque(display, display.latex)
     ]
+    spins = list(spins_of_tensors([*made, *sentences], own))
+    own |= {each.symbol for each in spins}
+    parts = [(each, whole) for each, whole in components(reader.guesses, lines, own) if each.name in shown]
+    shown |= {whole for _, whole in parts}
     said = list(in_sentences(sentences, {name: lines.get(name, 0) for name in shown - own}))
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     of_functions = [_function(each) for each in reader.functions]
     short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
     written = [
         *rates,
+        *spins,
         *of_functions,
         *short,
         *columns(reader.guesses, lines, own),

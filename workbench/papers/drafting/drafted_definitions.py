@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from graphlib import TopologicalSorter
 from itertools import groupby
@@ -166,6 +166,24 @@ def _spin(said: Relation) -> tuple[str, str] | None:
         ):
             return str(spin.declaration.name), rf"\operatorname{{vect}}({name}^T \dot{{{name}}})"
     return None
+
+
+def spins_of_tensors(formulas: Iterable[Formula], defined: Collection[str]) -> Iterator[Proposed]:
+    """Yields ω as vect(Ω), or Ω as the skew tensor of ω if nothing defines Ω, for Ω x = ω × x.
+
+    defined: symbols with another definition.
+    """
+    for formula in formulas:
+        for said in _relations(formula):
+            match said:
+                case Relation(
+                    left=Apply(head="mul", arguments=(Symbol() as tensor, one)),
+                    right=Apply(head="cross", arguments=(Symbol() as spin, other)),
+                ) if one == other and not (tensor.index or spin.index):
+                    name, axis = str(tensor.declaration.name), str(spin.declaration.name)
+                    made = (axis, rf"\operatorname{{vect}}({name})")
+                    made = made if name in defined else (name, rf"\operatorname{{skew}}({axis})")
+                    yield Proposed(*made, formula.display.line, "a skew tensor and its vector", True)
 
 
 def _of_rate(name: str, one: Term, other: Term) -> tuple[str, str] | None:

@@ -251,6 +251,12 @@ def opaque(words: str, line: int, about: frozenset[Name]) -> Fact:
     return Fact(None, about, Origin(Provider.CONDITION, words, f"line {line}"), Strength.STATED)
 
 
+def _has_value(term: Term) -> bool:
+    """True if a counterexample gives the value of the term: a symbol, or the sine or cosine of one."""
+    is_turn = isinstance(term, Apply) and term.head in ("sin", "cos")
+    return isinstance(term, Symbol) or (is_turn and isinstance(term.children[0], Symbol))
+
+
 def _facts(latex: str, line: int, said: Relation, order: str | None) -> Iterator[Fact]:
     """Yields the facts of a bound such as x > 0: x ≠ 0, x is positive, and a bound for counterexamples."""
     about = names_of(_symbols(terms_of(said)))
@@ -259,18 +265,20 @@ def _facts(latex: str, line: int, said: Relation, order: str | None) -> Iterator
     if order is None:
         yield fact(said)
         return
-    if order in "<>":
-        yield fact(Relation("≠", said.left, said.right))
     left, right = said.left, said.right
+    if order in "<>":
+        is_of_zero = isinstance(right, Zero)
+        bound = Bound(to_latex(left), "≠", Fraction(0)) if is_of_zero and _has_value(left) else None
+        yield fact(Relation("≠", left, right), bound=bound)
     if isinstance(left, Apply) and left.head == "norm" and isinstance(right, Zero) and order in ">≥":
         return
     if isinstance(right, Symbol):
         left, right, order = right, left, order.translate(_TURNED)
     value = Fraction(0) if isinstance(right, Zero) else getattr(right, "value", None)
-    if not (isinstance(left, Symbol) and isinstance(value, Fraction)):
+    if not (_has_value(left) and isinstance(value, Fraction)):
         yield opaque(latex, line, about)
         return
     yield fact(None, bound=Bound(to_latex(left), order, value))
     is_positive = (order == ">" and value >= 0) or (order == "≥" and value > 0)
-    if is_positive and not left.declaration.positive:
+    if isinstance(left, Symbol) and is_positive and not left.declaration.positive:
         yield fact(having("positive", [left]))

@@ -92,6 +92,7 @@ class Bound(NamedTuple):
             ">": value > self.number,
             "≤": value <= self.number,
             "≥": value >= self.number,
+            "≠": value != self.number,
         }[self.sign]
 
 

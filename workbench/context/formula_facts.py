@@ -25,16 +25,26 @@ from workbench.source.documents import Display
 def with_acts(claims: Sequence[Claim]) -> list[Claim]:
     """Returns the claims with their acts; a constraint that another claim cites as given is a postulate."""
     given = {formula.statement for claim in claims for formula in claim.context.given}
-    moving = _moving_by_scope(claims)
     made = []
     for claim in claims:
         statement = claim.printed.statement
         if statement is not None:
             is_given = statement in given and constrains(statement, claim.notation.definitions)
             act = (Act.POSTULATE, claim.context.act[1]) if is_given else claim.context.act
-            claim = claim.with_context(moving=moving[id(claim.notation)], act=act)
+            claim = claim.with_context(act=act)
         made.append(claim)
     return made
+
+
+def with_moving(claims: Sequence[Claim]) -> list[Claim]:
+    """Returns the claims with the symbols of which the text writes rates."""
+    moving = _moving_by_scope(claims)
+    return [
+        claim.with_context(moving=moving[id(claim.notation)])
+        if claim.printed.statement is not None
+        else claim
+        for claim in claims
+    ]
 
 
 def _moving_by_scope(claims: Sequence[Claim]) -> dict[int, frozenset[Name]]:

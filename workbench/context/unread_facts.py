@@ -13,7 +13,7 @@ from workbench.context.claims import Claim, Notation
 from workbench.context.facts import Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.free_symbols import terms_of
-from workbench.context.introducing_words import is_denied, is_exception, place_of_case, reaches
+from workbench.context.introducing_words import is_denied, is_exception, is_let, place_of_case, reaches
 from workbench.context.read_formulas import read_statement
 from workbench.core.construct import apply, derivative, number, relation, zero
 from workbench.core.formula_errors import IllFormedAt, ReadError
@@ -117,7 +117,8 @@ def unread_facts(claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fac
 
 def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
     notation = claim.notation
-    for unread in _said_of(declaration, notation, said):
+    stated = list(_said_of(declaration, notation, said))
+    for unread in stated:
         is_before = is_before_scope([declaration.name], unread.file, unread.line, notation)
         formula = unread.inline
         is_excluded = formula is not None and (
@@ -130,19 +131,33 @@ def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list
         values = unread.values(own, terms) if own else None
         if values is None:
             yield Fact(None, frozenset({declaration.name}), unread.origin, Strength.STATED)
-        elif _is_another_case(unread, claim) or _makes_rate_vanish(values, own, claim):
-            yield from (replace(value, strength=Strength.GUESSED) for value in values)
+        elif own is not None and _is_at_an_instant(unread, stated, values, own, claim):
+            continue
+        elif _is_another_case(unread, claim):
+            yield from (replace(each, strength=Strength.GUESSED) for each in values)
         elif not _is_elsewhere(unread, claim):
             yield from values
 
 
-def _makes_rate_vanish(values: Sequence[Fact], own: Symbol | None, claim: Claim) -> bool:
-    """True if a symbol is said to be constant of which the claim writes a rate: that is another case."""
-    is_constant = all(
-        isinstance(each.content, Relation) and isinstance(each.content.left, Derivative) for each in values
-    )
+def _is_at_an_instant(
+    value: Unread, stated: Sequence[Unread], values: Sequence[Fact], own: Symbol, claim: Claim
+) -> bool:
+    """True if a symbol has a value at an instant only: it is said to be constant where the claim writes its
+    rate, or sentences state several values of it and the text writes its rates.
+
+    stated: all unparsed equations for the symbol.
+    """
     rates = (part for part in terms_of(claim.printed.parsed) if isinstance(part, Derivative))
-    return is_constant and any(part == own for rate in rates for part in rate.walk())
+    if all(map(_is_of_rate, values)) and any(part == own for rate in rates for part in rate.walk()):
+        return True
+    formula = value.inline
+    is_let_or_case = formula is not None and (is_let(formula) or place_of_case(formula) is not None)
+    others = {each.latex for each in stated if each.inline is not None}
+    return len(others) > 1 and own.declaration.name in claim.context.moving and not is_let_or_case
+
+
+def _is_of_rate(value: Fact) -> bool:
+    return isinstance(value.content, Relation) and isinstance(value.content.left, Derivative)
 
 
 def _is_over(value: Unread, claim: Claim) -> bool:

@@ -155,8 +155,8 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         for display in inline
         if display.latex.count("=") == 1 and not _opaque(display, display.latex)
     ]
-    spins = list(spins_of_tensors([*made, *sentences], own))
-    own |= {each.symbol for each in spins}
+    turning = list(spins_of_tensors([*made, *sentences], own))
+    own |= {each.symbol for each in turning}
     parts = [(each, whole) for each, whole in components(reader.guesses, lines, own) if each.name in shown]
     shown |= {whole for _, whole in parts}
     said = list(in_sentences(sentences, {name: lines.get(name, 0) for name in shown - own}))
@@ -165,7 +165,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
     written = [
         *rates,
-        *spins,
+        *turning,
         *of_functions,
         *short,
         *columns(reader.guesses, lines, own),

@@ -22,7 +22,10 @@ from workbench.source.documents import Display
 
 #: Words right before a display that say what a symbol of an earlier display is.
 _WHERE = re.compile(r"\b(?:where|with|in which|let|denote)\b[^.;:]{0,40}$", re.IGNORECASE)
-_NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
+#: What a value of numbers and π may contain: no other letter.
+_VALUE = re.compile(
+    r"(?:\\(?:pi|[dt]?frac|circ|degree|cdot|sqrt|pm|mp|,|;|!|left|right)(?![A-Za-z])|[^A-Za-z\\])+"
+)
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
 
 #: A side that is one symbol in square brackets.
@@ -251,7 +254,7 @@ def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Itera
     r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$".
 
     A formula that is supposed or denied defines nothing. Behind the first display with the symbol, a formula
-    defines it only behind "let" or "where"; a number only behind these words and before that display.
+    defines it only behind "let" or "where"; a value of numbers and π only behind these words and before that display.
 
     shown: the line of the first display with each symbol.
     """
@@ -259,7 +262,7 @@ def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Itera
         if is_denied(formula.display) or is_supposed(formula.display):
             continue
         for each in definitions_in([formula]):
-            is_value = _NUMBER.fullmatch(each.body) is not None
+            is_value = _VALUE.fullmatch(each.body) is not None
             is_late, is_said = formula.display.line > shown.get(each.name, 0), is_let(formula.display)
             defines = is_said and not is_late if is_value else is_said or not is_late
             if each.name in shown and defines:

@@ -14,7 +14,7 @@ from workbench.context.claims import Ambiguity, Claim, ClaimContext, Correction,
 from workbench.context.condition_facts import InlineFormulas, conditions_of, opaque, range_facts
 from workbench.context.facts import Act, Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import act_of, declared_anew
-from workbench.context.formula_facts import with_acts, with_formula_facts, with_laws
+from workbench.context.formula_facts import with_acts, with_formula_facts, with_laws, with_moving
 from workbench.context.free_symbols import names_in, terms_of
 from workbench.context.index_values import Orders
 from workbench.context.read_formulas import WORDS, FormulaReader, read_statement
@@ -151,6 +151,7 @@ def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -
 
 def with_own_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> list[Claim]:
     """Returns the claims with what sentences and conditions say of them."""
+    claims = with_moving(claims)
     unread = said_unread(claims, text.inline)
     spoken = InlineFormulas(text.inline)
     sentences = TextSentences(text.inline, spoken, placed[0].notation)
@@ -167,7 +168,7 @@ def with_own_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text
 def with_facts_of_formulas(claims: Sequence[Claim], displays: Sequence[Display]) -> list[Claim]:
     """Returns the claims of a text in its order with what its other formulas say of them. displays: where
     each claim stands."""
-    return with_laws(with_formula_facts(with_acts(claims), displays))
+    return with_laws(with_formula_facts(with_acts(with_moving(claims)), displays))
 
 
 def _own_facts(

@@ -311,16 +311,30 @@ class _Explanation:
         unless = [*self._rescuing(context), *self.doubts]
         met = {_said(fact) for fact in self.known}
         unless += [f"the text says more: {fact}" for fact in context.opaque if not _is_met(fact, met)]
-        unless += [f"not decided with {fact}" for fact in self.pending[:_NAMED]]
+        values = shown.values if shown else {}
+        pending = [each for each in self.pending if not (each.bound and each.bound.allows(values))]
+        pending += self._undecided(context)
+        unless += [f"not decided with {fact}" for fact in pending[:_NAMED]]
         if not meets:
             unless.append("not decided under " + ", ".join(map(str, self.hints or self.known)))
-        values = shown.values if shown else {}
         broken = [fact for fact in context.facts if fact.bound and not fact.bound.allows(values)]
         unless += [f"decided only where not {fact}" for fact in broken]
         basis = min((fact.strength for fact in self.known), default=Strength.DECLARED)
         doubt = "; ".join(dict.fromkeys(unless))  # the context counts as one doubt
         found = replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
         return found if doubt else replace(found, reason=self._given_otherwise() or found.reason)
+
+    def _undecided(self, context: Context) -> list[Fact]:
+        """Returns the guesses from other formulas under which no refutation meets the bounds of the text."""
+        bounds = [fact.bound for fact in context.facts if fact.bound is not None]
+        found: list[Fact] = []
+        for group in context.alternatives:
+            if all(fact.origin.provider is Provider.FORMULA for fact in group):
+                example = self.decider.decide([*self.known, *group]).counterexample
+                values = example.values if example is not None else None
+                if values is None or not all(bound.allows(values) for bound in bounds):
+                    found += group if self.decider.is_consistent([*self.known, *group]) else ()
+        return found
 
     def _given_otherwise(self) -> Reason | None:
         """Returns the reason that earlier formulas give the symbol that this one speaks of."""

@@ -130,7 +130,7 @@ class Subject:
                 continue
             if not self._may_be_given(own):
                 continue
-            highest = self._orders_in([other]).get(own)
+            highest = self._orders_in([other, *self._laws_behind([other])]).get(own)
             if highest is None:
                 return (Act.POSTULATE if order else Act.DEFINE), own
             if highest < order:

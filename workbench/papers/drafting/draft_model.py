@@ -46,7 +46,7 @@ from workbench.papers.drafting.sentence_kinds import Facts, facts_of
 from workbench.papers.drafting.sentence_scopes import Said, for_the_text, scopes_of_sentences
 from workbench.papers.drafting.symbol_guesses import guesses_of
 from workbench.papers.drafting.trial_reading import EXPONENTIAL, Outcome, Reader
-from workbench.papers.drafting.typefaces import Guess, by_typeface
+from workbench.papers.drafting.typefaces import Guess, by_typeface, without_bold
 from workbench.papers.drafting.undeclared_macros import letters_in_bold
 from workbench.papers.drafting.words_on_symbols import Prose
 from workbench.source.documents import Display, Text, read_text
@@ -159,7 +159,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     own |= {each.symbol for each in turning}
     parts = [(each, whole) for each, whole in components(reader.guesses, lines, own) if each.name in shown]
     shown |= {whole for _, whole in parts}
-    said = list(in_sentences(sentences, {name: lines.get(name, 0) for name in shown - own}))
+    said = list(in_sentences(sentences, {name: lines.get(name, 0) for name in shown}))
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     of_functions = [_function(each) for each in reader.functions]
     short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
@@ -172,7 +172,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         *matrices(reader.guesses, lines, own),
         *rates_in_turning_frames(reading.formulas, reader.guesses, lines),
         *(each for each, _ in parts),
-        *sorted([*in_displays, *for_the_text(said)], key=lambda each: each.line),
+        *sorted([*for_the_text(said), *in_displays], key=_rank),
     ]
     found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)
@@ -215,6 +215,13 @@ def _with_facts(guesses: Mapping[str, Guess], facts: Facts) -> dict[str, Guess]:
         elif name in facts.free:
             made[name] = replace(guess, free=True)
     return made
+
+
+def _rank(proposed: Proposed) -> tuple[bool, int]:
+    """Returns the order of definitions: by line, but one by components of the same letter gives way."""
+    parts = components_of(proposed.body)
+    letter = without_bold(proposed.name)
+    return bool(parts) and all(part.startswith(f"{letter}_") for part in parts), proposed.line
 
 
 def _first_lines(formulas: Sequence[Formula]) -> dict[str, int]:

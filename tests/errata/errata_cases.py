@@ -21,7 +21,8 @@ from workbench.core.terms import Conjunction, Relation, Statement, Term, Zero
 from workbench.core.verdict import Grade, Outcome
 from workbench.engines.inventory import NoDefinitions, NotExact
 from workbench.engines.jet.rings import PRIME
-from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
+from workbench.papers.drafting.drafted_texts import draft_of
+from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.papers.load import load_paper
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of

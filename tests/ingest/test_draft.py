@@ -12,7 +12,8 @@ from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.drafting.draft_model import ingest
-from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds, undeclared_text
+from workbench.papers.drafting.drafted_texts import draft_of, undeclared_text
+from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.typefaces import Guess
 from workbench.prover.results.claim_results import ClaimResult

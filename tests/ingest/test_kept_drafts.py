@@ -9,9 +9,9 @@ import pytest
 
 from tests.ingest.test_draft import WRONG
 from workbench.app.pipeline.verdict_keys import Keys
-from workbench.papers.drafting import judged_draft
+from workbench.papers.drafting import drafted_texts
 from workbench.papers.drafting.draft_model import Ingested
-from workbench.papers.drafting.judged_draft import Draft, draft_of, newest_draft
+from workbench.papers.drafting.drafted_texts import Draft, draft_of, newest_draft
 from workbench.papers.drafting.model_file import model_text
 from workbench.papers.drafting.questions_to_author import questions_about
 from workbench.runtime import fingerprint
@@ -24,7 +24,7 @@ PAPERS = sorted(
     if path.suffix in (".tex", ".md") and path.stem != "README"
 )
 
-whole = judged_draft.ingested
+whole = drafted_texts.ingested
 
 
 def told(draft: Draft) -> Any:
@@ -44,7 +44,7 @@ def drafted_anew(path: Path, store: Store, monkeypatch: pytest.MonkeyPatch) -> b
         made.append(text)
         return whole(text)
 
-    monkeypatch.setattr(judged_draft, "ingested", ingested)
+    monkeypatch.setattr(drafted_texts, "ingested", ingested)
     newest_draft(read_text(path), store)
     monkeypatch.undo()
     return bool(made)
@@ -54,7 +54,7 @@ def drafted_anew(path: Path, store: Store, monkeypatch: pytest.MonkeyPatch) -> b
 def test_a_kept_draft_equals_a_fresh_one(tmp_path: Path, path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     store, fresh = Store(tmp_path / "kept.sqlite"), told(draft_of(path))
     assert told(newest_draft(read_text(path), store)) == fresh
-    monkeypatch.setattr(judged_draft, "ingested", lambda text: pytest.fail("drafted again"))
+    monkeypatch.setattr(drafted_texts, "ingested", lambda text: pytest.fail("drafted again"))
     assert told(newest_draft(read_text(path), store)) == fresh
 
 

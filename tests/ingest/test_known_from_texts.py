@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Counterexample, Grade
 from workbench.papers.drafting.draft_model import ingest
-from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
+from workbench.papers.drafting.drafted_texts import draft_of
+from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.report.counterexamples import told
 
 #: A text that defines a symbol, the symbol, and a part of its definition.

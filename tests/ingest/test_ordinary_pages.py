@@ -9,7 +9,8 @@ import pytest
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome
 from workbench.papers.drafting.draft_model import ingest
-from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
+from workbench.papers.drafting.drafted_texts import draft_of
+from workbench.papers.drafting.judged_draft import on_drafted_kinds
 
 PAGES = Path(__file__).parent / "pages"
 #: The wrong lines of each page, written before the page was first judged.

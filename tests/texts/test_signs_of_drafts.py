@@ -8,7 +8,8 @@ import pytest
 
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade
-from workbench.papers.drafting.judged_draft import draft_of, on_drafted_kinds
+from workbench.papers.drafting.drafted_texts import draft_of
+from workbench.papers.drafting.judged_draft import on_drafted_kinds
 
 TEXTS = {
     "cross behind in a bracket": (

@@ -10,7 +10,7 @@ import click
 from workbench.app.commands.judging_options import write_atomically
 
 if TYPE_CHECKING:
-    from workbench.papers.drafting.judged_draft import Draft
+    from workbench.papers.drafting.drafted_texts import Draft
     from workbench.prover.results.claim_results import ClaimResult
 
 
@@ -29,7 +29,7 @@ def print_questions(draft: Draft, results: Sequence[ClaimResult]) -> None:
 
 def ask(draft: Draft, results: Sequence[ClaimResult]) -> Draft | None:
     """Asks the author, and writes the model; returns the draft with the answers, or None without answers."""
-    from workbench.papers.drafting.judged_draft import draft_from
+    from workbench.papers.drafting.drafted_texts import draft_from
     from workbench.papers.drafting.model_file import model_text
     from workbench.papers.drafting.questions_to_author import answered, questions_about
 

@@ -19,7 +19,7 @@ from workbench.core.verdict import Outcome, Verdict
 
 if TYPE_CHECKING:
     from workbench import Checked
-    from workbench.papers.drafting.judged_draft import Draft
+    from workbench.papers.drafting.drafted_texts import Draft
     from workbench.prover.results.claim_results import ClaimResult
 
 
@@ -100,7 +100,7 @@ def _as_a_text(
     from workbench.app.pipeline.verdict_keys import Memory
     from workbench.language.naming.symbols import SymbolTable
     from workbench.papers.drafting.draft_model import ingested
-    from workbench.papers.drafting.judged_draft import draft_from
+    from workbench.papers.drafting.drafted_texts import draft_from
     from workbench.papers.drafting.typefaces import Guess, GuessOrigin
     from workbench.runtime.store import standard
     from workbench.source.documents import read_text

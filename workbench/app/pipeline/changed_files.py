@@ -17,7 +17,7 @@ from workbench.source.toml.file_bytes import unsaved, within
 
 if TYPE_CHECKING:
     from workbench.context.claims import Notation
-    from workbench.papers.drafting.judged_draft import Draft
+    from workbench.papers.drafting.drafted_texts import Draft
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.papers.texts.changed_text import ChangedText
     from workbench.papers.texts.text_paper import TextPaper
@@ -84,7 +84,7 @@ def first_verdicts(
 
 
 def _changed(path: Path, before: Judged, answers: Sequence[Answer]) -> Changed | None:
-    from workbench.papers.drafting.judged_draft import undeclared_text
+    from workbench.papers.drafting.drafted_texts import undeclared_text
     from workbench.papers.texts.load_texts import text_of_model
     from workbench.papers.texts.text_paper import TextPaper
 
@@ -150,7 +150,7 @@ def _under_answers(
     path: Path, before: Judged, paper: TextPaper, text: Text, answers: Sequence[Answer]
 ) -> Changed | None:
     """Returns an unchanged text under other answers; None if its whole draft has to be made again."""
-    from workbench.papers.drafting.judged_draft import Draft
+    from workbench.papers.drafting.drafted_texts import Draft
     from workbench.papers.drafting.model_file import loaded_model
     from workbench.papers.drafting.questions_to_author import answered
     from workbench.papers.texts.changed_text import changed_text, touched_displays

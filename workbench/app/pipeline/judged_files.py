@@ -14,7 +14,7 @@ from workbench.source.toml.file_bytes import unsaved, within
 if TYPE_CHECKING:
     from workbench.app.pipeline.verdict_keys import Memory
     from workbench.papers import Paper
-    from workbench.papers.drafting.judged_draft import Draft
+    from workbench.papers.drafting.drafted_texts import Draft
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
     from workbench.runtime import Budget
@@ -71,7 +71,7 @@ def loaded_file(path: Path, memory: Memory | None = None, answers: Sequence[Answ
     """Returns a file as it is read; a text without a model, under a drafted one.   answers: of its author to
     the questions of the draft.   Raises PaperError."""
     from workbench.papers import load_paper
-    from workbench.papers.drafting.judged_draft import draft_from, newest_draft, undeclared_text
+    from workbench.papers.drafting.drafted_texts import draft_from, newest_draft, undeclared_text
     from workbench.papers.drafting.questions_to_author import answered
 
     if (text := undeclared_text(path)) is None:

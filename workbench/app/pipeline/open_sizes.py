@@ -12,8 +12,8 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.paper_errors import PaperError
 from workbench.core.terms import Symbol
 from workbench.core.verdict import Outcome, Verdict
+from workbench.papers.drafting.drafted_texts import Draft, draft_from
 from workbench.papers.drafting.inference.kind_signatures import Kind
-from workbench.papers.drafting.judged_draft import Draft, draft_from
 from workbench.papers.drafting.symbol_guesses import kind_of_model, open_kinds
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.runtime import Budget

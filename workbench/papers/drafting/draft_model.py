@@ -24,7 +24,7 @@ from workbench.papers.drafting.drafted_definitions import (
     magnitudes,
     spins_of_tensors,
 )
-from workbench.papers.drafting.drafted_frames import with_spins
+from workbench.papers.drafting.drafted_frames import rates_in_turning_frames, with_spins
 from workbench.papers.drafting.drafted_functions import DraftedFunction, functions_in
 from workbench.papers.drafting.formula_shapes import (
     columns,
@@ -40,7 +40,6 @@ from workbench.papers.drafting.missing_features import feature_of
 from workbench.papers.drafting.model_proposal import Proposal, ground_of, words_of
 from workbench.papers.drafting.notation_proposals import proposals_for, unit_tensor
 from workbench.papers.drafting.questions import questions_of
-from workbench.papers.drafting.rates_in_turning_frames import rates_in_turning_frames
 from workbench.papers.drafting.redefinitions import Scope, parted_quaternions, scopes_of
 from workbench.papers.drafting.sentence_kinds import Facts, facts_of
 from workbench.papers.drafting.sentence_scopes import Said, for_the_text, scopes_of_sentences

@@ -254,7 +254,8 @@ def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Itera
     r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$".
 
     A formula that is supposed or denied defines nothing. Behind the first display with the symbol, a formula
-    defines it only behind "let" or "where"; a value of numbers and π only behind these words and before that display.
+    defines it only behind "let" or "where". A value of numbers and π must stand behind these words, and
+    before that display.
 
     shown: the line of the first display with each symbol.
     """

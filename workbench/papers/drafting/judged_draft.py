@@ -6,7 +6,6 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
@@ -20,35 +19,22 @@ from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Grade, Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions, expand
 from workbench.language.printing.printer import to_latex
-from workbench.papers.drafting.draft_model import Ingested, ingest, ingested
+from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
-from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
-from workbench.papers.drafting.redefinitions import Scope, given_in
+from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
-from workbench.papers.paper_cache import Kept
-from workbench.papers.texts.load_texts import model_beside
-from workbench.papers.texts.text_paper import TextPaper, text_paper
 from workbench.prover.explain.field_alternatives import TRANSPOSED
 from workbench.prover.results.claim_results import ClaimResult
-from workbench.runtime import Budget
-from workbench.runtime.store import Store
-from workbench.source.documents import Display, Text, is_text, read_text
+from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import sections_of
-from workbench.source.documents.titles import own_title
 
 #: The words for one of several cases, before a display.
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
 _OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
 _BRACES = re.compile(r"[{}\s]")
-#: The libraries whose versions a draft depends on, beside the files of its text.
-DRAFTS_REST_ON = ("lark", "python-flint", "sympy", "numpy", "drake")
-
-#: The limits of each judgement under a drafted model: what guesses do not decide soon, a model may. A text of
-#: many claims gets about as much time as one of ten, but each claim at least the least.
-_MOST_SECONDS, _LEAST_SECONDS, _SECONDS_OF_TEXT = 10.0, 2.0, 100.0
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
 #: The most displays of a text whose misfits are errors rather than a notation that the draft misreads.
@@ -63,58 +49,6 @@ _OPERATIONS: Mapping[object, frozenset[str]] = {
 }
 
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
-
-
-@dataclass(frozen=True)
-class Draft:
-    """A text under a drafted model. scopes: those of the draft that the model keeps."""
-
-    ingested: Ingested
-    paper: TextPaper
-    scopes: tuple[Scope, ...] = ()
-
-    @property
-    def summary(self) -> str:
-        """One line that says that a model was drafted, and how to keep it."""
-        found, path = self.ingested, self.ingested.text.path
-        definitions = sum(proposed.sure for proposed in found.definitions)
-        counts = [(len(found.guesses), "symbol"), (definitions, "definition")]
-        told = ", ".join(f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts)
-        return f"drafted a model of {path.name} ({told}); `workbench draft {path}` writes it"
-
-
-def undeclared_text(path: Path) -> Text | None:
-    """Returns the text of a file without a model and without comments that declare anything; None for other
-    files. Raises PaperError."""
-    text = read_text(path) if is_text(path) and model_beside(path) is None else None
-    return None if text is None or text.directives else text
-
-
-def draft_of(path: Path) -> Draft:
-    """Returns a text under a drafted model. Raises PaperError."""
-    return draft_from(ingest(path))
-
-
-def newest_draft(text: Text, store: Store | None) -> Draft:
-    """Returns the draft of a text, from the store if the text has not changed. Raises PaperError."""
-    kept = Kept(store)
-    files = [(str(source.path), source.text, source.warnings) for source in text.sources]
-    key = kept.key_of(("draft", str(text.path), files, list(map(str, text.warnings))), DRAFTS_REST_ON)
-    return kept.newest(str(text.path), key, lambda: draft_from(ingested(text)), Draft)
-
-
-def draft_from(ingested: Ingested) -> Draft:
-    """Returns a text under the model of a draft. Raises PaperError."""
-    path = ingested.text.path
-    _, model, scopes = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
-    paper = text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))
-    return Draft(ingested, replace(paper, budget=_budget_of(len(paper.claims))), scopes)
-
-
-def _budget_of(claims: int) -> Budget:
-    """Returns the limits of each of so many judgements."""
-    share = _SECONDS_OF_TEXT / max(claims, 1)
-    return Budget(seconds=min(_MOST_SECONDS, max(_LEAST_SECONDS, share)))
 
 
 def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:

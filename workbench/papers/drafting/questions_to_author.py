@@ -11,8 +11,8 @@ from workbench.core.verdict import Grade, Outcome
 from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.drafting.drafted_definitions import Proposed
 from workbench.papers.drafting.drafted_frames import labels_in
+from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.kind_signatures import Kind
-from workbench.papers.drafting.judged_draft import Draft
 from workbench.papers.drafting.model_file import string
 from workbench.papers.drafting.model_proposal import tables_of
 from workbench.papers.drafting.symbol_guesses import kind_of_model

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 from workbench.context.claims import Claim
 from workbench.context.conventions import conventional
-from workbench.context.facts import Act, Context, Fact, Provider, Strength, Supposition
+from workbench.context.facts import Act, Context, Fact, Provider, Strength
 from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
 from workbench.context.formula_subject import Subject
 from workbench.context.free_symbols import names_in, terms_of
@@ -41,6 +41,7 @@ from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law, rates_a_definition
 from workbench.prover.explain.other_readings import is_rounded, other_reading
 from workbench.prover.explain.stated_properties import with_stated_properties
+from workbench.prover.explain.verdicts_under_facts import is_small, only_said, says_what_is, under
 from workbench.runtime.limits import within
 
 _SURE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
@@ -82,7 +83,7 @@ class Explainer:
         if is_all_given(claim):  # the given formulas determine all symbols
             act = Act.ASSERT
         if act is Act.ASSIGN:
-            return _only_said(base, act, own)
+            return only_said(base, act, own)
         decider = Decider(claim, self._judge_of, self._second_engine)
         explanation = _Explanation(claim, subject_of(claim), base, decider, act, own)
         with within(self._seconds), suppress(OutOfDecisions):
@@ -115,7 +116,7 @@ class _Explanation:
         if may_be and not self.subject.conditioned and self.decider.is_impossible(()):
             self.act = Act.ASSERT
         elif may_be and self.claim.context.explains:
-            return _only_said(self.base, self.act, self.own)
+            return only_said(self.base, self.act, self.own)
         is_refuted = self.base.outcome is Outcome.REFUTED and not self.claim.context.alone
         if is_refuted and (why := other_reading(self.claim, self.base, self.decider)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=self.base.read_back)
@@ -157,7 +158,7 @@ class _Explanation:
         """Returns what the formula says of a symbol, unless its sentence states a property that proves it."""
         facts = self.claim.context.facts
         said = tuple(fact for fact in facts if fact.origin.provider is Provider.SENTENCE)
-        return self._by_hints(Context(said)) or _only_said(self.base, act, own)
+        return self._by_hints(Context(said)) or only_said(self.base, act, own)
 
     def unfinished(self) -> Verdict:
         """Returns the verdict if the limit on decisions is reached; a refuted claim stays refuted."""
@@ -167,7 +168,7 @@ class _Explanation:
         if self.base.outcome is not Outcome.REFUTED:
             return self.base
         if self.act is not Act.ASSERT:
-            return _only_said(self.base, self.act, self.own)
+            return only_said(self.base, self.act, self.own)
         return replace(self.base, unless=("something holds that was not tried: too much is known of it",))
 
     def _by_what_is_stated(self) -> Verdict | None:
@@ -180,7 +181,7 @@ class _Explanation:
                 found = self.decider.decide(core)
                 if found.outcome in _SURE:
                     witness = self.base.counterexample or self.decider.witness()
-                    return _under(found, core, replace(self.base, counterexample=witness))
+                    return under(found, core, replace(self.base, counterexample=witness))
             elif self.decider.is_refuted(layer):
                 met.update(layer)
                 self.known = layer if len(layer) >= len(self.known) else self.known
@@ -227,8 +228,8 @@ class _Explanation:
                     hints = ", ".join(map(str, self.hints))
                     self.doubts.append(f"{says_what_it_is}, and not {hints}")
                 return True
-        given = next((each for each in self.known if _says_what_is(self.own, each.content)), None)
-        if any(_says_what_is(self.own, each) for each in self._beside):
+        given = next((each for each in self.known if says_what_is(self.own, each.content)), None)
+        if any(says_what_is(self.own, each) for each in self._beside):
             return True
         if given is None:
             is_spoken_of = self._are_spoken_of(self.subject.constrained)
@@ -255,7 +256,7 @@ class _Explanation:
     def _only_constrained(self) -> Verdict:
         """Returns that the equation says what a symbol is, with the values of which it is not true."""
         shown = (self.against or self.base).counterexample
-        return replace(_only_said(self.base, self.act, self.own), counterexample=shown)
+        return replace(only_said(self.base, self.act, self.own), counterexample=shown)
 
     def _context(self) -> Context:
         """Returns the facts that the refutation must include, and the guesses."""
@@ -281,9 +282,9 @@ class _Explanation:
         for facts in tries:
             if len(facts) > len(self.known) and self._holds(facts):
                 core = minimise(facts, self._holds)
-                found = self.decider.decide(core, approximately=_is_small(core))
+                found = self.decider.decide(core, approximately=is_small(core))
                 if is_true(found):
-                    return _under(found, core, self.base)
+                    return under(found, core, self.base)
                 self.pending += [fact for fact in core if fact not in (*self.known, *self.pending)]
         return None
 
@@ -298,7 +299,7 @@ class _Explanation:
         return usable
 
     def _holds(self, facts: Sequence[Fact]) -> bool:
-        return self.decider.holds(facts, approximately=_is_small(facts))
+        return self.decider.holds(facts, approximately=is_small(facts))
 
     def _refuted(self, context: Context) -> Verdict:
         """Returns the refutation with its doubts."""
@@ -378,49 +379,7 @@ def _holds_rate(statement: Statement) -> bool:
     return any(isinstance(part, Derivative) for part in terms_of(statement))
 
 
-def _says_what_is(own: Symbol, content: object) -> bool:
-    """True if an equation has the symbol alone on a side, or contains no other symbol."""
-    if not isinstance(content, Relation) or content.operator != "=":
-        return False
-    is_alone = (content.left == own) != (content.right == own)
-    return is_alone or names_in(content) == {own.declaration.name}
-
-
 def _act_by_sign(claim: Claim) -> tuple[Act, Symbol | None]:
     """Returns the act of a formula outside a text: an assertion, unless a sign indicates another act."""
     is_signed = assigns(claim.printed) or introduces(claim.printed, claim.notation)
     return act_of(claim.printed, claim.notation) if is_signed else (Act.ASSERT, None)
-
-
-def _is_small(facts: Sequence[Fact]) -> bool:
-    """True if the facts make a symbol small, so that the claim is meant to first order."""
-    suppositions = (fact.content for fact in facts if isinstance(fact.content, Supposition))
-    terms = (term for each in suppositions for _, term in each.terms)
-    return any(isinstance(term, Symbol) and term.declaration.small for term in terms)
-
-
-def _under(found: Verdict, core: Sequence[Fact], base: Verdict) -> Verdict:
-    """Returns the verdict on a claim that is proved under facts and refuted without them."""
-    said = "; ".join(dict.fromkeys(map(str, core)))
-    has_words = any(fact.origin.is_words for fact in core)
-    words = (fact.origin.prose if has_words else fact.origin.text for fact in core)
-    return replace(
-        found,
-        outcome=Outcome.CONDITIONAL,
-        hypothesis=", ".join(dict.fromkeys(words)),
-        reason=ContextCode.HOLDS_BY(facts=said),
-        counterexample=base.counterexample,
-        basis=min(fact.strength for fact in core),
-    )
-
-
-def _only_said(base: Verdict, act: Act, own: Symbol | None) -> Verdict:
-    """Returns the verdict on a formula that claims nothing: its act."""
-    name = to_latex(own) if own is not None else "its symbols"
-    reason = {
-        Act.ASSIGN: ContextCode.ASSIGNS(),
-        Act.DEFINE: ContextCode.DEFINES(symbol=name),
-        Act.POSTULATE: ContextCode.POSTULATES(symbol=name),
-        Act.CONSTRAIN: ContextCode.CONSTRAINS(symbol=name),
-    }[act]
-    return Verdict(Outcome.DEFINITION, reason=reason, read_back=base.read_back, basis=Strength.STATED)

@@ -23,7 +23,7 @@ from workbench.source.documents.source_edits import SourceEdit
 
 if TYPE_CHECKING:
     from workbench.core.paper_errors import PaperError
-    from workbench.papers.drafting.judged_draft import Draft
+    from workbench.papers.drafting.drafted_texts import Draft
     from workbench.papers.drafting.questions_to_author import Answer
     from workbench.prover.results.claim_results import ClaimResult
 

@@ -1,0 +1,55 @@
+"""Verdicts that rest on facts: under them, or that a formula only says what a symbol is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from workbench.context.facts import Act, Fact, Strength, Supposition
+from workbench.context.free_symbols import names_in
+from workbench.core.codes.context_codes import ContextCode
+from workbench.core.terms import Relation, Symbol
+from workbench.core.verdict import Outcome, Verdict
+from workbench.language.printing.printer import to_latex
+
+
+def under(found: Verdict, core: Sequence[Fact], base: Verdict) -> Verdict:
+    """Returns the verdict on a claim that is proved under facts and refuted without them."""
+    said = "; ".join(dict.fromkeys(map(str, core)))
+    has_words = any(fact.origin.is_words for fact in core)
+    words = (fact.origin.prose if has_words else fact.origin.text for fact in core)
+    return replace(
+        found,
+        outcome=Outcome.CONDITIONAL,
+        hypothesis=", ".join(dict.fromkeys(words)),
+        reason=ContextCode.HOLDS_BY(facts=said),
+        counterexample=base.counterexample,
+        basis=min(fact.strength for fact in core),
+    )
+
+
+def only_said(base: Verdict, act: Act, own: Symbol | None) -> Verdict:
+    """Returns the verdict on a formula that claims nothing: its act."""
+    name = to_latex(own) if own is not None else "its symbols"
+    reason = {
+        Act.ASSIGN: ContextCode.ASSIGNS(),
+        Act.DEFINE: ContextCode.DEFINES(symbol=name),
+        Act.POSTULATE: ContextCode.POSTULATES(symbol=name),
+        Act.CONSTRAIN: ContextCode.CONSTRAINS(symbol=name),
+    }[act]
+    return Verdict(Outcome.DEFINITION, reason=reason, read_back=base.read_back, basis=Strength.STATED)
+
+
+def says_what_is(own: Symbol, content: object) -> bool:
+    """True if an equation has the symbol alone on a side, or contains no other symbol."""
+    if not isinstance(content, Relation) or content.operator != "=":
+        return False
+    is_alone = (content.left == own) != (content.right == own)
+    return is_alone or names_in(content) == {own.declaration.name}
+
+
+def is_small(facts: Sequence[Fact]) -> bool:
+    """True if the facts make a symbol small, so that the claim is meant to first order."""
+    suppositions = (fact.content for fact in facts if isinstance(fact.content, Supposition))
+    terms = (term for each in suppositions for _, term in each.terms)
+    return any(isinstance(term, Symbol) and term.declaration.small for term in terms)

@@ -37,7 +37,7 @@ def with_acts(claims: Sequence[Claim]) -> list[Claim]:
 
 
 def with_moving(claims: Sequence[Claim]) -> list[Claim]:
-    """Returns the claims with the symbols of which the text writes rates."""
+    """Returns the claims with the symbols whose rates the text writes."""
     moving = _moving_by_scope(claims)
     return [
         claim.with_context(moving=moving[id(claim.notation)])

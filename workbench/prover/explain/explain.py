@@ -144,7 +144,7 @@ class _Explanation:
         return self._refuted(context) if self._is_claim() else self._only_constrained()
 
     def _on_hints(self) -> Verdict | None:
-        """Returns the verdict if hints decide it, as that no symbol moves of which the text takes no rate."""
+        """Returns the verdict if hints decide it, as that a symbol rests if the text takes no rate of it."""
         context = self._context()
         if (held := self._by_hints(context)) is not None or not self.hints:
             return held

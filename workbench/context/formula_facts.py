@@ -96,7 +96,7 @@ def with_formula_facts(claims: Sequence[Claim], displays: Sequence[Display]) -> 
 
 
 def _replaces(later: _Saying, earlier: _Saying) -> bool:
-    """True if a later formula defines a family of which an earlier one defines a member: it speaks anew."""
+    """True if a later formula defines a family, and an earlier one defines one of its members."""
     family, member = later.fact.content, earlier.fact.content
     return (
         isinstance(family, Definition)

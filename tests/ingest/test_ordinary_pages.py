@@ -53,7 +53,7 @@ WRONG = {
 #: function in brackets is not read.
 MISSED = {
     "differential_drive.md": {25},  # θ may rest in a formula without its rate
-    "euler_rates_zyx.tex": {18, 48},
+    "euler_rates_zyx.tex": {48},
     "frenet_frame.tex": {23, 45},
     "inertial_sensors.md": {25, 54},
     "planar_exponentials.tex": {15},
@@ -71,7 +71,7 @@ MISSED = {
 }
 #: Pages that take more than 8 s.
 SLOW = {
-    "bicycle_model.md", "quaternion_attitude.md", "rotation_exponential.tex", "slider_crank.tex",
+    "bicycle_model.md", "frenet_frame.tex", "quaternion_attitude.md", "rotation_exponential.tex", "slider_crank.tex",
     "stewart_platform.tex", "two_link_dynamics.tex",
 }  # fmt: skip
 FALSE = (Outcome.REFUTED, Outcome.ILL_FORMED)

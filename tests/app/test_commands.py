@@ -101,7 +101,7 @@ def test_shell_completion_completes(typed: str, completion: str) -> None:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_shell_completion_after_an_unknown_command_offers_nothing(shell: str) -> None:
+def test_completion_after_an_unknown_command_offers_nothing(shell: str) -> None:
     done = _completed(shell, "workbench chk fi", "fi" if shell == "fish" else "2")
     assert (done.returncode, done.stdout.strip(), done.stderr) == (0, "", "")
 

@@ -136,7 +136,7 @@ VALUE = st.lists(st.integers(-2, 2).map(str), min_size=3, max_size=3).map(tuple)
 
 
 @given(VALUE, VALUE, st.sampled_from(["u \\times b = c", "b \\times u = u \\times c", "u = c"]))
-def test_sentence_names_each_defined_symbol_that_is_not_a_whole_side(
+def test_sentence_names_each_defined_symbol_but_a_whole_side(
     one: tuple[str, ...], other: tuple[str, ...], said: str
 ) -> None:
     example = Counterexample(

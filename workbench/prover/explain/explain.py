@@ -16,12 +16,12 @@ from workbench.context.conventions import conventional
 from workbench.context.facts import Act, Context, Fact, Provider, Strength
 from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
 from workbench.context.formula_subject import Subject
-from workbench.context.free_symbols import names_in, terms_of
+from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.context.repeated_laws import GIVES, is_given_by, laws_in, rate_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.reasons import Reason
-from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol
+from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol, sides_of
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.prover.explain.decide_under_facts import (
@@ -128,7 +128,7 @@ class _Explanation:
         if self.base.outcome is not Outcome.REFUTED:
             rated = rates_a_definition(self.claim, self.known)
             self.doubts += [f"it is another case than {law}" for law in rated]
-            is_known = was is Act.POSTULATE or bool(self._definitions() or laws_in(self.known))
+            is_known = was is Act.POSTULATE or bool(self._definitions() or self._laws())
             is_claim = self.act is Act.ASSERT and is_known
             if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
                 if was is Act.ASSERT and (found := self._on_hints()) is not None:
@@ -195,7 +195,7 @@ class _Explanation:
 
         x = … is a claim about a known x, or constrains another symbol.
         """
-        said, laws = self._definitions(), laws_in(self.known)
+        said, laws = self._definitions(), self._laws()
         if (said or laws) and self.act in _TESTED:
             self.subject = replace(subject_of(self.claim, said), laws=laws)
             self.act, self.own = self.subject.act
@@ -210,6 +210,12 @@ class _Explanation:
         order = _order(statement, own)
         if given and all(_order(fact.content, own) == order for fact in given):
             self.doubts.append(f"it is another case than {given[0]}")
+
+    def _laws(self) -> tuple[Relation, ...]:
+        """Returns the laws that the refutation includes, if they contain every symbol of the claim."""
+        laws = laws_in(self.known)
+        spoken = free_in((side for law in laws for side in sides_of(law)), self.claim.notation.definitions)
+        return laws if self.subject.declarations <= spoken else ()
 
     def _definitions(self) -> list[Definition]:
         return [fact.content for fact in self.known if isinstance(fact.content, Definition)]

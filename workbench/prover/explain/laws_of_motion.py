@@ -88,7 +88,7 @@ def rates_a_definition(claim: Claim, known: Sequence[Fact]) -> list[Fact]:
     """Returns the laws from which a rate of a defined symbol follows, if the claim gives one; else [].
 
     With p = ẋ, ṗ = k x is no law beside ẍ = -k x. It may be one of a case if it lacks a moving symbol of the
-    laws. A relation of several rates, as κ̇ = δ̇/L, is no law.
+    laws. One with a rate that they do not contain, as κ̇ = δ̇/L, is no law.
     """
     said, definitions = claim.printed.statement, claim.notation.definitions
     laws = [fact for fact in known if fact.origin.provider is Provider.LAW]
@@ -96,13 +96,23 @@ def rates_a_definition(claim: Claim, known: Sequence[Fact]) -> list[Fact]:
         not laws
         or not isinstance(said, Relation)
         or not any(_is_named_rate(s, definitions) for s in sides_of(said))
-        or sum(isinstance(part, Derivative) for side in sides_of(said) for part in side.walk()) > 1
     ):
         return []
     own = free_in(sides_of(said), definitions)
     equations = [law.content for law in laws if isinstance(law.content, Relation)]
     spoken = free_in((side for each in equations for side in sides_of(each)), definitions)
+    moved = free_in(
+        (rate for each in equations for s in sides_of(each) for rate in _rates_in(s)), definitions
+    )
+    others = [side for side in sides_of(said) if not _is_named_rate(side, definitions)]
+    if not free_in((rate for side in others for rate in _rates_in(side)), definitions) <= moved:
+        return []
     return laws if own <= spoken and all(each.constant for each in spoken - own) else []
+
+
+def _rates_in(side: Term) -> Iterator[Term]:
+    """Yields what a side differentiates by time."""
+    return (part.body for part in side.walk() if isinstance(part, Derivative))
 
 
 def under_its_laws(claim: Claim) -> Claim:

@@ -31,7 +31,7 @@ _ONE_QUATERNION = 20
 #: The costs of a unit tensor as a number, and of a column of four numbers as a quaternion.
 _UNIT_NUMBER, _COLUMN_AS_QUATERNION = 30, 16
 #: The cost of a unit tensor as the number 1, as in 1 + vᵀ A u.
-_UNIT_ONE = 25
+_UNIT_ONE = 29
 #: The sizes of a unit tensor.
 _UNITS: Table = {TENSOR: 0, (0, 0): 2, (2, 2): 5, (4, 4): 5, (6, 6): 5}
 _SETS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak)|operatorname)")

@@ -30,8 +30,8 @@ _ONE = 15
 _ONE_QUATERNION = 20
 #: The costs of a unit tensor as a number, and of a column of four numbers as a quaternion.
 _UNIT_NUMBER, _COLUMN_AS_QUATERNION = 30, 16
-#: The cost of a unit tensor as the number 1, as in 1 + vᵀ A u.
-_UNIT_ONE = 29
+#: The cost of a unit tensor as the number 1, as in 1 + vᵀ A u; one in blackboard bold is no number.
+_UNIT_ONE = 25
 #: The sizes of a unit tensor.
 _UNITS: Table = {TENSOR: 0, (0, 0): 2, (2, 2): 5, (4, 4): 5, (6, 6): 5}
 _SETS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak)|operatorname)")
@@ -114,7 +114,9 @@ class Costs:
             case "identity" if found := IDENTITY.fullmatch(text):
                 size = found[1] or found[2]
                 one: Table = {QUATERNION: _ONE_QUATERNION} if "1" in text else {}
-                return {(int(size), int(size)): 0} if size else _UNITS | {SCALAR: _UNIT_ONE} | one
+                if not size and "mathbb" not in tree.text and "mathds" not in tree.text:
+                    one = one | {SCALAR: _UNIT_ONE}
+                return {(int(size), int(size)): 0} if size else _UNITS | one
             case "unit":
                 kind = kinds[tree.text]
                 is_square = isinstance(kind, tuple) and kind[0] == kind[1] != 1

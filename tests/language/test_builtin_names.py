@@ -208,6 +208,8 @@ def test_function_names_made_of_known_letters_are_rejected() -> None:
 
 @pytest.mark.parametrize(("text", "key"), [("x = ", "x"), ("x x = 0", "x"), ("x = 0", r"\varepsilon")])
 def test_an_error_comes_through_from_another_process(text: str, key: str) -> None:
+    """Also where tracebacks are pickled with their contexts, as Dask does."""
+    pytest.importorskip("tblib.pickling_support").install()
     with pytest.raises((ReadError, IllFormedAt, SpecError)) as caught:
         read(text, SymbolTable.build({key: VECTOR}))
     copy = pickle.loads(pickle.dumps(caught.value))

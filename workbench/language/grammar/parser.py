@@ -281,10 +281,11 @@ def parse(text: str) -> Lines:
         return cast(Lines, _parser().parse(text))
     except UnexpectedInput as error:
         token = getattr(error, "token", None)
-        if token is None or token.type == "$END":
-            raise Fault(SyntaxCode.FORMULA_ENDS_TOO_EARLY(), len(text)) from None
-        shown = _NAMES.get(token.type, str(token))
-        raise Fault(SyntaxCode.UNEXPECTED_TOKEN(shown=shown), token.start_pos) from None
+    # Raised outside of the handler: the context of a fault would hold the parser, which cannot be pickled.
+    if token is None or token.type == "$END":
+        raise Fault(SyntaxCode.FORMULA_ENDS_TOO_EARLY(), len(text))
+    shown = _NAMES.get(token.type, str(token))
+    raise Fault(SyntaxCode.UNEXPECTED_TOKEN(shown=shown), token.start_pos)
 
 
 @cache

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from workbench.core.types import QUATERNION, Type, type_of_kind
 from workbench.core.verdict import Counterexample, Outcome
+from workbench.language.grammar.latex_keys import Ignored, latex_key
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.report.mixed_prose import Run, formula, text
 
@@ -104,7 +105,7 @@ def told(example: Counterexample, said: str = "") -> Against:
 
 def _bare(latex: str) -> str:
     """Returns a side or a name without braces, blanks and marks of alignment and punctuation."""
-    return re.sub(r"[{}\s&]|\\,", "", latex).strip(".,;")
+    return latex_key(latex, Ignored.BRACES | Ignored.GAPS | Ignored.ALIGNMENT).strip(".,;")
 
 
 def as_printed(name: str, said: str) -> str:

@@ -34,6 +34,13 @@ _ROTATIONS = frozenset("ACDQRS")
 _LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat|\[\s*(?:\\dot\s*\{)?\s*[A-Z]\s*[A-Z]")
 #: [BN], where no letter is a symbol by itself.
 _TURN = re.compile(r"\[\s*(?:\\dot\s*\{)?\s*([A-Z])\s*([A-Z])\s*(?:\(t\)\s*)?\}?\s*\]")
+_ONE = r"(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z]+)"
+_SPACING = re.compile(r"\s+|\\[,;!:]|[.,]+$|(?<!\\)&")
+#: The equation between the rates of a vector in two frames (the transport theorem).
+_TWO_RATES = re.compile(
+    rf"\\dot(?P<one>{_ONE})=(?P<mark>\\(?:mathring|breve|check))(?P=one)"
+    rf"\+(?P<spin>(?:\\[a-z]+)?{_ONE})\\times(?P<other>.+)"
+)
 _ALONE = r"(?<![\\A-Za-z/_^{{]){}(?![A-Za-z])"
 
 
@@ -154,15 +161,6 @@ def labels_in(value: str) -> list[str]:
 
 def _list(names: Sequence[str]) -> str:
     return "[" + ", ".join(f"'{name}'" for name in names) + "]"
-
-
-_ONE = r"(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z]+)"
-_SPACING = re.compile(r"\s+|\\[,;!:]|[.,]+$|(?<!\\)&")
-#: The equation between the rates of a vector in two frames (the transport theorem).
-_TWO_RATES = re.compile(
-    rf"\\dot(?P<one>{_ONE})=(?P<mark>\\(?:mathring|breve|check))(?P=one)"
-    rf"\+(?P<spin>(?:\\[a-z]+)?{_ONE})\\times(?P<other>.+)"
-)
 
 
 def rates_in_turning_frames(

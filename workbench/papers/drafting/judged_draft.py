@@ -18,6 +18,7 @@ from workbench.core.reasons import Reason
 from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Grade, Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions, expand
+from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
@@ -34,7 +35,6 @@ from workbench.source.documents.surrounding_words import sections_of
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
 _OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
-_BRACES = re.compile(r"[{}\s]")
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
 #: The most displays of a text whose misfits are errors rather than a notation that the draft misreads.
@@ -285,8 +285,10 @@ def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
         sides = [expand(side, known) for side in sides_of(statement)] if statement is not None else []
     symbols = {part for side in sides for part in side.walk() if isinstance(part, Symbol) and part.index}
     members = {to_latex(each) for each in symbols if all(index.is_number for index in each.index)}
-    written = "".join(_BRACES.sub("", source.text) for source in draft.ingested.text.sources)
-    return sorted(each for each in members if _BRACES.sub("", each) not in written)
+    if not members:
+        return []
+    written = "".join(latex_key(source.text) for source in draft.ingested.text.sources)
+    return sorted(each for each in members if latex_key(each) not in written)
 
 
 def _reached(claim: Claim) -> set[str]:

@@ -65,10 +65,11 @@ def _first(formulas: Sequence[Fact]) -> list[Fact]:
     families: set[Declaration] = set()
     for fact in formulas:
         if isinstance(said := fact.content, Definition) and said.declaration not in families:
-            if closes_circle(said, known):
-                continue
-            known.append(said)
-            found.setdefault((said.declaration, said.index), fact)
+            if (said.declaration, said.index) not in found:
+                if closes_circle(said, known):
+                    continue
+                known.append(said)
+                found[said.declaration, said.index] = fact
             if said.index and all(
                 [Linear.variable(name) for name in each.variables] == [each] for each in said.index
             ):

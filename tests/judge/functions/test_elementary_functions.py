@@ -46,6 +46,7 @@ LAWS = [
     (r"\sqrt{8 - 4 x^2}", r"2 \sqrt{2 - x^2}", r"4 \sqrt{2 - x^2}"),
     (r"\sin(\arccos x)", r"\sqrt{1 - x^2}", "1 - x^2"),
     (r"\tan(\arctan x)", "x", "-x"),
+    (r"\sin(\arctan x) + \sqrt{m}", r"x \cos(\arctan x) + \sqrt{m}", r"\cos(\arctan x) + \sqrt{m}"),
     (r"\cos(\operatorname{atan2}(y, x))", r"\frac{x}{\sqrt{x^2 + y^2}}", r"\frac{y}{\sqrt{x^2 + y^2}}"),
     (
         r"\frac{d}{dt} \operatorname{atan2}(y, x)",

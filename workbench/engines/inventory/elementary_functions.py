@@ -89,7 +89,7 @@ def without_functions(said: Relation, definitions: Lookup, roots: bool = False) 
     for _ in range(2):  # for what is positive, and for the sizes
         made.all(sides)
         made = _Pass(definitions, bool(varied), roots, made.sizes, made.domain)
-    left, right = made.all(sides)
+    (left, right), circles = made.all(sides)
     highest = max(map(derivative_order, sides))
     if highest > _HIGHEST:
         raise NotExact(f"a derivative of order {highest} of an exponential")
@@ -98,8 +98,7 @@ def without_functions(said: Relation, definitions: Lookup, roots: bool = False) 
         supposed += made.laws.get(own, [])
         supposed += _rates(own, value, highest)
         supposed += _slopes(own, value, [by for by in varied if by in own.declaration.of])
-    if made.turned((left, right)):
-        supposed += made.circles()
+    supposed += circles
     domain = tuple(dict.fromkeys(made.domain))
     return Replaced(relation("=", left, right), tuple(supposed), made.values, domain, bool(varied))
 
@@ -156,8 +155,15 @@ class _Pass:
         self.known: dict[object, Symbol] = {}
         self.done: dict[int, tuple[Term, Term]] = {}
 
-    def all(self, sides: Sequence[Term]) -> list[Term]:
-        return [self.term(side) for side in sides]
+    def all(self, sides: Sequence[Term]) -> tuple[list[Term], list[Statement]]:
+        """Returns the sides without functions, and what the cosines and sines of inverse functions in them
+        are."""
+        replaced = [self.term(side) for side in sides]
+        arcs = [own for own, value in self.values.items() if FUNCTIONS[value.head].circle is not None]
+        parts = (part for side in replaced for part in side.walk())
+        inside = [part for part in parts if isinstance(part, Apply) and part.head in ("sin", "cos")]
+        is_turned = any(own in part.walk() for part in inside for own in arcs)
+        return replaced, [each for own in arcs for each in self._circle(own)] if is_turned else []
 
     def term(self, term: Term) -> Term:
         if id(term) not in self.done:
@@ -322,24 +328,14 @@ class _Pass:
                 found += own.of or (part,)
         return tuple(dict.fromkeys(found))
 
-    def turned(self, sides: Sequence[Term]) -> bool:
-        """True if the cosine or the sine of the value of an inverse function is in the sides."""
-        parts = (part for side in sides for part in side.walk())
-        inside = [part for part in parts if isinstance(part, Apply) and part.head in ("sin", "cos")]
-        return any(own in part.walk() for part in inside for own in self._arcs())
-
-    def _arcs(self) -> Iterator[Symbol]:
-        return (own for own, value in self.values.items() if FUNCTIONS[value.head].circle is not None)
-
-    def circles(self) -> Iterator[Statement]:
-        """Yields what the cosines and sines of the inverse functions are."""
-        for own in self._arcs():
-            value = self.values[own]
-            of = FUNCTIONS[value.head].circle
-            assert of is not None, "an inverse function"
-            cosine, sine, length = map(self.term, of(value.arguments))
-            yield relation("=", apply("cos", own), over(cosine, length))
-            yield relation("=", apply("sin", own), over(sine, length))
+    def _circle(self, own: Symbol) -> Iterator[Statement]:
+        """Yields what the cosine and the sine of the value of an inverse function are; may add values."""
+        value = self.values[own]
+        of = FUNCTIONS[value.head].circle
+        assert of is not None, "an inverse function"
+        cosine, sine, length = map(self.term, of(value.arguments))
+        yield relation("=", apply("cos", own), over(cosine, length))
+        yield relation("=", apply("sin", own), over(sine, length))
 
 
 def _total(parts: Iterable[Term]) -> Term:

@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 from tests.planted import planted
 from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
+from workbench.core.codes.doubt_codes import DoubtCode, as_one_doubt, single_doubts
+from workbench.core.reasons import Reason
 from workbench.core.verdict import Grade, Outcome, Strength, Verdict, grade_of
 from workbench.papers.load import load_paper
 from workbench.report.findings import findings, sarif
@@ -66,13 +68,23 @@ def test_grade_of_what_is_true_is_never_a_fault() -> None:
     assert shown == {Grade.OK, Grade.NOTE}
 
 
-@given(st.sampled_from(Outcome), st.sampled_from(Strength), st.lists(st.text(), max_size=3).map(tuple))
+DOUBTS = st.text().map(lambda name: DoubtCode.SOMETHING_ELSE(name=name))
+
+
+@given(st.sampled_from(Outcome), st.sampled_from(Strength), st.lists(DOUBTS, max_size=3).map(tuple))
 def test_verdict_comes_back_from_json_with_its_grade(
-    outcome: Outcome, basis: Strength, unless: tuple[str, ...]
+    outcome: Outcome, basis: Strength, unless: tuple[Reason, ...]
 ) -> None:
     verdict = planted(outcome, basis=basis, unless=unless)
     again = Verdict.from_dict(json.loads(json.dumps(verdict.to_dict())), verdict.proof)
     assert again == verdict and again.grade is verdict.grade
+    assert [each.code for each in again.unless] == [DoubtCode.SOMETHING_ELSE] * len(unless)
+
+
+def test_several_doubts_count_once_and_can_be_told_apart() -> None:
+    (doubt,) = as_one_doubt([DoubtCode.NOT_TRIED(), DoubtCode.OTHER_DOTS(), DoubtCode.NOT_TRIED()])
+    assert list(single_doubts(doubt)) == [DoubtCode.NOT_TRIED(), DoubtCode.OTHER_DOTS()]
+    assert str(doubt) == "; ".join(single_doubts(doubt)) and as_one_doubt([]) == ()
 
 
 def judged(folder: Path, text: str):

@@ -46,7 +46,7 @@ class Grade(StrEnum):
     NOT_JUDGED = "not judged"
 
 
-def grade_of(outcome: Outcome, basis: Strength, unless: Sequence[str]) -> Grade:
+def grade_of(outcome: Outcome, basis: Strength, unless: Sequence[Reason]) -> Grade:
     """Returns the grade of a verdict. unless: the doubts under which the verdict would be different; one
     doubt turns an error into a warning, two turn it into a note."""
     match outcome:
@@ -148,7 +148,7 @@ class Verdict:
     evidence: tuple[Evidence, ...] = ()
     no_motion: Reason | None = None
     basis: Strength = Strength.DECLARED
-    unless: tuple[str, ...] = ()
+    unless: tuple[Reason, ...] = ()
     proof: Proof | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -181,6 +181,7 @@ class Verdict:
         own = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "proof"}
         for name in ("reason", "no_motion"):
             own[name] = own[name].to_dict() if own[name] is not None else None
+        own["unless"] = [doubt.to_dict() for doubt in self.unless]
         against = self.counterexample.to_dict() if self.counterexample else None
         return own | {"counterexample": against, "evidence": [e.to_dict() for e in self.evidence]}
 
@@ -197,7 +198,7 @@ class Verdict:
                 "counterexample": Counterexample.from_dict(against) if against else None,
                 "evidence": tuple(Evidence.from_dict(entry) for entry in data["evidence"]),
                 "basis": Strength(data["basis"]),
-                "unless": tuple(data["unless"]),
+                "unless": tuple(map(Reason.from_dict, data["unless"])),
                 "proof": proof,
             }
         )

@@ -13,6 +13,7 @@ from typing import Any
 
 from workbench.core import codes
 from workbench.core.code_labels import label
+from workbench.core.codes.doubt_codes import DoubtCode
 from workbench.core.reasons import Code
 
 _DATA = Path(__file__).parent / "messages.toml"
@@ -75,7 +76,8 @@ def all_codes() -> Mapping[str, Code]:
     """Returns the codes of all tables by their label, as in WB-UNKNOWN-SYMBOL."""
     for module in pkgutil.iter_modules(codes.__path__, "workbench.core.codes."):
         import_module(module.name)
-    return {label(code): code for table in Code.__subclasses__() for code in table}
+    tables = (table for table in Code.__subclasses__() if table is not DoubtCode)  # shown without codes
+    return {label(code): code for table in tables for code in table}
 
 
 def known_codes() -> list[str]:

@@ -11,6 +11,7 @@ from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
 from workbench.context.repeated_laws import definitions_in
 from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.doubt_codes import DoubtCode, as_one_doubt, single_doubts
 from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.names import Name
@@ -26,7 +27,6 @@ from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
 from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
-from workbench.prover.explain.field_alternatives import TRANSPOSED
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import sections_of
@@ -98,15 +98,15 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
     doubts += _unwritten_members(draft, claim)
     unless = [
-        "the drafted kinds are others",
-        *(f"{name} is something else" for name in doubts[:_MOST_DOUBTS]),
+        DoubtCode.DRAFTED_KINDS(),
+        *(DoubtCode.SOMETHING_ELSE(name=name) for name in doubts[:_MOST_DOUBTS]),
     ]
     if is_misfit and (count := _misfit_displays(draft)) > _MOST_MISFITS:
-        unless.append(f"the notation is misread, as {count} formulas do not fit")
+        unless.append(DoubtCode.NOTATION_MISREAD(count=count))
     is_open = verdict.code is not ContextCode.GIVEN_OTHERWISE and may_say_what_symbols_are(claim)
     if not doubts and verdict.counterexample is not None and is_open:
-        unless.append("it says what its symbols are")
-    said = [doubt for doubt in map(_of_the_text, verdict.unless) if doubt]
+        unless.append(DoubtCode.SAYS_WHAT_SYMBOLS_ARE())
+    said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
 
 
@@ -133,9 +133,10 @@ def _is_told(verdict: Verdict, misfit: TypeMismatch) -> bool:
     return misfit.operation in _OPERATIONS.get(told, frozenset((misfit.operation,)))
 
 
-def _of_the_text(doubt: str) -> str:
+def _of_the_text(doubt: Reason) -> tuple[Reason, ...]:
     """Returns a doubt without that of transposed rotations: all definitions of a draft are the text's own."""
-    return "; ".join(part for part in doubt.split("; ") if part != TRANSPOSED)
+    parts = single_doubts(doubt)
+    return as_one_doubt(each for each in parts if each.code is not DoubtCode.TRANSPOSED_ROTATIONS)
 
 
 def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
@@ -245,7 +246,7 @@ class Records:
             for name in _of_other_sections(self.draft, claim, reached)
             if claim.source.section not in self.true.get(name, {})
         ]
-        doubts = dict.fromkeys(f"{name} is something else" for name in (*shared, *anew))
+        doubts = dict.fromkeys(DoubtCode.SOMETHING_ELSE(name=name) for name in (*shared, *anew))
         return replace(verdict, unless=(*verdict.unless, *list(doubts)[:_MOST_DOUBTS]))
 
 

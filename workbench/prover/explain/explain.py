@@ -19,6 +19,7 @@ from workbench.context.formula_subject import Subject
 from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.context.repeated_laws import GIVES, is_given_by, laws_in, rate_in
 from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.doubt_codes import DoubtCode, as_one_doubt
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.reasons import Reason
 from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol, sides_of
@@ -109,7 +110,7 @@ class _Explanation:
     against: Verdict | None = None
     pending: list[Fact] = field(default_factory=list)
     hints: list[Fact] = field(default_factory=list)
-    doubts: list[str] = field(default_factory=list)
+    doubts: list[Reason] = field(default_factory=list)
 
     def verdict(self) -> Verdict:
         may_be = self.base.outcome is Outcome.REFUTED and self.act in _TESTED
@@ -127,7 +128,7 @@ class _Explanation:
         self._count_again()
         if self.base.outcome is not Outcome.REFUTED:
             rated = rates_a_definition(self.claim, self.known)
-            self.doubts += [f"it is another case than {law}" for law in rated]
+            self.doubts += [DoubtCode.OTHER_CASE(fact=law) for law in rated]
             is_known = was is Act.POSTULATE or bool(self._definitions() or self._laws())
             is_claim = self.act is Act.ASSERT and is_known
             if not is_claim or self.against is None or self.against.outcome is not Outcome.REFUTED:
@@ -169,7 +170,7 @@ class _Explanation:
             return self.base
         if self.act is not Act.ASSERT:
             return only_said(self.base, self.act, self.own)
-        return replace(self.base, unless=("something holds that was not tried: too much is known of it",))
+        return replace(self.base, unless=(DoubtCode.NOT_TRIED(),))
 
     def _by_what_is_stated(self) -> Verdict | None:
         """Returns the verdict if it is proved under some layer; else records the results for the layers."""
@@ -209,7 +210,7 @@ class _Explanation:
             self.act = Act.ASSERT
         order = _order(statement, own)
         if given and all(_order(fact.content, own) == order for fact in given):
-            self.doubts.append(f"it is another case than {given[0]}")
+            self.doubts.append(DoubtCode.OTHER_CASE(fact=given[0]))
 
     def _laws(self) -> tuple[Relation, ...]:
         """Returns the laws that the refutation includes, if they contain every symbol of the claim."""
@@ -227,12 +228,13 @@ class _Explanation:
         conditions speak of every symbol of which it may say something."""
         if self.act is not Act.CONSTRAIN or self.own is None:
             return True
-        says_what_it_is = f"it says what ${to_latex(self.own)}$ is"
+        symbol = f"${to_latex(self.own)}$"
+        says_what_it_is = DoubtCode.SAYS_WHAT_IS(symbol=symbol)
         for facts in filter(None, (self.known, self.hints and [*self.known, *self.hints])):
             if self.decider.is_impossible(facts):
                 if facts is not self.known:
                     hints = ", ".join(map(str, self.hints))
-                    self.doubts.append(f"{says_what_it_is}, and not {hints}")
+                    self.doubts.append(DoubtCode.SAYS_WHAT_IS_DESPITE(symbol=symbol, hints=hints))
                 return True
         given = next((each for each in self.known if says_what_is(self.own, each.content)), None)
         if any(says_what_is(self.own, each) for each in self._beside):
@@ -317,18 +319,19 @@ class _Explanation:
             return Verdict(Outcome.UNCHECKED, reason=ContextCode.ROUNDED(), read_back=self.base.read_back)
         unless = [*self._rescuing(context), *self.doubts]
         met = {_said(fact) for fact in self.known}
-        unless += [f"the text says more: {fact}" for fact in context.opaque if not _is_met(fact, met)]
+        unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in context.opaque if not _is_met(fact, met)]
         values = shown.values if shown else {}
         pending = [each for each in self.pending if not (each.bound and each.bound.allows(values))]
         pending += self._undecided(context)
-        unless += [f"not decided with {fact}" for fact in pending[:_NAMED]]
+        unless += [DoubtCode.NOT_DECIDED_WITH(fact=fact) for fact in pending[:_NAMED]]
         if not meets:
-            unless.append("not decided under " + ", ".join(map(str, self.hints or self.known)))
+            facts = ", ".join(map(str, self.hints or self.known))
+            unless.append(DoubtCode.NOT_DECIDED_UNDER(facts=facts))
         broken = [fact for fact in context.facts if fact.bound and not fact.bound.allows(values)]
-        unless += [f"decided only where not {fact}" for fact in broken]
+        unless += [DoubtCode.NOT_WITHIN(fact=fact) for fact in broken]
         basis = min((fact.strength for fact in self.known), default=Strength.DECLARED)
-        doubt = "; ".join(dict.fromkeys(unless))  # the context counts as one doubt
-        found = replace(self.base, counterexample=shown, basis=basis, unless=(doubt,) if doubt else ())
+        doubt = as_one_doubt(unless)  # the context counts once
+        found = replace(self.base, counterexample=shown, basis=basis, unless=doubt)
         return found if doubt else replace(found, reason=self._given_otherwise() or found.reason)
 
     def _undecided(self, context: Context) -> list[Fact]:
@@ -352,14 +355,14 @@ class _Explanation:
         facts = ", ".join(map(str, given))
         return ContextCode.GIVEN_OTHERWISE(symbol=f"${to_latex(own)}$", facts=facts) if given else None
 
-    def _rescuing(self, context: Context) -> list[str]:
+    def _rescuing(self, context: Context) -> list[Reason]:
         """Returns the first guess under which it holds, with the hints that it needs for that."""
         for group in context.alternatives:
             if self._holds([*self.known, *group]):
-                return [str(group[0])]
+                return [DoubtCode.FACTS(facts=group[0])]
             if self.hints and self._holds([*self.known, *self.hints, *group]):
                 core = minimise([*self.hints, *group], lambda facts: self._holds([*self.known, *facts]))
-                return [" and ".join(map(str, core))]
+                return [DoubtCode.FACTS(facts=" and ".join(map(str, core)))]
         if self.claim.context.span is None or self.claim.context.alone:
             return []
         other = other_convention(self.claim, self.decider, [*self.known, *self.hints])

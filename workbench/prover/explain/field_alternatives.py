@@ -13,8 +13,10 @@ from typing import Any
 from workbench.context.claims import Claim, Formula
 from workbench.context.facts import Fact
 from workbench.context.read_formulas import read_statement
+from workbench.core.codes.doubt_codes import DoubtCode
 from workbench.core.construct import apply, block, rebuild, relation
 from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.reasons import Reason
 from workbench.core.terms import (
     Apply,
     Block,
@@ -36,13 +38,10 @@ from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, judged
 #: What a draft lists among its guesses where it has guessed a convention.
 _GUESSED, _GUESSED_FRAMES = "[conventions]", "[frames]"
 
-_JPL = "quaternions are multiplied as JPL does (i j = -k)"
-_GRADIENT = "the gradient is the other one of row and column"
-_DOTS = "a dot differentiates in another frame"
-#: The words for rotations that are those of a definition transposed.
-TRANSPOSED = "rotations take columns the other way (the transpose, active or passive)"
-#: What is tried where a draft has guessed the convention: the doubt about the guess, by name.
-OF_GUESSES = (_JPL, _GRADIENT, _DOTS)
+#: The doubts about conventions that are tried where a draft has guessed them.
+OF_GUESSES = frozenset(
+    (DoubtCode.QUATERNIONS_OF_JPL, DoubtCode.OTHER_GRADIENT, DoubtCode.OTHER_DOTS),
+)
 
 
 @dataclass(frozen=True)
@@ -56,20 +55,20 @@ class Known:
 
 @dataclass(frozen=True)
 class Alternative:
-    """words: what is true then.   others: the formula as it is read then, for each choice that there is."""
+    """doubt: what is true then.   others: the formula as it is read then, for each choice that there is."""
 
-    words: str
+    doubt: DoubtCode
     others: Callable[[Claim, Known], Iterator[Statement]]
 
 
-def other_convention(claim: Claim, decider: Decider, facts: Sequence[Fact]) -> str | None:
+def other_convention(claim: Claim, decider: Decider, facts: Sequence[Fact]) -> Reason | None:
     """Returns the convention of the field by which the claim is true under the facts; None without one."""
     known = _known(claim, facts)
     for alternative in ALTERNATIVES:
         with suppress(IllFormed, IllFormedAt, ReadError, ValueError):
             for other in alternative.others(claim, known):
                 if other != claim.printed.statement and decider.holds(facts, other):
-                    return alternative.words
+                    return alternative.doubt()
     return None
 
 
@@ -169,7 +168,7 @@ def with_other_gradient(claim: Claim, ill_formed: Verdict, judge_of: JudgeOf) ->
         for other in _other_gradient(claim, Known(claim.notation.definitions, frozenset())):
             meant = replace(claim, printed=Formula(claim.printed.latex, other))
             if judged_alone(meant, judge_of).outcome is Outcome.PROVED:
-                return replace(ill_formed, unless=(*ill_formed.unless, _GRADIENT))
+                return replace(ill_formed, unless=(*ill_formed.unless, DoubtCode.OTHER_GRADIENT()))
     return ill_formed
 
 
@@ -203,11 +202,11 @@ def _with_terms(
 
 
 ALTERNATIVES = (
-    Alternative(_JPL, _jpl),
-    Alternative(TRANSPOSED, _turned),
-    Alternative("small rotations act from the other side (left or right perturbation)", _perturbed),
-    Alternative("angular velocities are seen from the other side (left or right Jacobian)", _rated),
-    Alternative("twists have their linear and angular parts in the other order", _twists),
-    Alternative(_GRADIENT, _other_gradient),
-    Alternative(_DOTS, _other_dots),
+    Alternative(DoubtCode.QUATERNIONS_OF_JPL, _jpl),
+    Alternative(DoubtCode.TRANSPOSED_ROTATIONS, _turned),
+    Alternative(DoubtCode.OTHER_PERTURBATION, _perturbed),
+    Alternative(DoubtCode.OTHER_JACOBIAN, _rated),
+    Alternative(DoubtCode.OTHER_TWISTS, _twists),
+    Alternative(DoubtCode.OTHER_GRADIENT, _other_gradient),
+    Alternative(DoubtCode.OTHER_DOTS, _other_dots),
 )

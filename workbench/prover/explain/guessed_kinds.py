@@ -7,6 +7,7 @@ from itertools import groupby
 
 from workbench.context.claims import Claim
 from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.doubt_codes import DoubtCode
 from workbench.core.verdict import Outcome, Strength, Verdict
 from workbench.prover.explain.field_alternatives import OF_GUESSES
 
@@ -28,9 +29,9 @@ def on_guessed_kinds(claim: Claim, verdict: Verdict) -> Verdict:
         code = ContextCode.FALSE_IF_KINDS if verdict.outcome in _FALSE else ContextCode.HOLDS_IF_KINDS
         reason = code(kinds=_kinds(claim), reason=f": {reason}" if reason else "")
     is_of_tables = all(name.startswith("[") for name in claim.context.guessed)
-    is_named = is_of_tables and any(words in doubt for words in OF_GUESSES for doubt in unless)
+    is_named = is_of_tables and any(not OF_GUESSES.isdisjoint(doubt.codes) for doubt in unless)
     if verdict.outcome in _FALSE and not is_named:
-        unless = (*unless, "the guessed kinds are others")
+        unless = (*unless, DoubtCode.GUESSED_KINDS())
     return replace(verdict, basis=Strength.GUESSED, reason=reason, unless=unless)
 
 

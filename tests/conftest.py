@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from workbench.runtime import workers
 
@@ -66,9 +66,10 @@ def pytest_configure(config: pytest.Config) -> None:
         os.environ.setdefault("WORKBENCH_CACHE", os.devnull)
     if "MUTANT_UNDER_TEST" in os.environ:  # mutmut sees which test calls what in its own process alone
         workers.get_all_start_methods = list
-    settings.register_profile("same cases", derandomize=True)
-    if not config.getoption("--slow"):
-        settings.load_profile("same cases")
+    # A busy machine takes seconds for a case that takes milliseconds: no wall time decides a test.
+    settings.register_profile("untimed", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+    settings.register_profile("same cases", settings.get_profile("untimed"), derandomize=True)
+    settings.load_profile("untimed" if config.getoption("--slow") else "same cases")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -76,7 +76,7 @@ FAULTY = (
 
 
 @given(st.sets(st.sampled_from(range(len(FAULTY))), min_size=1))
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_all_faults_are_reported_at_once(tmp_path, chosen):
     parts = {"top": ["title = 'A paper'"], "symbols": ["'\\rho' = { kind = 'vector' }"]}
     parts["claims"] = ["[[claim]]\nid = '1'\nprinted = '\\rho \\times \\rho = 0'"]
@@ -209,14 +209,14 @@ def assert_read_or_refused(text: str, path: Path) -> None:
 
 
 @given(st.sampled_from(SOURCES), st.lists(cuts, min_size=1, max_size=4))
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_a_damaged_paper_is_read_or_refused_in_one_line(tmp_path, source, cuts):
     assert_read_or_refused(damaged(source, cuts), tmp_path / "damaged.toml")
 
 
 @pytest.mark.slow
 @given(st.sampled_from(SOURCES), st.lists(cuts, min_size=1, max_size=6))
-@settings(max_examples=20_000, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=20_000, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_many_damaged_papers(tmp_path, source, cuts):
     assert_read_or_refused(damaged(source, cuts), tmp_path / "damaged.toml")
 

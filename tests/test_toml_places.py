@@ -104,7 +104,7 @@ tables = st.lists(st.tuples(keys, values), max_size=4, unique_by=lambda p: p[0].
 
 
 @given(st.lists(st.tuples(st.sampled_from(["[[claim]]", "[[ claim ]]\n[claim.x]"]), tables), max_size=4))
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 def test_each_leaf_of_any_file_is_found(parts):
     text = "\n".join(f"{header}\n{body}" for header, body in parts)
     try:

@@ -55,7 +55,7 @@ def test_faults_listed_in_a_baseline_are_not_reported(folder: Path) -> None:
     assert "p.tex: 1 error, 1 known, 1 holds" in told and SWAP not in told
 
 
-@settings(max_examples=8, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+@settings(max_examples=8, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     kept=st.lists(st.sampled_from([SWAP, TWICE, RIGHT]), max_size=4),
     more=st.lists(st.sampled_from([SWAP, TWICE, RIGHT]), max_size=2),

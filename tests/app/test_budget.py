@@ -11,6 +11,8 @@ from functools import partial
 from time import monotonic, sleep
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from repair.damage import right_claims
 
 from workbench import check
@@ -323,3 +325,8 @@ def test_a_caller_stops_waiting_for_an_answer(count):
         with interruptible(check), pytest.raises(_Obsolete):
             list(workers.map([-1]))
         assert monotonic() - start < 20 and workers.call(5) == 25, "the pool goes on"
+
+
+@given(st.just(0.3))
+def test_case_that_waits_for_the_processor_is_no_failure(seconds: float) -> None:
+    sleep(seconds)

@@ -47,6 +47,6 @@ def test_memory_and_order_and_processes_change_no_result(tmp_path: Path, number:
         assert results_of(load_paper(tmp_path / "p.toml", faults=[]), shared, seed=seed + 1) == off
 
     law([texts.WHOLE[11], texts.FORMULAS[0], texts.WHOLE[11], *texts.WHOLE[:5]], 1)
-    quiet = settings(max_examples=number, deadline=None, phases=(Phase.generate,))
+    quiet = settings(max_examples=number, phases=(Phase.generate,))
     quiet(given(texts.texts, st.integers(0, 99))(law))()
     shared.close()

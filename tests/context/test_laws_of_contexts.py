@@ -32,9 +32,7 @@ def for_all(
         tried = given(*strategies)(law)
         for case in first:
             tried = example(*case)(tried)
-        settings(max_examples=number, deadline=None, phases=phases, suppress_health_check=list(HealthCheck))(
-            tried
-        )()
+        settings(max_examples=number, phases=phases, suppress_health_check=list(HealthCheck))(tried)()
 
     return run
 

@@ -25,7 +25,7 @@ def rationals(seed: int, *shape: int) -> np.ndarray:
     return np.vectorize(lambda p, q: Fraction(int(p), int(q)), otypes=[object])(*numbers)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(tensor_polynomials, tensor_polynomials, tensor_polynomials)
 def test_tensor_polynomials_are_a_ring_with_a_derivation(x, y, z):
     assert x + y == y + x and (x + y) + z == x + (y + z)
@@ -41,7 +41,7 @@ def test_letters_do_not_commute():
     assert OMEGA * OMEGA.derivative() != OMEGA.derivative() * OMEGA
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(operators, operators, operators, tensor_polynomials)
 def test_operators_are_a_ring_and_act(p, q, r, x):
     assert (p * q) * r == p * (q * r)

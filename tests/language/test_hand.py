@@ -70,7 +70,7 @@ def written(term, hand: AuthorNotation) -> str:
         return to_latex(term)
 
 
-@settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=120, suppress_health_check=list(HealthCheck))
 @given(terms)
 def test_terms_in_the_authors_spelling_read_back(term: Term) -> None:
     for table, hand in zip(TABLES, KNOWN, strict=True):
@@ -78,7 +78,7 @@ def test_terms_in_the_authors_spelling_read_back(term: Term) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=10_000, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=10_000, suppress_health_check=list(HealthCheck))
 @given(terms)
 def test_terms_in_the_authors_spelling_read_back_many_times(term: Term) -> None:
     for table, hand in zip(TABLES, KNOWN, strict=True):

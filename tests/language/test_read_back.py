@@ -19,14 +19,14 @@ from workbench.language.reader import read, read_formula, read_term
 _NO_CHECKS = list(HealthCheck)
 
 
-@settings(max_examples=600, deadline=None, suppress_health_check=_NO_CHECKS)
+@settings(max_examples=600, suppress_health_check=_NO_CHECKS)
 @given(terms)
 def test_printed_terms_read_back(term: Term) -> None:
     assert read_term(to_latex(term), TABLE, VARIABLES) == term
 
 
 @pytest.mark.slow
-@settings(max_examples=30_000, deadline=None, suppress_health_check=_NO_CHECKS)
+@settings(max_examples=30_000, suppress_health_check=_NO_CHECKS)
 @given(terms)
 def test_printed_terms_read_back_many_times(term: Term) -> None:
     assert read_term(to_latex(term), TABLE, VARIABLES) == term

@@ -119,7 +119,7 @@ def test_lines_of_one_equation_are_put_together():
 
 
 @given(st.lists(st.lists(st.integers(0, 40), min_size=1, max_size=4), min_size=2, max_size=5))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_sums_that_are_zero_are_all_found(lists):
     values = [[v % PRIME for v in (x - 15 for x in alternatives)] for alternatives in lists]
     found = sorted(zero_sums(values))

@@ -91,7 +91,7 @@ claims = st.lists(
 
 
 @given(claims)
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 def test_bar_strip_details_and_sentence_count_alike(rows):
     paper, results = report_of([drawn(*row) for row in rows])
     texts = render.render(paper, results)

@@ -40,13 +40,13 @@ def test_typical_formulas_are_typeset(latex, display):
 
 
 @given(formulas)
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=120)
 def test_every_formula_of_the_grammar_is_typeset(latex):
     shown(latex)
 
 
 @given(st.text(alphabet=st.sampled_from(r"\{}^_&ab2 .()|~'dotmega<>"), max_size=30))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_any_text_gives_wellformed_mathml_or_none(text):
     converted = mathml(text)
     if converted is not None:
@@ -114,7 +114,7 @@ def test_minus_is_an_operator_only_after_an_operand():
 
 
 @given(formulas, st.data())
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_exactly_the_marked_leaves_are_marked(latex, data):
     leaves = [i for i, atom in enumerate(atoms_of(latex)) if atom.leaf]
     marked = frozenset(data.draw(st.sets(st.sampled_from(leaves))))

@@ -18,7 +18,7 @@ def test_typical_formulas_keep_their_source(latex):
 
 
 @given(formulas)
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_rewriting_is_idempotent(latex):
     atoms = atoms_of(latex)
     again = atoms_of(latex_of(atoms))
@@ -27,7 +27,7 @@ def test_rewriting_is_idempotent(latex):
 
 
 @given(st.text(alphabet=st.sampled_from(r"\{}^_&ab2 .()[]|~'" + "é\0\n$#%"), max_size=40))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 def test_any_text_is_taken_apart_or_refused(text):
     try:
         atoms_of(text)

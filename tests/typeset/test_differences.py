@@ -22,7 +22,7 @@ def test_final_punctuation_is_no_difference(latex):
 
 
 @given(formulas, st.data())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_a_replaced_leaf_is_found_and_marked(latex, data):
     atoms = atoms_of(latex)
     leaves = [i for i, atom in enumerate(atoms) if atom.leaf]
@@ -38,7 +38,7 @@ def test_a_replaced_leaf_is_found_and_marked(latex, data):
 
 
 @given(formulas, formulas)
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_only_leaves_are_marked_and_fragments_can_be_typeset(first, second):
     found = difference(first, second)
     for latex, marked in ((first, found.marked_before), (second, found.marked_after)):

@@ -14,7 +14,7 @@ from workbench.source.typeset.latex_atoms import atoms_of
 
 
 @given(formulas, formulas)
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_excerpts_are_balanced_and_keep_a_mark(old, new):
     found = difference(old, new)
     if found is None or not (found.marked_before or found.marked_after):
@@ -27,7 +27,7 @@ def test_excerpts_are_balanced_and_keep_a_mark(old, new):
 
 
 @given(formulas)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_one_line_has_no_fraction_and_the_same_marks(latex):
     leaves = frozenset(place for place, atom in enumerate(atoms_of(latex)) if atom.leaf)
     shown, marked = in_one_line(latex, leaves)

@@ -68,7 +68,7 @@ def test_the_parts_in_a_row_are_both_formulas(printed, right):
 
 
 @given(formulas, formulas)
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_the_parts_of_any_two_formulas_are_both(one, other):
     assert_parts_are_both(one, other)
 
@@ -83,7 +83,7 @@ def test_nothing_differs_from_itself_and_parts_are_canonical(formula):
 
 
 @given(SNIPPETS, SNIPPETS)
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_any_two_texts_are_compared_or_refused(one, other):
     try:
         atoms_of(one), atoms_of(other)

@@ -87,7 +87,7 @@ def test_a_million_samples_take_seconds():
     assert time.process_time() - start < 40
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.integers(0, 2**32 - 1))
 def test_a_scaled_or_later_recording_has_scaled_peaks(seed):
     """q → 2 q, t → 4 t + 2ⁿ: the k-th derivative is 2/4ᵏ as large; powers of two are exact."""
@@ -212,7 +212,7 @@ def extremes(motion, sign, a, b):
     return float((sign * motion.at(t, 0)).max())
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([1, -1]), st.integers(8, 60))
 def test_limits_of_a_coordinate_count_between_samples(seed, sign, a_period):
     """Of sines, of moves and of kinks, the samples of which miss the extremes."""
@@ -230,7 +230,7 @@ def test_limits_of_a_coordinate_count_between_samples(seed, sign, a_period):
     assert found.at_most >= true - 1e-8
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(0, 2**32 - 1), st.integers(20, 120))
 def test_decelerations_count_between_samples(seed, a_period):
     """They end where the velocity is 0, which is between two samples."""

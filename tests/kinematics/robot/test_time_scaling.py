@@ -45,7 +45,7 @@ def test_the_least_slowdown_of_a_quintic_is_known(limits, right):
     assert found.peak.of == "j" and found.peak.name in limits
 
 
-@settings(max_examples=2, deadline=None)
+@settings(max_examples=2)
 @given(st.integers(0, 2**32 - 1))
 def test_a_slowed_path_just_keeps_its_limits(seed):
     motion = tour(seed)

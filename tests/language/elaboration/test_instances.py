@@ -86,7 +86,7 @@ def test_counting_coefficients_are_numbers(n: int, k: int) -> None:
     assert instantiate(multinomial, values).value == Fraction(comb(n + k, k))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(terms)
 def test_no_integer_is_left(term: Term) -> None:
     try:
@@ -96,7 +96,7 @@ def test_no_integer_is_left(term: Term) -> None:
     assert not any(isinstance(t, Integer | BigSum | Counting) for t in instance.walk())
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(terms)
 def test_first_n_to_m_plus_1_then_m_to_2_is_n_to_3(term: Term) -> None:
     m = Linear.variable("m")

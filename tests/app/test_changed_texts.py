@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.app.pipeline.judged_files import Judged, loaded_file
 from workbench.app.servers.desk import Desk, Turn
 from workbench.core.verdict import Outcome
-from workbench.papers.drafting.drafted_texts import draft_of
 from workbench.papers.drafting.questions_to_author import Answer
 from workbench.papers.texts.changed_text import without_definitions
 

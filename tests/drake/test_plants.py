@@ -15,7 +15,6 @@ from workbench.drake.plants import (
     body_named,
     cylindrical_chain,
     free_body,
-    load_robot,
     load_urdf,
     robot_urdf,
 )
@@ -141,7 +140,7 @@ def test_the_base_of_a_urdf_is_welded_to_the_world():
 @pytest.mark.parametrize("name, joints", [("panda", 9), ("ur5_robot", 6), ("xarm7", 7)])
 def test_robots(name, joints):
     pytest.importorskip("cmeel_pth", reason="the extra 'robots' is not installed")
-    assert load_robot(name).num_positions() == joints
+    assert load_urdf(robot_urdf(name)).num_positions() == joints
 
 
 # --- bad input -------------------------------------------------------------------------------
@@ -183,7 +182,7 @@ def test_robots_that_are_not_installed(monkeypatch):
 
     monkeypatch.setattr(metadata, "distribution", absent)
     with pytest.raises(PlantError, match="pip install example-robot-data"):
-        load_robot("panda")
+        load_urdf(robot_urdf("panda"))
 
 
 def test_an_unknown_robot_lists_the_known_ones():

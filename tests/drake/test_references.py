@@ -15,8 +15,8 @@ from workbench.drake.plants import (
     PlantError,
     cylindrical_chain,
     free_body,
-    load_robot,
     load_urdf,
+    robot_urdf,
 )
 from workbench.drake.references import Reference, point_derivatives, twist_derivatives
 
@@ -233,7 +233,7 @@ ROBOTS = {"panda": "panda_hand", "ur5_robot": "tool0"}
 def test_real_robots_have_small_errors_that_cover_a_step_in_time(name, seed):
     """Order n + 1 foretells how order n changes: derivatives of the references themselves."""
     pytest.importorskip("cmeel_pth", reason="the extra 'robots' is not installed")
-    plant, body = load_robot(name), ROBOTS[name]
+    plant, body = load_urdf(robot_urdf(name)), ROBOTS[name]
     path, h = random_path(plant, seed, 6), 1e-3
     now, before, after = (twist_derivatives(plant, body, path, s, 7) for s in (0.2, 0.2 - h, 0.2 + h))
     for k in range(6):
@@ -249,7 +249,7 @@ def test_six_joints_by_expression_and_by_chebyshev(seed):
     """UR5 on linear joint paths is still small enough for Expression: all twelve trigonometric
     functions of it, to the sixth derivative."""
     pytest.importorskip("cmeel_pth", reason="the extra 'robots' is not installed")
-    plant = load_robot("ur5_robot")
+    plant = load_urdf(robot_urdf("ur5_robot"))
     path = random_path(plant, seed, 1 + seed % 2, size=1 + seed % 3)
     exact, estimated = (
         twist_derivatives(plant, "tool0", path, 0.3, 7, POINT, method)

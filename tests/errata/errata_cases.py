@@ -11,6 +11,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.app.pipeline.result_proposals import asks_for_proposals
 from workbench.context.claims import Claim
@@ -21,7 +22,6 @@ from workbench.core.terms import Conjunction, Relation, Statement, Term, Zero
 from workbench.core.verdict import Grade, Outcome
 from workbench.engines.inventory import NoDefinitions, NotExact
 from workbench.engines.jet.rings import PRIME
-from workbench.papers.drafting.drafted_texts import draft_of
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.papers.load import load_paper
 from workbench.prover.results.claim_results import ClaimResult

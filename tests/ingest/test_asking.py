@@ -9,9 +9,10 @@ import sys
 import tomllib
 from pathlib import Path
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome
-from workbench.papers.drafting.drafted_texts import Draft, draft_from, draft_of
+from workbench.papers.drafting.drafted_texts import Draft, draft_from
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.papers.drafting.questions_to_author import answered, questions_about
 from workbench.prover.results.claim_results import ClaimResult

@@ -8,11 +8,12 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from tests.drafts import draft_of
 from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.drafting.draft_model import ingest
-from workbench.papers.drafting.drafted_texts import draft_of, undeclared_text
+from workbench.papers.drafting.drafted_texts import undeclared_text
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.typefaces import Guess

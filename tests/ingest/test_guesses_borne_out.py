@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.drafts import draft_of
 from tests.ingest.test_draft import judged
 from workbench.core.verdict import Grade
-from workbench.papers.drafting.drafted_texts import draft_of
 
 TRUE = [r"(x + y)^2 = x^2 + 2 x y + y^2", r"(x - y)(x + y) = x^2 - y^2", r"(x - y)^2 + 4 x y = (x + y)^2"]
 FALSE = [r"(x - y)^2 = x^2 + 2 x y + y^2", r"x (x + y) = x^2 + y^2"]

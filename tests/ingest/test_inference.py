@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from ingest.true_kinds import TRUE, UNSEEN, symbols_of
 
-from workbench.papers.drafting.draft_model import inferred_of
+from workbench.papers.drafting.draft_model import ingest
 from workbench.papers.drafting.inference.infer import Inference, Source, infer, kind_name
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
@@ -125,7 +125,7 @@ def test_moments_of_inertia_are_scalars_in_any_letter(tmp_path: Path, letter: st
     text = "\n\n".join((words, *(f"$$ {latex} $$" for latex in EULER)))
     path = tmp_path / "p.md"
     path.write_text(text.replace("I_", f"{letter}_"))
-    found = inferred_of(path).kinds
+    found = ingest(path).inference.kinds
     assert [kind_name(found[f"{letter}_{{{k}}}"].kind) for k in "123"] == ["scalar"] * 3
 
 
@@ -221,6 +221,6 @@ def test_marked_letters_are_vectors_despite_words_on_lengths(tmp_path: Path) -> 
     )
     solved = (r"2 \omega r_b = v_r - v_l", r"v_c = v_r - \omega r_b", r"v_c = \frac{v_r + v_l}{2}")
     path.write_text("\n\n".join((words, *(f"$$ {latex} $$" for latex in (*WHEELS, *solved)))))
-    found = {name: kind_name(own.kind) for name, own in inferred_of(path).kinds.items()}
+    found = {name: kind_name(own.kind) for name, own in ingest(path).inference.kinds.items()}
     marked = (r"\vec{v}_{l}", r"\vec{v}_{r}", r"\hat{i}", r"\hat{j}", r"\hat{k}")
     assert [found[name] for name in marked] == ["vector"] * 5

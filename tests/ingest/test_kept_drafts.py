@@ -7,11 +7,12 @@ from typing import Any
 
 import pytest
 
+from tests.drafts import draft_of
 from tests.ingest.test_draft import WRONG
 from workbench.app.pipeline.verdict_keys import Keys
 from workbench.papers.drafting import drafted_texts
 from workbench.papers.drafting.draft_model import Ingested
-from workbench.papers.drafting.drafted_texts import Draft, draft_of, newest_draft
+from workbench.papers.drafting.drafted_texts import Draft, newest_draft
 from workbench.papers.drafting.model_file import model_text
 from workbench.papers.drafting.questions_to_author import questions_about
 from workbench.runtime import fingerprint

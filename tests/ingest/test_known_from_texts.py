@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Counterexample, Grade
 from workbench.papers.drafting.draft_model import ingest
-from workbench.papers.drafting.drafted_texts import draft_of
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.report.counterexamples import told
 

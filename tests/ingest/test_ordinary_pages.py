@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome
 from workbench.papers.drafting.draft_model import ingest
-from workbench.papers.drafting.drafted_texts import draft_of
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 
 PAGES = Path(__file__).parent / "pages"

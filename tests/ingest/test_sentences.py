@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Grade, Outcome
 from workbench.papers.drafting import ingest
 from workbench.papers.drafting.draft_model import Ingested
-from workbench.papers.drafting.drafted_texts import draft_of
 from workbench.papers.drafting.formula_shapes import components_of
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.papers.drafting.marked_text import MarkedText

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome
-from workbench.papers.drafting.drafted_texts import draft_of
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.papers.drafting.marked_text import MarkedText
 from workbench.papers.drafting.sentence_kinds import Quaternion, facts_of

@@ -19,7 +19,7 @@ ROOT = HERE.parents[1]
 sys.path[:0] = [str(ROOT)]
 
 from workbench.core.types import type_of_kind  # noqa: E402
-from workbench.papers.drafting.draft_model import inferred_of  # noqa: E402
+from workbench.papers.drafting.draft_model import ingest  # noqa: E402
 from workbench.papers.drafting.inference.infer import Inference, Inferred, kind_name  # noqa: E402
 
 TRUE: Mapping[str, Mapping[str, list[str]]] = json.loads((HERE / "true_kinds.json").read_text("utf-8"))
@@ -42,7 +42,7 @@ class Symbol:
 
 def symbols_of(path: str) -> Iterator[Symbol]:
     """Yields the symbols of a text of this repository, each with what is inferred."""
-    yield from compared({**TRUE, **UNSEEN}[path], inferred_of(ROOT / path))
+    yield from compared({**TRUE, **UNSEEN}[path], ingest(ROOT / path).inference)
 
 
 def compared(true: Mapping[str, list[str]], inference: Inference) -> Iterator[Symbol]:

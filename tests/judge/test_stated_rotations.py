@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.drafts import draft_of
 from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.verdict import Grade, Outcome
-from workbench.papers.drafting.drafted_texts import draft_of
 from workbench.papers.drafting.judged_draft import on_drafted_kinds
 from workbench.prover.results.claim_results import ClaimResult
 

@@ -275,11 +275,6 @@ def robot_urdf(name: str) -> Path:
     return urdfs[name]
 
 
-def load_robot(name: str) -> MultibodyPlant:
-    """Returns the plant of a robot of ``example-robot-data``, its base welded to the world."""
-    return load_urdf(robot_urdf(name))
-
-
 def body_named(plant: MultibodyPlant, name: str) -> RigidBody:
     """Returns the body of that name. Raises PlantError with the existing names."""
     if plant.NumBodiesWithName(name) == 1:

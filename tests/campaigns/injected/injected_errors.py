@@ -14,6 +14,7 @@ sys.path[:0] = [str(TESTS / "errata")]
 
 from errata_cases import is_same_formula  # noqa: E402
 
+from tests.screens import is_refuted_by  # noqa: E402
 from workbench.app.pipeline.judge_claims import judge_claims, judge_paper  # noqa: E402
 from workbench.context.claim_parts import Mend  # noqa: E402
 from workbench.context.claims import Claim, Correction, Formula, Paper  # noqa: E402
@@ -285,8 +286,7 @@ def _is_false(claim: Claim) -> bool:
         screen = Screen(claim.notation.definitions, claim.supposed, claim.instances[-2:], about=statement)
     except NotExact:
         return False
-    residual = None if statement is None else screen.residual(statement)
-    return residual is not None and any(residual) and screen.certifies
+    return statement is not None and is_refuted_by(screen, statement)
 
 
 def _is_corrected(made: Claim, right: Claim, seconds: float) -> bool:

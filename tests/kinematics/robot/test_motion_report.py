@@ -10,7 +10,7 @@ import pytest
 from pydrake.math import RollPitchYaw, RotationMatrix
 
 from workbench.drake.joint_paths import JointPath
-from workbench.drake.plants import PlantError, body_motion, load_robot, load_urdf, robot_urdf
+from workbench.drake.plants import PlantError, body_motion, load_urdf, robot_urdf
 from workbench.drake.references import twist_derivatives
 from workbench.kinematics.fields import acceleration_tensors, invariant_vectors
 from workbench.kinematics.frames import chapter_twist
@@ -51,7 +51,7 @@ def arm(tmp_path_factory):
 @cache
 def robot(name: str):
     try:
-        return load_robot(name)
+        return load_urdf(robot_urdf(name))
     except PlantError as error:
         pytest.skip(str(error))
 

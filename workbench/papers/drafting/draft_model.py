@@ -236,12 +236,6 @@ def _dot(proposals: Sequence[Proposal]) -> str:
     return next((each.entries["dot"].strip("'") for each in proposals if "dot" in each.entries), "")
 
 
-def inferred_of(path: Path, macros: Path | None = None) -> Inference:
-    """Returns the kinds inferred for the symbols of a text. Raises as `ingest`."""
-    text, _ = with_fences(read_text(path, macros), macros)
-    return _inferred(text, _steps(text.displays, frozenset()), _words(text)[1])
-
-
 def _inferred(
     text: Text, steps: Sequence[tuple[Display, Step]], prose: Prose, functions: Sequence[str] = ()
 ) -> Inference:

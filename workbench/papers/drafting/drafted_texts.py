@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from workbench.papers.drafting.draft_model import Ingested, ingest, ingested
+from workbench.papers.drafting.draft_model import Ingested, ingested
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.redefinitions import Scope
 from workbench.papers.paper_cache import Kept
@@ -47,11 +47,6 @@ def undeclared_text(path: Path) -> Text | None:
     files. Raises PaperError."""
     text = read_text(path) if is_text(path) and model_beside(path) is None else None
     return None if text is None or text.directives else text
-
-
-def draft_of(path: Path) -> Draft:
-    """Returns a text under a drafted model. Raises PaperError."""
-    return draft_from(ingest(path))
 
 
 def newest_draft(text: Text, store: Store | None) -> Draft:

@@ -2,8 +2,9 @@
 
 A non-zero residual at a point where no denominator vanishes shows that the statement is false: the numerator
 is then not the zero polynomial, so the statement fails at some rational point, also at one where all assumed
-disequations hold (`Screen.certifies` tells where this argument applies). A zero residual proves nothing; the
-judge decides.
+disequations hold. The argument fails where a root was taken, which has two values; assumed equations are
+solved by Cramer's rule, so that the point stands for rational ones. A zero residual proves nothing; the judge
+decides.
 
 A candidate shares with the printed statement all subterms except those above the change. Their values are
 cached, so that only the changed subterms are computed.
@@ -155,15 +156,6 @@ class Screen:
         if satisfy(point, supposed.equations, known):
             self._ring.took_roots = True
         return ScreenPoint(values, SharingEngine(PointSource(self._ring, point), known))
-
-    @property
-    def certifies(self) -> bool:
-        """True if a non-zero residual shows that the statement is false.
-
-        This is not so if a root was taken, which has two values. Assumed equations are solved by Cramer's
-        rule, so that the point stands for rational ones.
-        """
-        return not self._ring.took_roots
 
     def keep(self, statement: Statement) -> tuple[int, ...] | None:
         """Returns the residual, and keeps the values of all subterms for later candidates."""

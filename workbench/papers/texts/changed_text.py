@@ -12,6 +12,7 @@ from difflib import SequenceMatcher
 from pathlib import Path
 
 from workbench.context.claims import Claim, Notation
+from workbench.context.formula_facts import with_moving
 from workbench.core.spans import Span
 from workbench.core.terms import Symbol, sides_of
 from workbench.language.definitions import Definitions
@@ -118,9 +119,10 @@ def changed_text(
         for each in placed_steps([display], [(0, notation(index))], standing.keys() | new.keys()):
             new[each.id] = each
             made.append((asked_if_function(claim_of(each, (), guessed), functions), display))
-    told = [claim for claim, _ in made if claim.id in new]
+    claims = with_moving([claim for claim, _ in made])
+    told = [claim for claim in claims if claim.id in new]
     said = {each.id: each for each in with_own_facts(told, [*new.values()], text)} if new else {}
-    claims = with_facts_of_formulas([said.get(claim.id, claim) for claim, _ in made], [d for _, d in made])
+    claims = with_facts_of_formulas([said.get(claim.id, claim) for claim in claims], [d for _, d in made])
     whole = tuple(one if one.id in new else old for one, (old, _) in zip(claims, made, strict=True))
     return ChangedText(replace(before, text=text, claims=whole), tuple(new))
 

@@ -144,14 +144,13 @@ def _refuse_other_meaning(
 
 def _with_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> Iterator[Claim]:
     """Yields the claims with the facts of the text; none for a claim with a closed context."""
-    claims = with_own_facts(claims, placed, text)
+    claims = with_own_facts(with_moving(claims), placed, text)
     for claim in with_facts_of_formulas(claims, [each.display for each in placed]):
         yield claim.with_context(act=(Act.ASSERT, None), facts=()) if claim.context.alone else claim
 
 
 def with_own_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text) -> list[Claim]:
-    """Returns the claims with what sentences and conditions say of them."""
-    claims = with_moving(claims)
+    """Returns the claims with what sentences and conditions say of them; `with_moving` comes before."""
     unread = said_unread(claims, text.inline)
     spoken = InlineFormulas(text.inline)
     sentences = TextSentences(text.inline, spoken, placed[0].notation)
@@ -168,7 +167,7 @@ def with_own_facts(claims: Sequence[Claim], placed: Sequence[Placed], text: Text
 def with_facts_of_formulas(claims: Sequence[Claim], displays: Sequence[Display]) -> list[Claim]:
     """Returns the claims of a text in its order with what its other formulas say of them. displays: where
     each claim stands."""
-    return with_laws(with_formula_facts(with_acts(with_moving(claims)), displays))
+    return with_laws(with_formula_facts(with_acts(claims), displays))
 
 
 def _own_facts(

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from workbench.certificates.emission.emitted_nodes import KINDS, NotCertified
 from workbench.certificates.emission.emitter import Emitter
-from workbench.core.construct import apply, big_sum, derivative, power, rebuild, relation, symbol
+from workbench.core.construct import apply, big_sum, derivative, power, relation, symbol, with_children
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.names import Name
@@ -77,7 +77,7 @@ class Generalizer:
             case Power(exponent=Linear(is_number=False)) if term.type.kind in KINDS:
                 return self._anything(term)
         whole = isinstance(term, Symbol) or getattr(term, "head", "") in ("divergence", "curl")
-        made = term if whole or not term.children else rebuild(term, [self.term(c) for c in term.children])
+        made = term if whole else with_children(term, self.term)
         if term.type.kind not in KINDS or self._can_be_said(made):
             return made
         known = len(self.meant)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from workbench.core.codes.type_codes import Compared, TypeCode
@@ -253,6 +253,13 @@ def _beside_matrix(left: Term, right: Term) -> tuple[Term, Term]:
     if filling(right) == "identity" and left.type.kind == "matrix" and left.type.columns != 3:
         right = shaped(right, Type(left.type.columns, left.type.columns))
     return left, right
+
+
+def with_children(term: Term, change: Callable[[Term], Term]) -> Term:
+    """Returns the term with its children changed; the same object if each child stays the same object."""
+    children = tuple(map(change, term.children))
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    return term if unchanged else rebuild(term, children)
 
 
 def rebuild(term: Term, children: Sequence[Term]) -> Term:

@@ -18,9 +18,9 @@ from workbench.core.construct import (
     integer,
     number,
     power,
-    rebuild,
     relation,
     symbol,
+    with_children,
     zero,
 )
 from workbench.core.integer_expressions import Linear, as_linear
@@ -128,8 +128,7 @@ class Instantiation:
                 return raised(base, exponent)
             case BigSum():
                 return self._big_sum(term)
-        children = tuple(self.term(child) for child in term.children)
-        return term if _same(children, term.children) else rebuild(term, children)
+        return with_children(term, self.term)
 
     def linear(self, value: Linear) -> Linear:
         return value.substitute(self.values)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Protocol
 
 from workbench.core.codes.type_codes import TypeCode
-from workbench.core.construct import apply, number, power, rebuild, relation, zero
+from workbench.core.construct import apply, number, power, relation, with_children, zero
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.names import Name
@@ -191,9 +191,7 @@ class _Expansion:
                 if not term.arguments:
                     self.members[key] = result
                 return result
-        children = tuple(self.term(child) for child in term.children)
-        unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-        return term if unchanged else rebuild(term, children)
+        return with_children(term, self.term)
 
 
 def only_turns(term: Term, pi: Symbol) -> bool:
@@ -242,8 +240,6 @@ def _replaced(term: Term, given: Callable[[Symbol], Term | None], done: dict[int
     if id(term) not in done:
         new = given(term) if isinstance(term, Symbol) else None
         if new is None:
-            children = tuple(_replaced(child, given, done) for child in term.children)
-            unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-            new = term if unchanged else rebuild(term, children)
+            new = with_children(term, lambda child: _replaced(child, given, done))
         done[id(term)] = new
     return done[id(term)]

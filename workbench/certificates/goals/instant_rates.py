@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from workbench.certificates.emission.emitted_nodes import NotCertified
-from workbench.core.construct import apply, derivative, rebuild, zero
+from workbench.core.construct import apply, derivative, with_children, zero
 from workbench.core.operations import COMPONENTWISE, PRODUCTS
 from workbench.core.terms import Apply, Derivative, Head, Identity, Number, Symbol, Term, TimeOperator, Zero
 from workbench.language.definitions import Definitions
@@ -27,7 +27,7 @@ def spread(term: Term, definitions: Definitions) -> Term:
         case Symbol():
             meaning = definitions.lookup(term)
             return term if meaning is None else spread(meaning, definitions)
-    return rebuild(term, [spread(c, definitions) for c in term.children]) if term.children else term
+    return with_children(term, lambda child: spread(child, definitions))
 
 
 def _rate(term: Term, definitions: Definitions) -> Term:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from workbench.certificates.emission.emitted_nodes import KINDS, NotCertified
 from workbench.certificates.reading.read_back import expression
 from workbench.certificates.theorem import Theorem
-from workbench.core.construct import rebuild, relation, symbol
+from workbench.core.construct import relation, symbol, with_children
 from workbench.core.integer_instances import free_integers
 from workbench.core.names import Name
 from workbench.core.terms import (
@@ -116,7 +116,7 @@ def without_derivatives(
             body = definitions.lookup(term)
             new = None if body is None else bare(body)
             return term if new is None or new == body else new
-        return rebuild(term, [bare(c) for c in term.children]) if term.children else term
+        return with_children(term, bare)
 
     return [relation(r.operator, bare(r.left), bare(r.right)) for r in said_], stand
 
@@ -134,7 +134,7 @@ def of_letters(image: Term, letters: Collection[Symbol]) -> tuple[Term, dict[Ter
             known = known or symbol(Declaration(Name(f"q_{len(stand) + 1}"), term.type))
             stand[known] = term
             return known
-        return rebuild(term, [bare(c) for c in term.children]) if term.children else term
+        return with_children(term, bare)
 
     return bare(image), stand
 
@@ -144,7 +144,7 @@ def restored(term: Term, stand: dict[Term, Term]) -> Term:
         return stand[term]
     if isinstance(term, Apply):
         return replace(term, arguments=tuple(restored(c, stand) for c in term.arguments))
-    return rebuild(term, [restored(c, stand) for c in term.children]) if term.children else term
+    return with_children(term, lambda child: restored(child, stand))
 
 
 def _special(term: Term) -> bool:

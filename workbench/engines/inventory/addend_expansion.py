@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Set
 
-from workbench.core.construct import apply, big_sum, derivative, rebuild, relation, zero
+from workbench.core.construct import apply, big_sum, derivative, relation, with_children, zero
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.operations import COMPONENTWISE, PRODUCTS
@@ -58,9 +58,7 @@ def spread(term: Term) -> Term:
     """Returns the term with its sums outermost: linear operations move to the addends of the sums."""
     if not has_sums(term):
         return term
-    children = tuple(spread(child) for child in term.children)
-    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-    term = term if unchanged else rebuild(term, children)
+    term = with_children(term, spread)
     if isinstance(term, BigSum):
         return term
     if isinstance(term, Derivative):

@@ -17,7 +17,7 @@ from functools import reduce
 from math import lcm
 from typing import NamedTuple
 
-from workbench.core.construct import apply, derivative, number, power, rebuild, relation, symbol, zero
+from workbench.core.construct import apply, derivative, number, power, relation, symbol, with_children, zero
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import raised
 from workbench.core.names import Name
@@ -168,14 +168,9 @@ class _Pass:
     def term(self, term: Term) -> Term:
         if id(term) not in self.done:
             is_function = (self.roots and _is_root(term)) or _is_elementary(term)
-            new = self._function(term) if is_function else self._rebuilt(term)
+            new = self._function(term) if is_function else with_children(term, self.term)
             self.done[id(term)] = term, new
         return self.done[id(term)][1]
-
-    def _rebuilt(self, term: Term) -> Term:
-        children = [self.term(child) for child in term.children]
-        same = all(a is b for a, b in zip(children, term.children, strict=True))
-        return term if same else rebuild(term, children)
 
     def _function(self, term: Term) -> Term:
         assert isinstance(term, Apply), "a function"

@@ -23,9 +23,9 @@ from workbench.core.construct import (
     identity,
     number,
     power,
-    rebuild,
     relation,
     symbol,
+    with_children,
     zero,
 )
 from workbench.core.integer_expressions import Linear
@@ -130,7 +130,7 @@ class _Pass:
                 return self._product(term)
             case Apply(head="exp", arguments=(exponent,)) if _is_open(term, self.definitions):
                 return self.exponential(exponent)
-        return rebuild(term, [self.term(child) for child in term.children]) if term.children else term
+        return with_children(term, self.term)
 
     def _product(self, term: Term) -> Term:
         """Returns the product, with the exponents of neighbours that commute added."""

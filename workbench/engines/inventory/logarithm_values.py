@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from workbench.core.construct import apply, rebuild, relation, symbol, zero
+from workbench.core.construct import apply, relation, symbol, with_children, zero
 from workbench.core.names import Name
 from workbench.core.terms import Apply, Relation, Symbol, Term
 from workbench.core.types import SCALAR, VECTOR, Declaration
@@ -42,8 +42,7 @@ class LogarithmValues:
 
     def without(self, term: Term) -> Term:
         """Returns the term with values for its logarithms."""
-        children = [self.without(child) for child in term.children]
-        term = rebuild(term, children) if children else term
+        term = with_children(term, self.without)
         if not (isinstance(term, Apply) and is_logarithm(term)):
             return term
         (turn,) = term.arguments

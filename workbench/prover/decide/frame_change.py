@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import reduce as fold
 
-from workbench.core.construct import apply, identity, number, rebuild, relation
+from workbench.core.construct import apply, identity, number, relation, with_children
 from workbench.core.terms import Apply, Head, Identity, Power, Relation, Symbol, Term
 from workbench.engines.inventory import Lookup
 
@@ -126,9 +126,7 @@ class _Frame:
                 return apply("trace", self._out_of_both(self.word(body), body)[1])
             case Apply(head="dot" | "triple" | "norm", arguments=arguments):
                 return apply(term.head, *self._shared([self.word(a) for a in arguments])[1])
-        if not term.children:
-            return term
-        return rebuild(term, [self.simple(child) for child in term.children])
+        return with_children(term, self.simple)
 
     def _reduced(self, word: Word) -> Word:
         """Returns the word without adjacent rotations and their transposes."""

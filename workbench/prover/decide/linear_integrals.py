@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, rebuild, relation, zero
+from workbench.core.construct import apply, relation, with_children, zero
 from workbench.core.operations import LINEAR
 from workbench.core.terms import Apply, Block, Integral, Relation, Statement, Symbol, Term, Zero
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
@@ -91,7 +91,7 @@ def _bodies(term: Term) -> Term:
     """Returns the term with its integrals replaced by their bodies."""
     if isinstance(term, Integral):
         return term.body
-    return rebuild(term, [_bodies(child) for child in term.children]) if term.children else term
+    return with_children(term, _bodies)
 
 
 def _symbols(term: Term, inside: bool, is_within: bool = False) -> Iterator[Symbol]:

@@ -14,7 +14,7 @@ from workbench.context.claims import Claim, Formula
 from workbench.context.facts import Fact
 from workbench.context.read_formulas import read_statement
 from workbench.core.codes.doubt_codes import DoubtCode
-from workbench.core.construct import apply, block, rebuild, relation
+from workbench.core.construct import apply, block, relation, with_children
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.reasons import Reason
 from workbench.core.terms import (
@@ -192,8 +192,7 @@ def _with_terms(
     assert claim.printed.statement is not None
 
     def changed(term: Term) -> Term:
-        made = rebuild(term, [changed(child) for child in term.children]) if term.children else term
-        return change(made)
+        return change(with_children(term, changed))
 
     def of(term: Term) -> Term:
         return changed(expand(term, definitions) if definitions is not None else term)

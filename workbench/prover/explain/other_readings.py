@@ -13,7 +13,7 @@ from workbench.context.free_symbols import terms_of
 from workbench.context.read_formulas import read_statement
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, rebuild, relation
+from workbench.core.construct import apply, relation, with_children
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR
@@ -139,7 +139,7 @@ def _holds_for_quaternions(claim: Claim, decider: Decider) -> bool:
 
 def _of_quaternions(term: Term) -> Term:
     """Returns the term with x² = −x·x for each square of a vector."""
-    made = rebuild(term, [_of_quaternions(child) for child in term.children]) if term.children else term
+    made = with_children(term, _of_quaternions)
     if isinstance(term, Power) and term.base.type.kind == "vector" and term.exponent.is_number:
         return apply("neg", made) if term.exponent.constant % 4 == 2 else made
     return made

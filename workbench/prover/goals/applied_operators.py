@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbench.core.construct import apply, big_sum, derivative, number, power, rebuild, symbol, zero
+from workbench.core.construct import apply, big_sum, derivative, number, power, symbol, with_children, zero
 from workbench.core.integer_instances import free_integers
 from workbench.core.names import Name
 from workbench.core.terms import (
@@ -55,9 +55,7 @@ def _freed(term: Term, definitions: Definitions) -> Term:
             return _free_number(to_latex(term), term)
         case Symbol(arguments=arguments) if arguments and definitions.lookup(term) is None:
             return symbol(Declaration(Name(rf"\left({to_latex(term)}\right)", of=(term,)), term.type))
-    children = tuple(_freed(child, definitions) for child in term.children)
-    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-    return term if unchanged else rebuild(term, children)
+    return with_children(term, lambda child: _freed(child, definitions))
 
 
 def _free_number(latex: str, *of: Term) -> Symbol:
@@ -66,9 +64,7 @@ def _free_number(latex: str, *of: Term) -> Symbol:
 
 
 def _applied(term: Term, definitions: Definitions) -> Term:
-    children = tuple(_applied(child, definitions) for child in term.children)
-    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-    term = term if unchanged else rebuild(term, children)
+    term = with_children(term, lambda child: _applied(child, definitions))
     match term:
         case Apply(head="mul", arguments=(operator, to)) if operator.type.kind == "operator":
             if to.type.kind != "operator":

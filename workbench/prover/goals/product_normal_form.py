@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from itertools import dropwhile, pairwise
 
-from workbench.core.construct import apply, derivative, rebuild, relation
+from workbench.core.construct import apply, derivative, relation, with_children
 from workbench.core.terms import Apply, Derivative, Identity, Relation, Term, Zero
 
 
@@ -39,9 +39,7 @@ def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
 
 @lru_cache(maxsize=50_000)
 def _tidy(term: Term) -> Term:
-    children = tuple(_tidy(child) for child in term.children)
-    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-    term = term if unchanged else rebuild(term, children)
+    term = with_children(term, _tidy)
     match term:
         case Apply(head="mul", arguments=(left, right)):
             return _product(left, right)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from workbench.core.construct import rebuild, relation, zero
+from workbench.core.construct import rebuild, relation, with_children, zero
 from workbench.core.integer_expressions import Linear, as_linear
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.names import Name
@@ -196,7 +196,7 @@ class Substitution:
             argument = self.as_written(term.arguments[0])
             return Substitution({Variable(variable.argument): argument}, self.definitions).as_written(new)
         if isinstance(term, Derivative) or is_function(term, self.definitions):
-            return rebuild(term, [self._term(child, True) for child in term.children])
+            return with_children(term, lambda child: self._term(child, True))
         if isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "operator":
             left, right = term.arguments
             return _without_zeros(rebuild(term, [self._term(left, differentiated), self._term(right, True)]))

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from workbench.core.construct import apply, derivative, integer, number, rebuild, relation, symbol
+from workbench.core.construct import apply, derivative, integer, number, relation, symbol, with_children
 from workbench.core.integer_expressions import Linear
 from workbench.core.integer_instances import free_integers, instantiate
 from workbench.core.names import Name
@@ -50,11 +50,7 @@ class _Sums:
         return total
 
     def _inside(self, term: Term) -> Term:
-        if isinstance(term, BigSum):
-            return self._without(term)
-        children = tuple(self._inside(child) for child in term.children)
-        unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-        return term if unchanged else rebuild(term, children)
+        return self._without(term) if isinstance(term, BigSum) else with_children(term, self._inside)
 
     def _without(self, total: BigSum) -> Term:
         if total.lower is None:
@@ -150,9 +146,7 @@ def _ones(term: Term) -> Term:
         if chosen == Linear(1) or chosen == top - 1:
             return integer(top)
         return term
-    children = tuple(_ones(child) for child in term.children)
-    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-    return term if unchanged else rebuild(term, children)
+    return with_children(term, _ones)
 
 
 def _ends(known: BigSum, j: str, end: Linear, more: int, below: bool) -> Iterator[tuple[bool, Term]]:

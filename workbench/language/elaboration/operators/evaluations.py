@@ -175,7 +175,7 @@ def _with_series(term: Term, variable: Symbol, order: int) -> Term:
         return term
     if isinstance(term, Apply) and term.head == "exp" and _vanishes(term.arguments[0], variable):
         return _series(term, order)
-    return construct.rebuild(term, [_with_series(child, variable, order) for child in term.children])
+    return construct.with_children(term, lambda child: _with_series(child, variable, order))
 
 
 def _series(exponential: Apply, order: int) -> Term:

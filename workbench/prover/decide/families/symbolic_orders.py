@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from workbench.core.construct import apply, block, derivative, rebuild, symbol, zero
+from workbench.core.construct import apply, block, derivative, symbol, with_children, zero
 from workbench.core.construct import relation as equated
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
@@ -44,7 +44,7 @@ def with_free_derivatives(term: Term) -> Term:
         if isinstance(inner := term.body, Derivative):
             return with_free_derivatives(derivative(inner.body, inner.order + term.order))
         return _differentiated(with_free_derivatives(term.body), term.order)
-    return rebuild(term, [with_free_derivatives(child) for child in term.children])
+    return with_children(term, with_free_derivatives)
 
 
 def with_free_orders(relation: Relation) -> Relation:

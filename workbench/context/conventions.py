@@ -180,7 +180,7 @@ def _rests(under_rates: bool) -> Callable[[Subject], Iterator[Made]]:
             return
         written = [part.body for part in terms_of(subject.statement) if isinstance(part, Derivative)]
         rated = {body.declaration for body in written if isinstance(body, Symbol)}
-        inside = {p.declaration for body in written for p in body.walk() if isinstance(p, Symbol)} - rated
+        inside = {p.declaration for body in written for p in body.symbols()} - rated
         may = [s for s in subject.free if not (s.declaration.constant or s.index or s.declaration in rated)]
         never = [s for s in may if s.declaration.name not in subject.moving and not s.declaration.rotation]
         own = never if under_rates else [s for s in never if s.declaration not in inside]
@@ -235,11 +235,7 @@ def _of_length_one(subject: Subject) -> Iterator[Made]:
     """
     turns = (part for side in sides_of(subject.statement) for part in subject.definitions.reached(side))
     angles = {
-        part
-        for turn in turns
-        if isinstance(turn, Apply) and turn.head in CIRCULAR
-        for part in turn.walk()
-        if isinstance(part, Symbol)
+        part for turn in turns if isinstance(turn, Apply) and turn.head in CIRCULAR for part in turn.symbols()
     }
     numbers = [each for each in _numbers(subject) if each not in angles]
     vectors = [s for s in subject.free if s.type.kind == "vector" and not s.declaration.unit]

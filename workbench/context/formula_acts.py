@@ -111,7 +111,7 @@ def definition_by(statement: Statement, own: Symbol | None) -> Definition | None
 def _definition(symbol: Symbol, body: Term) -> Definition | None:
     declaration = symbol.declaration
     plain = Declaration(declaration.name, declaration.type, declaration.weight, indices=declaration.indices)
-    uses_itself = any(isinstance(part, Symbol) and part.declaration == declaration for part in body.walk())
+    uses_itself = any(part.declaration == declaration for part in body.symbols())
     is_member = all(each.is_number or each in map(Linear.variable, each.variables) for each in symbol.index)
     is_member = is_member and free_integers(body) <= free_integers(symbol)
     if declaration != plain or symbol.arguments or uses_itself or body.type != declaration.type:
@@ -134,7 +134,7 @@ def introduces(formula: Formula, notation: Notation) -> set[Name]:
         return set()
     bound = {symbol.declaration.name for symbol in notation.motion}
     lefts = (equation.left for equation in equations_of(formula.statement))
-    parts = (part for left in lefts for part in left.walk() if isinstance(part, Symbol))
+    parts = (part for left in lefts for part in left.symbols())
     free = (part for part in parts if body_of(part, notation.definitions) is None)
     return {part.declaration.name for part in free} - bound
 

@@ -54,7 +54,7 @@ def _moving_by_scope(claims: Sequence[Claim]) -> dict[int, frozenset[Name]]:
     for claim in claims:
         if claim.printed.statement is not None:
             rates = (part for part in terms_of(claim.printed.statement) if isinstance(part, Derivative))
-            parts = (part for rate in rates for part in rate.walk() if isinstance(part, Symbol))
+            parts = (part for rate in rates for part in rate.symbols())
             moved[id(claim.notation)].update(part.declaration.name for part in parts)
     return {
         here: frozenset(

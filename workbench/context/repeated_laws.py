@@ -88,7 +88,7 @@ def closes_circle(definition: Definition, others: Collection[Definition]) -> boo
     """True if the body of a definition contains its own symbol, with these definitions unfolded."""
     waiting, reached = [definition], set[Declaration]()
     while waiting:
-        used = {part.declaration for part in waiting.pop().body.walk() if isinstance(part, Symbol)} - reached
+        used = {part.declaration for part in waiting.pop().body.symbols()} - reached
         reached |= used
         waiting += [each for each in others if each.declaration in used]
     return definition.declaration in reached

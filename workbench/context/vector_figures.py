@@ -150,7 +150,7 @@ def coincident(subject: Subject) -> Iterator[Made]:
     for (point, place), (carried, spot) in permutations(frames.places.items(), 2):
         is_carried = carried in frames.fixed and point not in frames.fixed
         between = {apply("add", one, apply("neg", other)) for one, other in permutations((place, spot))}
-        parts = {part for term in (place, spot) for part in term.walk() if isinstance(part, Symbol)}
+        parts = {part for term in (place, spot) for part in term.symbols()}
         if is_carried and parts <= reached and between.isdisjoint(shown):
             words = f"{point} and {carried}: at one place"
             yield words, own, Supposition((), (relation("=", place, spot),))

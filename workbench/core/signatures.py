@@ -217,7 +217,7 @@ def weightless(arguments: tuple[Term, ...]) -> Weight:
     weight = arguments[0].weight
     if weight is not None and weight != Linear(0):
         raise IllFormed(TypeCode.ARGUMENT_WITH_WEIGHT(weight=weight))
-    has_time = any(isinstance(part, Symbol) and part.declaration.clock for part in arguments[0].walk())
+    has_time = any(part.declaration.clock for part in arguments[0].symbols())
     return None if has_time else Linear(0)
 
 

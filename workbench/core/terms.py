@@ -106,6 +106,10 @@ class Term:
             yield term
             waiting.extend(reversed(term.children))
 
+    def symbols(self) -> Iterator[Symbol]:
+        """Yields the symbols in this term, each as often as it occurs."""
+        return (term for term in self.walk() if isinstance(term, Symbol))
+
 
 @dataclass_transform(frozen_default=True)
 def _node(cls: Any) -> Any:
@@ -383,17 +387,3 @@ def heads_in(term: Term) -> frozenset[str]:
     """Returns the heads of the operations in a term."""
     own = (term.head,) if isinstance(term, Apply) else ()
     return frozenset(own).union(*map(heads_in, term.children))
-
-
-def is_rate(term: Term) -> bool:
-    """True if the term is a symbol or a time derivative of one."""
-    while isinstance(term, Derivative):
-        term = term.body
-    return isinstance(term, Symbol)
-
-
-def is_accented_symbol(term: Term) -> bool:
-    """True if the term is a symbol under dots, derivatives and tildes only."""
-    while isinstance(term, Derivative) or (isinstance(term, Apply) and term.head == "skew"):
-        (term,) = term.children
-    return isinstance(term, Symbol)

@@ -9,7 +9,7 @@ from workbench.core.codes.declaration_codes import DeclarationCode
 from workbench.core.formula_errors import SpecError
 from workbench.core.integer_expressions import Linear, as_linear
 from workbench.core.names import Name
-from workbench.core.terms import Definition, Symbol, Term
+from workbench.core.terms import Definition
 from workbench.language.definitions import solve
 from workbench.language.naming.spelling import Named
 from workbench.language.naming.symbols import SymbolTable
@@ -22,7 +22,7 @@ def entered(key: str, definition: Definition, table: SymbolTable) -> SymbolTable
     name = definition.declaration.name
     known = table.defined.with_member(name, definition.index)
     primitive = known.primitive.union(_primitives(definition, known.members))
-    names = {each.declaration.name for each in _symbols(definition.body)}
+    names = {each.declaration.name for each in definition.body.symbols()}
     used = (table.arguments & names).union(*(known.arguments.get(each, ()) for each in (name, *names)))
     arguments = {**known.arguments, name: used}
     return replace(table, defined=replace(known, primitive=primitive, arguments=arguments))
@@ -63,7 +63,7 @@ def _refuse_circle(key: str, definition: Definition, table: SymbolTable) -> None
         if used == name and solve(definition.index, index) is not None:
             raise SpecError(DeclarationCode.USED_ABOVE(), key)
     own = definition.index
-    members = [term.index for term in _symbols(definition.body) if term.declaration.name == name]
+    members = [term.index for term in definition.body.symbols() if term.declaration.name == name]
     exact = [place for place in table.defined.members.get(name, ()) if all(i.is_number for i in place)]
     descending = [m for m in members if m not in exact or not _may_be_base(m, own)]
     if descending and not _all_lower(descending, own):
@@ -97,13 +97,9 @@ def _step(used: Linear, own: Linear) -> int:
 def _primitives(
     definition: Definition, defined: Mapping[Name, tuple[tuple[Linear, ...], ...]]
 ) -> Iterator[Named]:
-    for term in _symbols(definition.body):
+    for term in definition.body.symbols():
         name = term.declaration.name
         if name != definition.declaration.name and not any(
             solve(member, term.index) is not None for member in defined.get(name, ())
         ):
             yield name, term.index
-
-
-def _symbols(term: Term) -> Iterator[Symbol]:
-    return (t for t in term.walk() if isinstance(t, Symbol))

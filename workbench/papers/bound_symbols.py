@@ -41,7 +41,7 @@ def names_behind(terms: Iterable[Term], definitions: Iterable[Definition]) -> se
     waiting = list(terms)
     names: set[Name] = set()
     while waiting:
-        new = {t.declaration.name for t in waiting.pop().walk() if isinstance(t, Symbol)} - names
+        new = {t.declaration.name for t in waiting.pop().symbols()} - names
         names |= new
         waiting += [body for name in new for body in bodies.get(name, ())]
     return names

@@ -151,7 +151,7 @@ def _in_order(entries: list[_Entry], table: SymbolTable) -> list[_Entry]:
 
 def _uses(definition: Definition, key: str) -> bool:
     names = {read_key(key, letters)[0] for letters in (INDEX_LETTERS, frozenset())}
-    return any(isinstance(part, Symbol) and part.declaration.name in names for part in definition.body.walk())
+    return any(part.declaration.name in names for part in definition.body.symbols())
 
 
 def _definitions(

@@ -65,7 +65,7 @@ def _relations(statement: Statement) -> Iterator[Relation]:
 def _may_be_contracted(equation: Relation, members: Members) -> bool:
     """True if an index of a member with two indices occurs on one side only, which may mean a sum over it."""
     sides = equation.left, equation.right
-    own = [part for side in sides for part in side.walk() if isinstance(part, Symbol) and len(part.index) > 1]
+    own = [part for side in sides for part in side.symbols() if len(part.index) > 1]
     left, right = map(free_integers, sides)
     return any(each.declaration in members for each in own) and left != right
 

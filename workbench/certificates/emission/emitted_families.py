@@ -177,7 +177,7 @@ def _total(emitter: Collector, index: Linear, constant: int) -> str:
 
 
 def _mentions(body: Term, definition: Definition) -> bool:
-    return any(isinstance(p, Symbol) and p.declaration == definition.declaration for p in body.walk())
+    return any(p.declaration == definition.declaration for p in body.symbols())
 
 
 def _family_name(emitter: Collector, symbol: Symbol) -> str:

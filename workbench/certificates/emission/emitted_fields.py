@@ -5,7 +5,7 @@ from __future__ import annotations
 from workbench.certificates.emission import emitted_nodes
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.emitted_nodes import APPLICATION, ATOM, Node, NotCertified
-from workbench.core.terms import Symbol, Term
+from workbench.core.terms import Term
 from workbench.language.definitions import expand
 
 
@@ -32,7 +32,7 @@ def _field(emitter: Collector, field: Term) -> tuple[str, list[str]]:
     if emitter.coordinate is not None or field.type.dual:
         raise NotCertified("a field of a dual quantity, or of a derivative of a field")
     full = expand(field, emitter.definitions)
-    found = {p for p in full.walk() if isinstance(p, Symbol) and p.declaration.coordinate}
+    found = {p for p in full.symbols() if p.declaration.coordinate}
     if len(found) != 1:
         raise NotCertified("a field of no coordinate, or of several")
     coordinate = emitter.symbol(found.pop())

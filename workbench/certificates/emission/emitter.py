@@ -233,7 +233,7 @@ def _has_coordinate(term: Term, definitions: Definitions) -> bool:
 
 
 def _recurs(symbol: Symbol, body: Term) -> bool:
-    return any(isinstance(p, Symbol) and p.declaration.name == symbol.declaration.name for p in body.walk())
+    return any(p.declaration.name == symbol.declaration.name for p in body.symbols())
 
 
 def _numeric(term: Counting) -> bool:

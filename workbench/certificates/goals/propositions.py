@@ -233,7 +233,7 @@ def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_familie
 
 def families_in(goal: Goal) -> list[Symbol]:
     """Returns the members of families in the goal."""
-    return [part for term in _terms(goal) for part in term.walk() if isinstance(part, Symbol) and part.index]
+    return [part for term in _terms(goal) for part in term.symbols() if part.index]
 
 
 def _terms(goal: Goal) -> list[Term]:

@@ -10,17 +10,9 @@ from workbench.core.formula_errors import Fault, SpecError
 from workbench.core.names import Name, is_prefix
 from workbench.core.operations import CIRCULAR
 from workbench.core.reasons import Reason
-from workbench.core.terms import (
-    Apply,
-    Derivative,
-    Number,
-    Power,
-    Symbol,
-    Term,
-    TimeOperator,
-    is_accented_symbol,
-)
+from workbench.core.terms import Apply, Derivative, Number, Power, Symbol, Term, TimeOperator
 from workbench.core.types import Declaration
+from workbench.language.accented_symbols import is_accented_symbol
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.naming.declarations import key_spelling
@@ -65,11 +57,11 @@ def _line_of_a_function(scope: Scope, function: Term, bracket: Bracket) -> str |
     if all(_is_name(part) and _is_letter(part) for part in bracket.parts):
         return line_of_arguments([latex_of(part) for part in bracket.parts if not scope.is_time(part)])
     values = [scope.term(part) for part in bracket.parts]
-    letters = [{each for each in value.walk() if isinstance(each, Symbol)} for value in values]
+    letters = [set(value.symbols()) for value in values]
     is_one = all(len(each) == 1 for each in letters) and len(set(map(frozenset, letters))) == len(letters)
     if not is_one or any(each.declaration.clock or each.index for own in letters for each in own):
         return None
-    symbol = next(each for each in function.walk() if isinstance(each, Symbol))
+    symbol = next(function.symbols())
     formals = ", ".join(to_latex(*own) for own in letters)
     return f"[definitions] '{to_latex(symbol)}({formals})' = …"
 
@@ -159,7 +151,7 @@ def _is_symbol_or_quaternion(value: Term) -> bool:
 
 def _is_coordinate(scope: Scope, function: Term) -> bool:
     """True if other symbols depend on it by [conventions], so that it depends on none of them."""
-    names = {each.declaration.name for each in function.walk() if isinstance(each, Symbol)}
+    names = {each.declaration.name for each in function.symbols()}
     return not names.isdisjoint(scope.table.arguments)
 
 
@@ -278,7 +270,7 @@ def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
     if len(leaves) < len(parts):
         return
     letters = "".join(sorted(each.text for each in leaves if each.kind == "LETTER"))
-    (symbol,) = (each for each in function.walk() if isinstance(each, Symbol))
+    (symbol,) = function.symbols()
     own, place = (symbol.declaration.name, symbol.index), latex_of(part)
     if not letters or scope.members.setdefault((own, letters), place) != place:
         raise Fault(SyntaxCode.COMPONENT_OR_MEMBER_OR(), bracket.at)
@@ -344,7 +336,7 @@ def _refuse_both(scope: Scope, bracket: Bracket, function: Term, is_factor: bool
 
 
 def _symbols(function: Term) -> list[Named]:
-    return [(each.declaration.name, each.index) for each in function.walk() if isinstance(each, Symbol)]
+    return [(each.declaration.name, each.index) for each in function.symbols()]
 
 
 def _is_instant(part: Node) -> bool:

@@ -12,7 +12,8 @@ from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_SCALARS, OF_TENSORS, word_of
-from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term, is_rate
+from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term
+from workbench.language.accented_symbols import is_rate
 from workbench.language.elaboration.angles import ends_with_angle, goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.factors import Factor, Row

@@ -171,7 +171,7 @@ class _Lettering:
             ) if scripts.sub is not None:
                 with suppress(Fault):
                     term, sup = self.read(inner, scripts, ())
-                    symbols = (each for each in term.walk() if isinstance(each, Symbol))
+                    symbols = term.symbols()
                     return (term, sup) if all(not each.index for each in symbols) else None
         return None
 

@@ -294,4 +294,4 @@ def _speaks_of(statement: Statement, names: set[Name]) -> bool:
             return any(_speaks_of(part, names) for part in parts)
         case _:
             return True
-    return any(isinstance(p, Symbol) and p.declaration.name in names for t in terms for p in t.walk())
+    return any(p.declaration.name in names for t in terms for p in t.symbols())

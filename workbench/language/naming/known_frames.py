@@ -6,7 +6,7 @@ from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, replace
 
 from workbench.core.names import Name
-from workbench.core.terms import Symbol, Term
+from workbench.core.terms import Term
 
 
 @dataclass(frozen=True)
@@ -42,4 +42,4 @@ class KnownFrames:
 
 
 def _names_in(term: Term) -> set[Name]:
-    return {part.declaration.name for part in term.walk() if isinstance(part, Symbol)}
+    return {part.declaration.name for part in term.symbols()}

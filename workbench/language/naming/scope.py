@@ -24,10 +24,9 @@ from workbench.core.terms import (
     Term,
     Unsupported,
     Zero,
-    is_accented_symbol,
-    is_rate,
 )
 from workbench.core.types import VECTOR, type_of_kind
+from workbench.language.accented_symbols import is_accented_symbol, is_rate
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -124,7 +123,7 @@ class Scope(ABC):
 
     def _holds_kept(self, body: Term) -> bool:
         kept = self.table.frames.constant
-        return bool(kept) and any(p.declaration.name in kept for p in body.walk() if isinstance(p, Symbol))
+        return bool(kept) and any(p.declaration.name in kept for p in body.symbols())
 
     def partial(self, at: int, head: Head, body: Term, by: Term) -> Term:
         """Returns ∂f/∂x, a row or a column as the paper states."""

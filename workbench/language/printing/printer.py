@@ -32,8 +32,8 @@ from workbench.core.terms import (
     Term,
     TimeOperator,
     Zero,
-    is_accented_symbol,
 )
+from workbench.language.accented_symbols import is_accented_symbol
 from workbench.language.grammar import latex_forms
 from workbench.language.grammar.vocabulary import written
 from workbench.language.naming.symbols import may_be_label

@@ -284,7 +284,7 @@ def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
     sides: list[Term] = []
     with suppress(IllFormed):
         sides = [expand(side, known) for side in sides_of(statement)] if statement is not None else []
-    symbols = {part for side in sides for part in side.walk() if isinstance(part, Symbol) and part.index}
+    symbols = {part for side in sides for part in side.symbols() if part.index}
     members = {to_latex(each) for each in symbols if all(index.is_number for index in each.index)}
     if not members:
         return []

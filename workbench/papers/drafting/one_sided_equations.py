@@ -87,7 +87,7 @@ def _is_recurrence(statement: Relation) -> bool:
     left = statement.left.body if isinstance(statement.left, Derivative) else statement.left
     if not isinstance(left, Symbol) or not left.index:
         return False
-    members = {part for part in statement.right.walk() if isinstance(part, Symbol) and part.index}
+    members = {part for part in statement.right.symbols() if part.index}
     return any(each.declaration == left.declaration and each.index != left.index for each in members)
 
 

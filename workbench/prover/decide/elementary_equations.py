@@ -243,12 +243,7 @@ def _is_rate_of_function(law: Term, found: Replaced, inventory: Inventory) -> bo
     own, order = (law.body, int(law.order)) if isinstance(law, Derivative) else (law, 0)
     return own in found.values or any(
         inventory.orders.get(function, 0) >= order > 0
-        and any(
-            number_behind(part) == own
-            for u in value.arguments
-            for part in u.walk()
-            if isinstance(part, Symbol)
-        )
+        and any(number_behind(part) == own for u in value.arguments for part in u.symbols())
         for function, value in found.values.items()
     )
 

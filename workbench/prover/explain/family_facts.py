@@ -58,7 +58,7 @@ def _instances(fact: Fact, claim: Claim, members: Sequence[Symbol]) -> Iterator[
 def _values(sides: Sequence[Term], name: str, members: Sequence[Symbol]) -> set[Linear]:
     """Returns the values of the integer at which the sides hold a member of the claim."""
     variable = Linear.variable(name)
-    parts = {part for side in sides for part in side.walk() if isinstance(part, Symbol)}
+    parts = {part for side in sides for part in side.symbols()}
     shifts = {
         (part.declaration, (part.index[0] - variable).constant)
         for part in parts

@@ -77,7 +77,7 @@ def _known(claim: Claim, facts: Sequence[Fact]) -> Known:
     bodies = [each.body for each in (*claim.notation.definitions, *said)]
     equations = [fact.content for fact in facts if isinstance(fact.content, Relation)]
     terms = [*bodies, *(side for equation in equations for side in sides_of(equation))]
-    symbols = (part for term in terms for part in term.walk() if isinstance(part, Symbol))
+    symbols = (part for term in terms for part in term.symbols())
     return Known(
         Definitions([*claim.notation.definitions, *said]), frozenset(part.declaration for part in symbols)
     )
@@ -121,7 +121,7 @@ def _rated(claim: Claim, known: Known) -> Iterator[Statement]:
     def is_spin(term: Term) -> bool:
         if not isinstance(term, Apply) or term.head != "skew":
             return False
-        own = [part for part in term.walk() if isinstance(part, Symbol)]
+        own = list(term.symbols())
         return any(known.definitions.about(s) != claim.notation.definitions.about(s) for s in own)
 
     yield _with_terms(claim, lambda term: _on_the_other_side(term, is_spin))

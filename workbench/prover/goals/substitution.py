@@ -161,7 +161,7 @@ class Substitution:
         return self._term(term, False)
 
     def _stands_in(self, term: Term) -> bool:
-        return any(isinstance(p, Symbol) and p.declaration.name in self.terms for p in term.walk())
+        return any(p.declaration.name in self.terms for p in term.symbols())
 
     def _left_over(self, part: Symbol) -> bool:
         """True if a member of a family, which stays as it is, depends on one of the letters."""

@@ -8,7 +8,7 @@ from typing import Any
 
 from workbench.core.construct import relation, symbol
 from workbench.core.integer_instances import instantiate
-from workbench.core.terms import Definition, IllFormed, Relation, Symbol, Term
+from workbench.core.terms import Definition, IllFormed, Relation, Term
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.inventory import take_inventory
 from workbench.language.definitions import Definitions
@@ -79,7 +79,7 @@ def _tested(
 
 def _all_bound(body: Term, definitions: Definitions, bindings: Bindings) -> bool:
     """True if the body has no free symbols: an unbound and undefined symbol could have any value."""
-    variables = {v for t in body.walk() if isinstance(t, Symbol) for i in t.index for v in i.variables}
+    variables = {v for t in body.symbols() for i in t.index for v in i.variables}
     try:
         body = instantiate(body, dict.fromkeys(variables, 1))
         inventory = take_inventory([body], BoundFirst(definitions, bindings))

@@ -194,7 +194,7 @@ def _case(
     sides = [side for s in (statement, *premises) for r in relations(s) for side in (r.left, r.right)]
     lookup = BoundFirst(definitions, bindings)
     if not all(GRADIENTS.isdisjoint(heads_in(side)) for side in sides):
-        names = {s.declaration.name for side in sides for s in side.walk() if isinstance(s, Symbol)}
+        names = {s.declaration.name for side in sides for s in side.symbols()}
         fields = frozenset(n for n in names if _is_field(n, sides, definitions))
         lookup = replace(lookup, but_for=fields)
     return _Case(statement, premises, lookup, take_inventory(sides, lookup), bindings)
@@ -202,9 +202,7 @@ def _case(
 
 def _is_field(name: Name, sides: Sequence[Term], definitions: Lookup) -> bool:
     """True if a symbol of this name is defined by means of the coordinate."""
-    pending: list[Term] = [
-        t for side in sides for t in side.walk() if isinstance(t, Symbol) and t.declaration.name == name
-    ]
+    pending: list[Term] = [t for side in sides for t in side.symbols() if t.declaration.name == name]
     first = True
     while pending:
         here = pending.pop()

@@ -168,7 +168,7 @@ def _near_bodies(name: Symbol, definition: Definition) -> Iterator[Term]:
 def _rests_on(body: Term, name: Symbol) -> set[tuple]:
     """Returns the names in a body; those of its own family with their indices."""
     family = name.declaration.name
-    symbols = [term for term in body.walk() if isinstance(term, Symbol)]
+    symbols = list(body.symbols())
     return {(s.declaration.name, s.index if s.declaration.name == family else ()) for s in symbols}
 
 

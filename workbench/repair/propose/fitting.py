@@ -82,6 +82,4 @@ def says_what(statement: Statement, definitions: Lookup, supposed: Sequence[Stat
     if not isinstance(left, Symbol) or definitions.lookup(left) is not None:
         return False
     others = [statement.right, *(side for each in supposed for side in sides_of(each))]
-    return left.declaration.name not in {
-        part.declaration.name for term in others for part in term.walk() if isinstance(part, Symbol)
-    }
+    return left.declaration.name not in {part.declaration.name for term in others for part in term.symbols()}

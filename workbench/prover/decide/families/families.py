@@ -238,7 +238,7 @@ def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Stateme
                     hidden = [expand(definition.body, judge.definitions) for definition in own]
                 elif isinstance(part, Derivative) and not part.order.is_number:
                     hidden = [part.body]
-                if any(isinstance(t, Symbol) and t.declaration.coordinate for h in hidden for t in h.walk()):
+                if any(t.declaration.coordinate for h in hidden for t in h.symbols()):
                     raise NotExact(f"the {gradient.head} of a field of every order")
 
 
@@ -266,8 +266,7 @@ def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> 
     indices = [
         index
         for term in all_terms(statements)
-        for part in term.walk()
-        if isinstance(part, Symbol)
+        for part in term.symbols()
         for index in part.index
         if not index.is_number
     ]

@@ -114,8 +114,8 @@ def _first(general: Definition, base: set[int]) -> int:
     """Returns the lowest member of the base if the recurrence refers to none below it; else 0."""
     mentioned = [
         int(place - general.index[0])
-        for part in general.body.walk()
-        if isinstance(part, Symbol) and part.declaration.name == general.declaration.name
+        for part in general.body.symbols()
+        if part.declaration.name == general.declaration.name
         for place in part.index
         if (place - general.index[0]).is_number
     ]
@@ -187,5 +187,5 @@ def rewritten(terms: Iterable[Term], definitions: Definitions) -> Iterator[Symbo
 
 def symbolic_members(terms: Sequence[Term]) -> list[Symbol]:
     """Returns the members of families in the terms whose index contains an integer variable."""
-    parts = (part for term in terms for part in term.walk() if isinstance(part, Symbol))
+    parts = (part for term in terms for part in term.symbols())
     return [part for part in parts if any(not place.is_number for place in part.index)]

@@ -87,7 +87,7 @@ def _free(term: Term, order: Linear) -> Symbol:
     if term.type.kind == "operator":
         raise NotExact(f"a {term.type} differentiated {order} times")
     weight = None if term.weight is None else term.weight + order
-    uniform = all(part.declaration.uniform for part in term.walk() if isinstance(part, Symbol))
+    uniform = all(part.declaration.uniform for part in term.symbols())
     name = Name(rf"\left({to_latex(term)}\right)", sup=(f"({order})",), of=(term, order))
     return symbol(Declaration(name, term.type, weight).with_flags(uniform=uniform))
 

@@ -81,8 +81,10 @@ class Certificate:
 
     @property
     def misread(self) -> str:
-        """The differences between the text, as read back, and its terms: a defect of the emitter; "" if
-        none."""
+        """The differences between the terms and the text as read back; "" if there are none.
+
+        A difference is a defect of the emitter.
+        """
         return "; ".join(fault for theorem in self.theorems for fault in theorem.read_back_faults())
 
     @property

@@ -3,8 +3,8 @@
 On a chain of joints R_WB is a product of rotations by the joint angles qᵢ, each of which satisfies ‖dⁿ/dtⁿ
 exp(qᵢ ũ)‖ ≤ n! [sⁿ] exp(Σ_k |qᵢ^(k)| s^k / k!). The product is thus bounded by the same series with Σᵢ
 |qᵢ^(k)|, and p_WBo, a sum of such products times link lengths and displacements, by that series times the
-series of the lengths. The bound is that of a sum of absolute values of terms. The value itself may be smaller
-by cancellation, its rounding error not. The same holds for each qᵢ^(k): its error is measured against the
+series of the lengths. The bound is that of a sum of absolute values of terms. Cancellation may make the value
+itself smaller, but not its rounding error. The same holds for each qᵢ^(k): its error is measured against the
 terms of the path that it is summed from, and propagated.
 """
 

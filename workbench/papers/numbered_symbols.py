@@ -97,7 +97,7 @@ def _families(table: SymbolTable) -> Iterator[tuple[Declaration, Callable[[tuple
 
 
 def _place(name: Name, table: SymbolTable) -> tuple[Name, tuple[int, ...]]:
-    """Returns the family and the index of a name; no index if its subscript is none.
+    """Returns the family and the index of a name; () if its subscript is not an index.
 
     The 12 of x_{12} is not read as 1 and 2 if there is an x_9.
     """

@@ -9,7 +9,7 @@ from workbench.core.reasons import Code
 
 @unique
 class DeclarationCode(Code):
-    """Faults of an entry."""
+    """Faults of an entry of [symbols], [definitions] or [notation]."""
 
     ALIASES_EXPECTED_LIST_LATEX = "aliases is {found}; expected a list of LaTeX names"
     ARGUMENT_OF = "of: {text} is {value}"

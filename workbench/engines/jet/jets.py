@@ -261,7 +261,7 @@ class JetEngine:
         raise NotExact(f"no value for the operation {head}")
 
     def _kronecker(self, term: Apply, depth: int) -> Value:
-        """A ⊗ B: the products of all entries, sorted by the rows of A, those of B, and the columns."""
+        """Returns A ⊗ B: the products of all entries, by the rows of A, then those of B, then the columns."""
         shapes = [matrix_shape(a.type) for a in term.arguments]
 
         def blocks(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -126,7 +126,7 @@ class PackedPolynomials:
         return x in p and sum(self._at(place, powers) > 0 for (powers,) in p) == 1
 
     def spread(self, p: PolyElement, ring: PolyRing) -> PolyElement:
-        """Returns the polynomial in a ring like `many`."""
+        """Returns a packed polynomial as an element of a ring with all generators, such as `many`."""
         falling = range(len(self.generators) - 1, -1, -1)
         terms = {tuple(self._at(place, e) for place in falling) or (0,): c for (e,), c in p.items()}
         return ring.from_dict(terms, p.ring.domain)

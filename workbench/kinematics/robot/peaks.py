@@ -55,8 +55,8 @@ class Peak:
 
     @property
     def verdict(self) -> str | None:
-        """ "within" if the largest possible value is, "BEYOND" if the least possible value is, "not
-        determined" otherwise; None without a limit."""
+        """Whether the peak keeps the limit: "within" if the largest possible value does, "BEYOND" if the
+        least possible value does not, "not determined" otherwise; None without a limit."""
         if self.limit is None:
             return None
         sign = -1 if self.bound == "lower" else 1

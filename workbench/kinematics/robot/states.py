@@ -294,9 +294,11 @@ class RobotFrame(FrameMotion):
         return np.stack([self.twist_partial(k, j, point=point) for j in range(k + 2)])
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
-        """Returns the motion of this frame B as an observer in the frame A of `other` sees it, expressed
-        in A; with its `jacobian` where `other` is a frame of the same motion. How a common base of both
-        moves does not enter then."""
+        """Returns the motion of this frame B relative to the frame A of `other`, expressed in A.
+
+        If `other` is a frame of the same motion, the result has a `jacobian`, and the motion of a common base
+        of both has no influence.
+        """
         if not (isinstance(other, RobotFrame) and other.motion is self.motion):
             return super().relative_to(other)
         motion, robot = self.motion, self.motion.robot

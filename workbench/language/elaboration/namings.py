@@ -150,8 +150,10 @@ def _known(where: Node) -> Members:
 
 
 def _conditions(members: Members, term: Term, at: int, seen: bool = True) -> list[Relation]:
-    """Returns the conditions for the term to be a member; without `seen`, none if the term does not show
-    them."""
+    """Returns the conditions for the term to be a member.
+
+    seen: Whether the form of the term must show them; otherwise there may be none. Raises Fault.
+    """
     try:
         return members.conditions(term)
     except IllFormed as fault:

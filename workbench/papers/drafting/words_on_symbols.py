@@ -99,8 +99,8 @@ class Prose:
         return None if known is None else replace(known, name=name)
 
     def guess(self, name: str) -> Guess | None:
-        """Returns the kind that is given, or that words of the text or a set state of a symbol; None if
-        none."""
+        """Returns the kind of a symbol: the given one, or the one that words or a set of the text state; None
+        if there is none."""
         if name not in self._guesses:
             self._guesses[name] = self._guess(name)
         return self._guesses[name]

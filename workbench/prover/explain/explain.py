@@ -97,7 +97,7 @@ class _Explanation:
     """One claim that is false or open under the declarations.
 
     known: the largest layer of stated facts under which it is refuted too.   against: that refutation.
-    pending: the facts that no refutation meets, as the engines could not use them, or only the first could.
+    pending: the facts that no refutation includes, because no engine, or only the first, could use them.
     hints: the hints that can hold together with what is known.   doubts: why it may be no claim."""
 
     claim: Claim

@@ -189,7 +189,7 @@ class RowReader(RowStatements):
     def _begin_definition(self, piece: Piece, rest: Sequence[Piece]) -> None:
         """Begins a statement that defines a symbol of those before it in its row.
 
-        If there are none, it does for the statement behind it in the row, else for all rows above.
+        Without such a statement, it belongs to the one behind it in the row, or else to all rows above.
         """
         above = [each for each in self._state.cut.statements if not each.explains]
         if piece.kept[-1].name == ":":  # let f = g, h = k: …

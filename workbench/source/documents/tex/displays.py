@@ -307,7 +307,7 @@ class _Body:
             del row.tokens[before:]
 
     def _paragraph(self, token: Token) -> None:
-        """Ends a row at a blank line, as in Sphinx's displays; what follows is not a factor of the row."""
+        """Ends a row at a blank line, as Sphinx does: a formula behind it is no factor of the row."""
         self.reader.warn(token, "a blank line in a display: the end of a row here, where TeX stops")
         written = [kept.text for kept in self.rows[-1].tokens if not kept.text.isspace()]
         if self.depth <= 0 and written and written[-1] != "\\\\":

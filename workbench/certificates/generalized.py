@@ -139,7 +139,7 @@ class Generalizer:
             return False
         return True
 
-    def _anything(self, term: Term, constant: bool = False) -> Symbol:
+    def _anything(self, term: Term) -> Symbol:
         """Returns a symbol for the term, with an index for each summation variable in it."""
         for known, meant in self.meant.items():
             index = _by_index(meant, [*known.index, None][0], term)
@@ -152,7 +152,7 @@ class Generalizer:
         if len(index) > 1:
             raise NotCertified("a sum of sums")
         name = Name(f"any_{len(self.meant) + 1}", sub=("",) * (len(index) + 1) if index else ())
-        made = symbol(Declaration(name, term.type, indices=len(index)).with_flags(constant=constant), index)
+        made = symbol(Declaration(name, term.type, indices=len(index)), index)
         self.meant[made] = term
         return made
 

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from difflib import get_close_matches
 
+#: The most names that are suggested.
+_MOST = 3
 
-def close_names(name: str, known: Iterable[str], most: int = 3) -> list[str]:
+
+def close_names(name: str, known: Iterable[str]) -> list[str]:
     """Returns the known names that are close to `name` or contain it, ignoring case, the closest first."""
     wanted = name.casefold()
     by_folded = {each.casefold(): each for each in known}
-    found = get_close_matches(wanted, by_folded, n=most, cutoff=0.6)
+    found = get_close_matches(wanted, by_folded, n=_MOST, cutoff=0.6)
     inside = [each for each in by_folded if len(wanted) > 2 and wanted in each and each not in found]
-    return [by_folded[each] for each in [*found, *inside][:most]]
+    return [by_folded[each] for each in [*found, *inside][:_MOST]]
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

@@ -93,11 +93,11 @@ def cylindrical_chain(axes: Sequence[CylindricalAxis], body_names: Sequence[str]
     return plant
 
 
-def free_body(name: str = "B") -> MultibodyPlant:
-    """Returns one free body; positions are roll, pitch, yaw, x, y, z of Bo in W."""
+def free_body() -> MultibodyPlant:
+    """Returns one free body B; positions are roll, pitch, yaw, x, y, z of Bo in W."""
     plant = MultibodyPlant(0.0)
-    body = plant.AddRigidBody(name, _any_inertia())
-    plant.AddJoint(RpyFloatingJoint(name, plant.world_frame(), body.body_frame()))
+    body = plant.AddRigidBody("B", _any_inertia())
+    plant.AddJoint(RpyFloatingJoint("B", plant.world_frame(), body.body_frame()))
     plant.Finalize()
     return plant
 

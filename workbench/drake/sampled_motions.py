@@ -237,12 +237,12 @@ def six_revolute_motion(
 
 
 @lru_cache(maxsize=8)
-def urdf_motion(urdf: Path, body: str, seed: int = 7) -> SampledMotion:
+def urdf_motion(urdf: Path, body: str) -> SampledMotion:
     """Returns a body of a URDF file on a general path. Raises PlantError for the file, the body, or its
     joints."""
     plant = load_urdf(urdf)
     body_named(plant, body)
-    path = small_path(seed, joints=plant.num_positions())
+    path = small_path(7, joints=plant.num_positions())
     return SampledMotion(f"{body} of {urdf.name}", plant, path, partial(_body, body=body), body)
 
 

@@ -96,7 +96,7 @@ def meaning_of(node: Node, table: SymbolTable) -> Term | None:
         return None
 
 
-def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Reason:
+def unclaimed(error: ReadError, latex: str, table: SymbolTable) -> Reason:
     """Returns the reason why a formula states nothing. Raises `error` if it cannot be read as a statement,
     and as `read` for an expression that cannot be read."""
     if error.code is SyntaxCode.SAYS_NOTHING:
@@ -104,7 +104,7 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
     if error.code is not SyntaxCode.ALONE:
         raise error
     try:
-        read_term(latex, table, integers)
+        read_term(latex, table)
     except ReadError:
         if not _placed(latex, table, lambda lines, table: names_a_set(lines)):
             raise

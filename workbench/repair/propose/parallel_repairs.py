@@ -19,7 +19,6 @@ def repair_claims(
     claims: Sequence[Claim],
     limits: Limits = STANDARD,
     progress: Callable[[Repair], None] = lambda found: None,
-    workers: int | None = None,
     beside: Mapping[str, Neighbours] | None = None,
 ) -> list[Repair]:
     """Returns the repairs of the claims, in their order.
@@ -31,7 +30,7 @@ def repair_claims(
     """
     known = neighbours_of(claims) if beside is None else beside
     found: dict[str, Repair] = {}
-    workers = min(workers or os.cpu_count() or 1, len(claims))
+    workers = min(os.cpu_count() or 1, len(claims))
     if workers <= 1:
         for claim in claims:
             found[claim.id] = repair(claim, limits, beside=known.get(claim.id, ALONE))

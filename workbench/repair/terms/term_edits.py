@@ -69,12 +69,11 @@ class Refused:
 
 
 def edits(
-    statement: Statement, replacements: Sequence[Term] = (), addends: Sequence[Term] = (), within: Place = ()
+    statement: Statement, replacements: Sequence[Term] = (), within: Place = ()
 ) -> Iterator[Edit | Refused]:
     """Yields all one-position edits of a statement, position by position, without duplicates.
 
     replacements: further terms that may replace a symbol, if type and weight agree.
-    addends: terms that may be missing from a sum of their type and weight.
     within: restricts the edits to this position and below.
     """
     seen = {statement}
@@ -88,8 +87,7 @@ def edits(
             of_sums.update(map(id, term.children))  # an entry has its own sign
         if place[: len(within)] != within:
             continue
-        missing = () if id(term) in of_sums else addends
-        for kind, said, make in variants(term, is_addend, atoms, missing):
+        for kind, said, make in variants(term, is_addend, atoms):
             try:
                 new = make()
                 if _is_no_divisor(new) and _is_denominator(statement, place):

@@ -46,7 +46,6 @@ from workbench.repair.terms.term_arithmetic import (
     product_of,
     sum_of,
     times,
-    with_addend,
 )
 
 #: A sentence with {} for terms, integers and words, followed by these.
@@ -70,9 +69,7 @@ def atoms_of(statement: Statement) -> Iterator[Term]:
             yield term
 
 
-def variants(
-    term: Term, is_addend: bool, atoms: Sequence[Term] = (), addends: Sequence[Term] = ()
-) -> Iterator[Variant]:
+def variants(term: Term, is_addend: bool, atoms: Sequence[Term] = ()) -> Iterator[Variant]:
     """Yields the variants of a term. is_addend: it is an addend or a whole side, so that it has its own
     sign."""
     if is_addend and not isinstance(term, Zero):
@@ -102,9 +99,6 @@ def variants(
     yield from _squares(term)
     yield from _marks_added(term)
     yield from _other_symbols(term, atoms)
-    is_sum = isinstance(term, Apply) and term.head == "add"
-    if is_sum or (is_addend and addends):
-        yield from _missing(term, addends)
 
 
 def _sign_and_factor(term: Term) -> Iterator[Variant]:
@@ -140,12 +134,6 @@ def _sums(term: Apply) -> Iterator[Variant]:
     for index, addend in enumerate(term.arguments):
         rest = term.arguments[:index] + term.arguments[index + 1 :]
         yield "addend dropped", ("remove the addend {}", addend), partial(sum_of, rest)
-
-
-def _missing(term: Term, addends: Sequence[Term]) -> Iterator[Variant]:
-    for addend in addends:
-        if addend.type.kind == term.type.kind and addend.weight == term.weight:
-            yield "addend added", ("add {}", addend), partial(with_addend, term, addend)
 
 
 def _bounds(term: BigSum) -> Iterator[Variant]:

@@ -1,7 +1,8 @@
 """Rows of formulas and their verdicts: sections in text files, each with its symbols.
 
 A row is `formula  ‖ assume: …  ‖ define: …  ‖ orders: …  ⟶  outcome for scope CODE`; what is not needed is left out.
-A line `symbols: …` declares, as in a TOML table, what the rows below it are read with.
+A line `symbols: …` declares, as in a TOML table, what the rows below it are read with, and lines `define: …` behind
+it give definitions of all these rows.
 
 `python -m tests.verdict_rows FOLDER` writes the verdicts of today; the commit says why each changed one is right.
 """
@@ -10,7 +11,7 @@ from __future__ import annotations
 
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -25,15 +26,22 @@ from workbench.core.verdict import Verdict
 ARROW, OPTION = "  ⟶  ", "  ‖ "
 
 
+class Given(NamedTuple):
+    """What rows are read with."""
+
+    symbols: dict[str, Any]
+    definitions: list[str]
+
+
 class Section(NamedTuple):
-    """name: what its rows have in common.   rows: the symbols, the row and its verdict."""
+    """name: what its rows have in common.   rows: what it is read with, the row and its verdict."""
 
     name: str
-    rows: list[tuple[dict[str, Any], str, str]]
+    rows: list[tuple[Given, str, str]]
 
-    def told(self) -> list[str]:
-        """Returns the rows with the verdicts of today."""
-        return [f"{row}{ARROW}{said_of(row, symbols)}" for symbols, row, _ in self.rows]
+    def told(self, said: Callable[[str, Given], str]) -> list[str]:
+        """Returns the rows with the verdicts of today, as `said` tells them."""
+        return [f"{row}{ARROW}{said(row, given)}" for given, row, _ in self.rows]
 
     def expected(self) -> list[str]:
         return [f"{row}{ARROW}{verdict}" for _, row, verdict in self.rows]
@@ -46,13 +54,15 @@ def sections(folder: Path) -> Iterator[Section]:
 
 
 def _sections_of(path: Path) -> Iterator[Section]:
-    section, symbols = Section(path.stem, []), {}
+    section, given = Section(path.stem, []), Given({}, [])
     for line in path.read_text(encoding="utf-8").splitlines():
         if ARROW in line:
             row, verdict = line.split(ARROW)
-            section.rows.append((symbols, row, verdict))
+            section.rows.append((given, row, verdict))
         elif line.startswith("symbols: "):
-            symbols = tomllib.loads(f"symbols = {{ {line.removeprefix('symbols: ')} }}")["symbols"]
+            given = Given(tomllib.loads(f"symbols = {{ {line.removeprefix('symbols: ')} }}")["symbols"], [])
+        elif line.startswith("define: "):
+            given.definitions.append(line.removeprefix("define: "))
         elif line.startswith("["):
             if section.rows:
                 yield section
@@ -60,7 +70,7 @@ def _sections_of(path: Path) -> Iterator[Section]:
     yield section
 
 
-def said_of(row: str, symbols: dict[str, Any]) -> str:
+def said_of(row: str, given: Given) -> str:
     """Returns the verdicts on the row's lines, or the code of what is wrong with it."""
     formula, *options = row.split(OPTION)
     pairs = [option.split(": ", 1) for option in options]
@@ -68,7 +78,10 @@ def said_of(row: str, symbols: dict[str, Any]) -> str:
         [text for key, text in pairs if key == name] for name in ("assume", "define", "orders")
     )
     try:
-        found = check(formula, symbols, assume=assume, definitions=define, orders=next(iter(orders), None))
+        definitions = [*given.definitions, *define]
+        found = check(
+            formula, given.symbols, assume=assume, definitions=definitions, orders=next(iter(orders), None)
+        )
     except (ReadError, SpecError) as error:
         return f"refused {error.code.name}"
     except PaperError as error:
@@ -88,11 +101,11 @@ def parametrized(folder: Path) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("section", found, ids=[each.name for each in found])
 
 
-def main(folder: str) -> None:
+def main(folder: str, said: Callable[[str, Given], str] = said_of) -> None:
     for path in Path(folder).glob("*.txt"):
         text = path.read_text(encoding="utf-8")
         for section in _sections_of(path):
-            for before, after in zip(section.expected(), section.told(), strict=True):
+            for before, after in zip(section.expected(), section.told(said), strict=True):
                 text = text.replace(f"\n{before}\n", f"\n{after}\n", 1)
         path.write_text(text, encoding="utf-8")
 

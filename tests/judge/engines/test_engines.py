@@ -275,24 +275,6 @@ def test_points_lie_on_their_spheres():
 @pytest.mark.parametrize(
     ("latex", "outcome"),
     [
-        (
-            r"\mathbf{D} \begin{bmatrix} T & x \end{bmatrix} = \begin{bmatrix} \dot{T} & \dot{x} \end{bmatrix}",
-            "proved",
-        ),
-        (
-            r"\mathbf{D} \begin{bmatrix} T & x \\ \mathbf{0} & 0 \end{bmatrix}"
-            r" = \begin{bmatrix} \dot{T} & \dot{x} \\ \mathbf{0} & 0 \end{bmatrix}",
-            "unchecked",
-        ),
-    ],
-)
-def test_an_operator_acts_on_blocks_of_three_rows_only(latex, outcome):
-    assert check(latex, {"T": "tensor", "x": "vector"}).outcome == outcome
-
-
-@pytest.mark.parametrize(
-    ("latex", "outcome"),
-    [
         ("P x = T x", "proved"),
         ("P P x = T^2 x", "proved"),
         (r"P (x + \dot{x}) - T \dot{x} = T x", "proved"),

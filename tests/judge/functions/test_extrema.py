@@ -172,60 +172,6 @@ class TestKnown:
 
 
 @pytest.mark.parametrize(
-    ("latex", "expected"),
-    [
-        (r"\min_{x \in V_3} a \cdot x = 0", Outcome.REFUTED),  # no bound
-        (r"\max_{s} (s^2 + s) = \frac{1}{4}", Outcome.REFUTED),
-        (r"\min_{x \in V_3} x \cdot A x = 0", Outcome.REFUTED),  # no sign
-        (r"\min_{x \in V_3} \|x\| = f", Outcome.REFUTED),
-        (r"\min_{x \in V_3} \|m + w \times x\| = \operatorname{Du} |w + \varepsilon m|", Outcome.REFUTED),
-        (r"\min_{x \in V_3} \|x\|^3 = 0", Outcome.UNCHECKED),
-        (r"\max_{x \in V_3} \|x\| = f", Outcome.UNCHECKED),
-        (
-            r"\min_{x \in \mathbb{R}} \|f^2 u + x u \times a\| = f (f + 1) - f",
-            Outcome.UNCHECKED,
-        ),  # seen to be ≥ 0?
-        (r"\min_{x \in S^2} (x \cdot a)^2 = 0", Outcome.UNCHECKED),
-        (r"\min_{b \in V_3} \dot{b}^2 = 0", Outcome.UNCHECKED),  # b moves
-        (r"\min_{x \in V_3} \|a_x + x\| = 0", Outcome.UNCHECKED),  # a at x, or another vector?
-    ],
-)
-def test_false_extrema_are_refuted_or_unchecked(latex, expected):
-    found = verdict(latex)
-    assert found.outcome == expected
-    assert found.reason or found.counterexample
-
-
-SINGULAR = "shown only where what multiplies the unknowns has the rank that it has in general"
-
-
-@pytest.mark.parametrize(
-    ("latex", "assume", "expected", "reason"),
-    [
-        (r"\min_{x, y \in \mathbb{R}} ((x - 1)^2 + (f y)^2) = 0", [], Outcome.UNCHECKED, SINGULAR),
-        (r"\min_{x, y \in \mathbb{R}} ((x - 1)^2 + (f y)^2) = 0", [r"f \neq 0"], Outcome.PROVED, None),
-        (r"\min_{x \in \mathbb{R}} (0 x + f) = f", [], Outcome.PROVED, None),
-        (r"\min_{x \in \mathbb{R}} \|a + 0 x a\| = \|a\|", [], Outcome.PROVED, None),
-        (r"\max_{x \in \mathbb{R}} (f - f^2 x^2) = f", [], Outcome.PROVED, None),
-        (r"\min_{x \in \mathbb{R}} (f^2 x^2 + 2 s x) = 0", ["s = 0"], Outcome.PROVED, None),
-        (
-            r"\min_{x \in \mathbb{R}} (f^2 x^2 + f x) = -\frac{1}{4}",
-            [],
-            Outcome.REFUTED,
-            "the least value is another one",
-        ),
-    ],
-)
-def test_where_a_form_loses_its_rank(latex, assume, expected, reason):
-    found = verdict(latex, *assume)
-    assert (found.outcome, found.reason) == (expected, reason)
-
-
-def test_a_premise_about_what_varies_is_not_used():
-    assert outcome(r"\min_{b \in V_3} b^2 = 1", r"b^2 = 1") == Outcome.UNCHECKED
-
-
-@pytest.mark.parametrize(
     ("latex", "message"),
     [
         (r"\min \|a\| = 0", "over what"),

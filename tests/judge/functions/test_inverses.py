@@ -66,25 +66,6 @@ def test_inverse_of_a_product_with_exponentials(seed: int) -> None:
     assert check(formula, SYMBOLS).outcome == (Outcome.PROVED if truth else Outcome.REFUTED), formula
 
 
-@pytest.mark.parametrize(
-    ("formula", "outcome"),
-    [
-        (r"(e^{\tilde{x}})^{-1} e^{\tilde{x}} = \mathbf{I}", Outcome.PROVED),
-        (r"E^{-1} = E^T", Outcome.PROVED),
-        (r"E^{-1} = E", Outcome.REFUTED),
-        (r"(2 E)^{-1} = \frac{1}{2} E^T", Outcome.PROVED),
-        (r"(-E)^{-1} = -E^T", Outcome.PROVED),
-        (r"(E^T)^{-1} = E", Outcome.PROVED),
-        (r"(E T)^{-1} = T^{-1} E^T", Outcome.CONDITIONAL),
-        (r"(s E)^{-1} = \frac{1}{s} E^T", Outcome.CONDITIONAL),
-        (r"(E T)^{-1} = E^T T^{-1}", Outcome.REFUTED),
-    ],
-)
-def test_inverse_through_a_definition(formula: str, outcome: Outcome) -> None:
-    symbols = {**SYMBOLS, "T": "tensor", "s": "scalar"}
-    assert check(formula, symbols, definitions={"E": r"e^{\tilde{x}}"}).outcome == outcome
-
-
 def test_engines_that_invert_differently_stop(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         polynomial_engine, "inverted", lambda term, known, _: inverted(term, known, lambda x: x)

@@ -63,35 +63,9 @@ class TestPairs:
         assert found.outcome == Outcome.REFUTED and found.counterexample is not None
 
 
-@pytest.mark.parametrize(
-    ("latex", "expected"),
-    [
-        (r"P = \{ x \in V_3 \mid x \cdot n = 0 \}", Outcome.DEFINITION),  # a set of one's own
-        (r"\mathcal{A} = \{ A \in \mathcal{M}_{4 \times 4}(\mathbb{R}) \mid A = \begin{bmatrix} B & b \\ \mathbf{0} & 0 \end{bmatrix};"
-         r" B \in L(V_3, V_3), b \in V_3 \}", Outcome.DEFINITION),
-        (r"\underline{\mathbb{R}} = \{ x + \varepsilon y \mid x, y \in \mathbb{R}, \varepsilon \neq 0 \}", Outcome.DEFINITION),
-        (r"s \mapsto s u", Outcome.DEFINITION),
-        (r"f : \mathbb{R}^3 \to \mathbb{R}^{3 \times 3}, f(x) = x \otimes a", Outcome.DEFINITION),
-        (r"P = \{ x \in V_3 \mid x^2 = -1 \}", Outcome.UNCHECKED),  # empty
-        (r"so(3) = \{ \tilde{x} \mid x \in V_3 \}", Outcome.DEFINITION),
-        (r"so(3) = \{ \tilde{x} \mid x \in S^2 \}", Outcome.UNCHECKED),  # all of them?
-        (r"so(3) = \{ \tilde{x} \mid x \in V_3, x \cdot a = 0 \}", Outcome.UNCHECKED),
-        (r"\underline{\mathbb{R}} = \{ x + \varepsilon x \mid x \in \mathbb{R} \}", Outcome.UNCHECKED),
-        (r"f : V_3 \to S^2, f(x) = \frac{x}{\|x\|}", Outcome.CONDITIONAL),
-    ],
-)  # fmt: skip
-def test_others(latex, expected):
-    assert verdict(latex).outcome == expected
-
-
 def test_undecided_set_equations_have_a_reason():
     found = verdict(r"so(3) = \{ \tilde{x} \mid x \in S^2 \}")
     assert found.reason == "whether all members of so(3) are so is not decided"
-
-
-def test_a_map_on_two_lines():
-    latex = r"\begin{aligned} f : V_3 &\to \mathbb{R} \\ f(x) &= x^2 \end{aligned}"
-    assert verdict(latex).outcome == Outcome.DEFINITION
 
 
 @pytest.mark.parametrize(

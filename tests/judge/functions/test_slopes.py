@@ -132,21 +132,3 @@ def test_a_field_of_numbers_has_no_slope(operator, of_place):
     numbers = r"\begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix}"
     latex = rf"\operatorname{{{operator}}} p + \operatorname{{{operator}}} {numbers} = {of_place}"
     assert check(latex, symbols=place).outcome == Outcome.PROVED
-
-
-@pytest.mark.parametrize(
-    "kind", ["scalar", "vector", "tensor", "matrix 1x3", "matrix 2x3", "matrix 4x1", "matrix 6x6"]
-)
-def test_a_partial_derivative_by_a_scalar_keeps_the_shape(kind):
-    symbols = {name: {"kind": "scalar", "independent": True} for name in "qp"}
-    symbols |= {"X": {"kind": kind, "constant": True}, "F": {"kind": kind, "of": ["q", "p"]}}
-    for latex, outcome in (
-        (r"\frac{\partial}{\partial q} (q^2 X) = 2 q X", Outcome.PROVED),
-        (r"\frac{\partial}{\partial q} (q^2 X) = q X", Outcome.REFUTED),
-        (r"\frac{\partial}{\partial q} (q F) = F + q \frac{\partial F}{\partial q}", Outcome.PROVED),
-        (
-            r"\frac{d F}{dt} = \frac{\partial F}{\partial q} \dot{q} + \frac{\partial F}{\partial p} \dot{p}",
-            Outcome.PROVED,
-        ),
-    ):
-        assert check(latex, symbols=symbols).outcome == outcome, latex

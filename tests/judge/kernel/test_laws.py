@@ -17,38 +17,6 @@ from workbench.engines.inventory.inventory import take_inventory
 from workbench.language.definitions import Definitions
 from workbench.prover.decide.law_statements import law_for
 
-SYMBOLS = {
-    **{name: "vector" for name in ("p", "g", "a", "b", "v", "F", r"\omega", "M", "d")},
-    **{name: "scalar" for name in ("f", "h")},
-    "m": {"kind": "scalar", "constant": True},
-    r"\mu": {"kind": "scalar", "constant": True},
-    "J": {"kind": "tensor", "symmetric": True, "constant": True},
-    "T": "tensor",
-    "R": "rotation",
-    "u": {"kind": "vector", "unit": True},
-    "q": {"kind": "hamilton quaternion", "unit": True},
-}
-
-
-@pytest.mark.parametrize(
-    ("law", "derivative"),
-    [
-        (r"m \ddot{p} = m g", r"\ddot{p}"),
-        (r"\frac{d}{dt}(m v) = F", r"\dot{v}"),
-        (r"J \dot{\omega} + \omega \times (J \omega) = M", r"\dot{\omega}"),
-        (r"\frac{d}{dt}(J \omega) = -\omega \times (J \omega)", r"\dot{\omega}"),
-        (r"\dot{R} = \tilde{\omega} R", r"\dot{R}"),
-        (r"\dot{u} = \omega \times u", r"\dot{u}"),
-        (r"\dot{q} = \frac{1}{2} \operatorname{quat}(0, \omega) q", r"\dot{q}"),
-        (r"\ddot{p} = -\frac{\mu}{\|p\|^3} p", r"\ddot{p}"),
-    ],
-)
-def test_laws(law: str, derivative: str) -> None:
-    said = check(law, SYMBOLS)
-    assert said.outcome == Outcome.UNCHECKED
-    assert f"states a law for {derivative}," in said.verdict.reason
-
-
 UNIT_COLUMNS = ("(1, 0, 0)", "(0, 1, 0)", "(0, 0, 1)")
 
 

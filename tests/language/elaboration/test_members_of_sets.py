@@ -5,8 +5,6 @@ from __future__ import annotations
 import pytest
 
 from tests.language.as_read import reads, said
-from workbench import check
-from workbench.core.verdict import Outcome
 
 #: A set, what a member of it is called, which of the terms are declared to be in it, and for which it is a claim.
 TRIVIAL, CLAIMS = (
@@ -81,24 +79,3 @@ X = r"\tilde{x}"
 )
 def test_memberships_read_as_their_defining_equations(formula: str, claims: list[str]) -> None:
     assert said(formula).split(" ;; ") == claims
-
-
-@pytest.mark.parametrize(
-    ("matrix", "where", "outcome"),
-    [
-        (r"R & x \\ 0 & 1", "SE(3)", Outcome.PROVED),
-        (r"R^T & x \\ 0 & 1", "SE(3)", Outcome.PROVED),
-        (r"2 R & x \\ 0 & 1", "SE(3)", Outcome.REFUTED),
-        (r"-R & x \\ 0 & 1", "SE(3)", Outcome.REFUTED),
-        (r"R & x \\ 0 & 2", "SE(3)", Outcome.REFUTED),
-        (r"R & x \\ y^T & 1", "SE(3)", Outcome.REFUTED),
-        (r"\tilde{y} & x \\ 0 & 0", r"\mathfrak{se}(3)", Outcome.PROVED),
-        (r"\tilde{y} & x \\ 0 & 1", r"\mathfrak{se}(3)", Outcome.REFUTED),
-        (r"\tilde{y} & x \\ y^T & 0", r"\mathfrak{se}(3)", Outcome.REFUTED),
-        (r"A & x \\ 0 & 0", r"\mathfrak{se}(3)", Outcome.REFUTED),
-    ],
-)
-def test_a_matrix_of_blocks_is_a_displacement_or_a_twist(matrix: str, where: str, outcome: Outcome) -> None:
-    kinds = {"R": "rotation", "x": "vector", "y": "vector", "A": "tensor"}
-    formula = rf"\begin{{bmatrix}} {matrix} \end{{bmatrix}} \in {where}"
-    assert check(formula, kinds).verdict.outcome == outcome

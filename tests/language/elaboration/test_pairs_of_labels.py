@@ -6,9 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench import check
 from workbench.app.pipeline.judge_claims import judge_paper
-from workbench.core.formula_errors import ReadError
 from workbench.core.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
@@ -32,27 +30,6 @@ def test_printed_pairs_of_labels_read_back(name: str) -> None:
     table = SymbolTable.build({key: {"kind": kind} for key, kind in SYMBOLS.items()})
     term = read_term(name, table)
     assert read_term(to_latex(term), table) == term
-
-
-@pytest.mark.parametrize(
-    ("formula", "outcome"),
-    [
-        (r"\overrightarrow{OA} \times \vec{OB'} = -\vec{OB'} \times \vec{OA}", Outcome.PROVED),
-        (r"\overrightarrow{OA} \times \vec{OB'} = \vec{OB'} \times \vec{OA}", Outcome.REFUTED),
-        (r"\frac{d}{dt} (\overline{AB} \vec{O_1O_2}) = \dot{\overline{AB}} \vec{O_1O_2} + \overline{AB} \dot{\vec{O_1 O_2}}", Outcome.PROVED),
-        (r"\vec{OA}^2 = \vec{OA} \cdot \vec{OA}", Outcome.PROVED),
-    ],
-)  # fmt: skip
-def test_verdicts(formula: str, outcome: Outcome) -> None:
-    assert check(formula, symbols=SYMBOLS).outcome is outcome
-
-
-@pytest.mark.parametrize(
-    "formula", [r"\vec{AO} = a", r"\vec{OAB} = a", r"\vec{OB} = a", r"\overline{OA} = a"]
-)
-def test_others_are_no_names(formula: str) -> None:
-    with pytest.raises(ReadError, match="of more than one symbol"):
-        check(formula, symbols=SYMBOLS)
 
 
 def test_points_in_turn(tmp_path: Path) -> None:

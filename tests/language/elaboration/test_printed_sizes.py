@@ -103,13 +103,6 @@ def test_unit_matrix_of_a_printed_size_fits_it_alone(layout: str, spelling: str,
     assert found == (Outcome.CONDITIONAL if "-1" in layout else Outcome.PROVED)
 
 
-@pytest.mark.parametrize("unit", [r"I_{%d \times %d}", r"\mathbf{I}_%d"])
-def test_rotation_times_its_transpose_has_the_size_3(unit: str, notation: Path) -> None:
-    for size in SIZES[1:]:
-        found = check(f"R R^T = {unit % ((size,) * unit.count('%d'))}", {"R": "rotation"}).outcome
-        assert found == (Outcome.PROVED if size == 3 else Outcome.ILL_FORMED)
-
-
 @pytest.mark.parametrize("zero", [r"0_%d", r"\mathbf{0}_{%d}", r"\mathbb{O}_%d"])
 def test_zero_of_one_number_is_a_column_or_a_square(zero: str, notation: Path) -> None:
     for rows, columns, size in product(SIZES[1:], SIZES, SIZES[1:]):

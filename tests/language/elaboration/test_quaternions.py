@@ -105,38 +105,6 @@ def test_kinds_that_are_refused(spec: dict, message: str) -> None:
         SymbolTable.build({"X": spec})
 
 
-HAT = r"\begin{bmatrix} 0 & -\omega_z & \omega_y \\ \omega_z & 0 & -\omega_x \\ -\omega_y & \omega_x & 0 \end{bmatrix}"
-ANGULAR = r"\begin{bmatrix} \omega_x \\ \omega_y \\ \omega_z \end{bmatrix}"
-
-
-@pytest.mark.parametrize(
-    ("formula", "outcome"),
-    [
-        (rf"{HAT} v = {ANGULAR} \times v", Outcome.PROVED),
-        (rf"{HAT} v = v \times {ANGULAR}", Outcome.REFUTED),
-        (HAT.replace("-\\omega_x", "\\omega_x") + rf" v = {ANGULAR} \times v", Outcome.REFUTED),
-        (r"(q_a q_b)^{-1} = q_b^{-1} q_a^{-1}", Outcome.CONDITIONAL),
-        (r"(q_a q_b)^{-1} = q_a^{-1} q_b^{-1}", Outcome.REFUTED),
-        (r"q^{-1} = \frac{q}{\|q\|}", Outcome.REFUTED),
-        (r"q^{-1} = \frac{q^*}{\|q\|^2}", Outcome.CONDITIONAL),
-        (r"|p q| = |p| |q|", Outcome.PROVED),
-        (r"|p + q| = |p| + |q|", Outcome.REFUTED),
-        (r"\|s v\| = \|s\| \|v\|", Outcome.PROVED),
-        (r"\|s v\| = s \|v\|", Outcome.REFUTED),
-        (r"e^* e = 1", Outcome.PROVED),
-        (r"q^* q = 1", Outcome.REFUTED),
-        (r"p [s, v] = [s, v] p", Outcome.REFUTED),
-        (r"[x, v] [y, w] = [x y - v \cdot w, x w + y v + v \times w]", Outcome.PROVED),
-        (r"[x, v] [y, w] = [x y - v \cdot w, x w + y v - v \times w]", Outcome.REFUTED),
-        (r"H^{-1} H = \mathbf{I}", Outcome.PROVED),
-        (r"H^T H = \mathbf{I}", Outcome.REFUTED),
-        (r"J v \cdot w = v \cdot (J w)", Outcome.PROVED),
-    ],
-)
-def test_verdicts(formula: str, outcome: Outcome) -> None:
-    assert check(formula, KINDS).outcome == outcome
-
-
 AD = {
     r"G": r"\begin{bmatrix} R & v \\ \mathbf{0} & 1 \end{bmatrix}",
     r"\mathcal{A}": r"\begin{bmatrix} R & \tilde{v} R \\ \mathbf{0} & R \end{bmatrix}",
@@ -168,21 +136,6 @@ def test_jacobi_for_twists() -> None:
     assert check(f"{one} {other} - {other} {one} = {bracket}", MOTIONS).outcome == Outcome.PROVED
     turned = ad(r"w \times x - v \times y", r"w \times y")
     assert check(f"{one} {other} - {other} {one} = {turned}", MOTIONS).outcome == Outcome.REFUTED
-
-
-@pytest.mark.parametrize(
-    ("formula", "outcome"),
-    [
-        (r"\begin{bmatrix} x \\ v \end{bmatrix} \circ \begin{bmatrix} y \\ w \end{bmatrix} = "
-         r"\begin{bmatrix} x y - v^T w \\ x w + y v + v \times w \end{bmatrix}", Outcome.PROVED),
-        (r"\begin{bmatrix} x \\ v \end{bmatrix} \circ \begin{bmatrix} y \\ w \end{bmatrix} = "
-         r"\begin{bmatrix} x y - v^T w \\ x w + y v - v \times w \end{bmatrix}", Outcome.REFUTED),
-        (r"\begin{bmatrix} -\operatorname{Vec} q & \operatorname{Sc}(q) \mathbf{I} \end{bmatrix} q = 0", Outcome.PROVED),
-        (r"\begin{bmatrix} \operatorname{Vec} q & \operatorname{Sc}(q) \mathbf{I} \end{bmatrix} q = 0", Outcome.REFUTED),
-    ],
-)  # fmt: skip
-def test_columns_of_four_beside_quaternions(formula: str, outcome: Outcome) -> None:
-    assert check(formula, KINDS).outcome is outcome
 
 
 @pytest.mark.parametrize(

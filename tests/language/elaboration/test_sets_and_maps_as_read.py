@@ -4,38 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from workbench import check
 from workbench.core.construct import apply, relation, symbol, zero
 from workbench.core.formula_errors import Fault
 from workbench.core.names import Name
 from workbench.core.types import Declaration
-from workbench.core.verdict import Outcome
 from workbench.language.elaboration.sets import members_of
 from workbench.language.grammar.parser import parse
-
-
-@pytest.mark.parametrize(
-    ("known", "domain", "outcome"),
-    [
-        (r"\mathbf{V}_3", r"\mathbf{V}_3", Outcome.DEFINITION),
-        (r"\mathbf{V}_3", r"\mathbb{S}^2", Outcome.UNCHECKED),
-        (r"\mathbf{V}_3", r"\underline{\mathbf{V}}_3", Outcome.REFUTED),
-        (r"\underline{\mathbf{V}}_3", r"\mathbf{V}_3", Outcome.UNCHECKED),
-        (r"\mathbb{S}^2", r"\mathbb{S}^2", Outcome.DEFINITION),
-        (r"\mathbb{S}^2", r"\mathbf{V}_3", Outcome.REFUTED),
-        (r"SO(3)", r"SO(3)", Outcome.DEFINITION),
-        (r"SO(3)", r"\mathfrak{so}_3", Outcome.REFUTED),
-        (r"L(\mathbf{V}_3, \mathbf{V}_3)", r"SO(3)", Outcome.UNCHECKED),
-        (r"L(\mathbf{V}_3, \mathbf{V}_3)", r"\mathfrak{so}_3", Outcome.REFUTED),
-        (r"\mathfrak{so}_3", r"\mathfrak{so}_3", Outcome.DEFINITION),
-        (r"\mathfrak{so}_3", r"SO(3)", Outcome.REFUTED),
-        (r"\mathfrak{so}_3", r"L(\mathbf{V}_3, \mathbf{V}_3)", Outcome.REFUTED),
-        (r"SE(3)", r"SE(3)", Outcome.DEFINITION),
-    ],
-)
-def test_a_set_has_all_members_of_another_only_if_equal(known: str, domain: str, outcome: Outcome) -> None:
-    assert check(rf"{known} = \{{ M \mid M \in {domain} \}}", {"x": "vector"}).verdict.outcome == outcome
-
 
 TENSORS = r"L(\mathbf{V}_3, \mathbf{V}_3)"
 OF_DUALS = r"\mathbf{L}(\underline{\mathbf{V}}_3, \underline{\mathbf{V}}_3)"

@@ -11,88 +11,13 @@ from workbench.language.goals.proofs import (
     Congruence,
     False_,
     IffIntroduction,
-    Impossible,
     Instance,
     Introductions,
     Kernel,
-    Part,
     Proven,
-    SumOfSquares,
-    TwoWitnesses,
 )
 from workbench.prover.decide.decide import Judge
 from workbench.prover.goals.prove_goal import prove
-
-
-@pytest.mark.parametrize(
-    ("goal", "against"),
-    [
-        (r"\forall c, d \in V_3 : c \times d = d \times c", False_()),
-        (r"\exists! X \in L(V_3, V_3) : 0 T = X - X", TwoWitnesses({"X": "T"}, {"X": "2 T"})),
-        (
-            r"\forall f \in V_3 \to V_3 : f(2 a) = 2 f(a) \Rightarrow f(a) = a",
-            At({"f": "2 X"}, Broken(False_())),
-        ),
-        (r"\exists c \in V_3 : c = a \wedge c = b", Impossible(Congruence("Y - Z + b", Y=Instance(-1, back=True), Z=Instance(-1, part=1, back=True)), so="a = b")),
-        (r"\forall n \geq 1 : F_n = F_{n+1}", At({"n": "1"}, False_())),
-        (r"a \cdot b = 0 \Leftrightarrow a = \mathbf{0}", Part(0, False_())),
-    ],
-)  # fmt: skip
-def test_refutations(goal, against):
-    found = outcome(goal, against=against)
-    assert found.outcome == Outcome.REFUTED, found.reason
-    assert outcome(goal).outcome != Outcome.PROVED
-
-
-@pytest.mark.parametrize(
-    ("goal", "against"),
-    [
-        (r"\forall c \in V_3 : c \times c = \mathbf{0}", False_()),
-        (r"\exists! c \in V_3 : c = a", TwoWitnesses({"c": "a"}, {"c": "a + 0 b"})),
-        (r"\exists! c \in V_3 : c = a", TwoWitnesses({"c": "a"}, {"c": "b"})),
-        (r"\forall n \geq 2 : F_n = F_{n+1}", At({"n": "1"}, False_())),
-        (r"a = b \Rightarrow b = a", Broken(False_())),
-        # true under a premise that the judge of formulas cannot suppose
-        (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", False_()),
-        (r"\Big( 2 a = a + a \Rightarrow a = b \Big) \Rightarrow a = b", False_()),
-        (r"\Big( \exists c \in V_3 : c = a \wedge c = b \Big) \Rightarrow a = b", False_()),
-        (r"\Big( a \cdot b \geqslant a^2 + b^2 \Big) \Rightarrow a = b", False_()),
-        # two are no reason against one; what is not shown, or holds, is no reason against any
-        (r"\exists c \in V_3 : c \times c = \mathbf{0}", TwoWitnesses({"c": "a"}, {"c": "b"})),
-        (r"\exists c \in V_3 : c = a", Impossible(Kernel())),
-        (r"\exists c \in V_3 : c = a", Impossible(Kernel(), so="a = b")),
-        (r"\exists c \in V_3 : c = a", Impossible(Kernel(), so="2 a = a + a")),
-        # no members of the set, and values that nothing binds
-        (r"\forall Q \in SO_3 : \det Q = 1", At({"Q": r"2 \mathbf{I}"}, False_())),
-        (r"\forall u \in S^2 : u^2 = 1", At({"u": "a"}, False_())),
-        (r"\forall n \geq 1 : F_n = F_{n+1}", At({"n": "1", "m": "1"}, False_())),
-        # the other way
-        (r"a \cdot b = 0 \Leftrightarrow a = \mathbf{0}", Part(1, False_())),
-    ],
-)
-def test_invalid_refutations_are_unchecked(goal, against):
-    assert outcome(goal, against=against).outcome == Outcome.UNCHECKED
-
-
-@pytest.mark.parametrize(
-    ("goal", "found"),
-    [
-        (r"\forall c \in V_3 : 2 c = c + c = c", Outcome.REFUTED),
-        (r"a + b = b + a \wedge a \times b = b \times a", Outcome.UNCHECKED),
-        (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", Outcome.UNCHECKED),
-    ],
-)
-def test_only_universal_equations_of_a_goal_are_refuted(goal, found):
-    assert outcome(goal, Kernel()).outcome == found
-
-
-@pytest.mark.parametrize(
-    ("squares", "found"),
-    [("cd", Outcome.PROVED), ("dc", Outcome.PROVED), ("c", Outcome.UNCHECKED), ("cdd", Outcome.UNCHECKED)],
-)
-def test_all_squares_are_added(squares, found):
-    goal = r"\forall c, d \in \mathbb{R} : c^2 + d^2 \geqslant 0"
-    assert outcome(goal, SumOfSquares(*squares)).outcome == found
 
 
 @pytest.mark.parametrize(

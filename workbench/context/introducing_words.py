@@ -62,6 +62,13 @@ def is_let(formula: Display) -> bool:
     return words is not None and (words["defines"] or words["explains"]) is not None
 
 
+def is_presented(formula: Display) -> bool:
+    """True if the sentence may present a new symbol: "for V = x^T P x", "suppose that V = x^T P x"."""
+    words = _words_before(formula)
+    is_case = words is not None and words[0].lower() in ("for", "given")
+    return words is not None and (is_case or words["supposes"] is not None)
+
+
 def place_of_case(formula: Display) -> range | None:
     """Returns the offsets of the paragraph of a formula that is a case, as in "if f = 0"; None if it is none.
 

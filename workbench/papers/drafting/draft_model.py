@@ -43,7 +43,7 @@ from workbench.papers.drafting.questions import questions_of
 from workbench.papers.drafting.redefinitions import Scope, parted_quaternions, scopes_of
 from workbench.papers.drafting.sentence_kinds import Facts, facts_of
 from workbench.papers.drafting.sentence_scopes import Said, for_the_text, scopes_of_sentences
-from workbench.papers.drafting.symbol_guesses import guesses_of
+from workbench.papers.drafting.symbol_guesses import guesses_of, labels_in
 from workbench.papers.drafting.trial_reading import EXPONENTIAL, Outcome, Reader
 from workbench.papers.drafting.typefaces import Guess, by_typeface, without_bold
 from workbench.papers.drafting.undeclared_macros import letters_in_bold
@@ -125,7 +125,9 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     functions = functions_in((step.spelled()[0], display.line) for display, step in steps)
     inference = _inferred(text, steps, prose, [each.name for each in functions])
     facts = facts_of(MarkedText(text))
-    guessed = _with_facts(guesses_of(inference, prose), facts)
+    written = (each.latex for each in (*text.displays, *text.inline))
+    labels = {each.name: each for each in labels_in(written) if each.name not in inference.kinds}
+    guessed = labels | _with_facts(guesses_of(inference, prose), facts)
     known = {name: guess for name in guessed if (guess := prose.given_for(name)) is not None}
     spoken = tuple(each.latex for each in inline if "=" in each.latex and not _opaque(each, each.latex))
     reading = _Reading.of(steps, [], _Start(guessed | known, prose, functions, spoken))
@@ -157,8 +159,10 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     turning = list(spins_of_tensors([*made, *sentences], own))
     own |= {each.symbol for each in turning}
     parts = [(each, whole) for each, whole in components(reader.guesses, lines, own) if each.name in shown]
+    for part, whole in parts:
+        lines.setdefault(whole, lines[part.name])
     shown |= {whole for _, whole in parts}
-    said = list(in_sentences(sentences, {name: lines.get(name, 0) for name in shown}))
+    said = list(in_sentences(sentences, {name: lines.get(name, 0) for name in shown}, text.inline))
     rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
     of_functions = [_function(each) for each in reader.functions]
     short = list(abbreviations(reader.guesses, lines, (each.latex for each in inline)))
@@ -194,7 +198,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     return Ingested(
         text,
         macros,
-        {name: guess for name, guess in guesses.items() if name in shown | _used_in(said)},
+        {name: guess for name, guess in guesses.items() if name in shown | _used_in(said) | labels.keys()},
         made,
         found,
         list(dict.fromkeys(questions)),

@@ -10,9 +10,10 @@ from itertools import groupby
 
 from workbench.context.formula_acts import stated
 from workbench.context.free_symbols import terms_of
-from workbench.context.introducing_words import is_denied, is_let, is_supposed
+from workbench.context.introducing_words import is_denied, is_let, is_presented, is_supposed
 from workbench.core.integer_expressions import Linear
-from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term
+from workbench.core.terms import Apply, Block, Derivative, Relation, Statement, Symbol, Term
+from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
@@ -250,21 +251,39 @@ def in_order_of_use(proposed: Sequence[Proposed]) -> list[Proposed]:
     return [by_name[name] for name in order]
 
 
-def in_sentences(formulas: Iterable[Formula], shown: Mapping[str, int]) -> Iterator[tuple[Proposed, Formula]]:
+def in_sentences(
+    formulas: Iterable[Formula], shown: Mapping[str, int], inline: Sequence[Display] = ()
+) -> Iterator[tuple[Proposed, Formula]]:
     r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$".
 
-    A formula that is supposed or denied defines nothing. Behind the first display with the symbol, a formula
-    defines it only behind "let" or "where". A value of numbers and π must stand behind these words, and
-    before that display.
+    A formula that is supposed or denied defines nothing, unless it presents a new symbol: "for $V = x^T P x$".
+    Behind the first display with the symbol, a formula defines it only behind "let" or "where". A value of
+    numbers and π must stand behind these words, and before that display.
 
-    shown: the line of the first display with each symbol.
+    shown: the line of the first display with each symbol.   inline: the formulas of all sentences.
     """
     for formula in formulas:
-        if is_denied(formula.display) or is_supposed(formula.display):
+        if is_denied(formula.display):
             continue
+        is_case = is_supposed(formula.display)
         for each in definitions_in([formula]):
             is_value = _VALUE.fullmatch(each.body) is not None
             is_late, is_said = formula.display.line > shown.get(each.name, 0), is_let(formula.display)
             defines = is_said and not is_late if is_value else is_said or not is_late
+            if is_case:
+                defines = not is_late and _presents(formula, each, inline)
             if each.name in shown and defines:
                 yield replace(each, why="a sentence says so", in_sentence=True), formula
+
+
+def _presents(formula: Formula, proposed: Proposed, inline: Sequence[Display]) -> bool:
+    """True if a supposition is the first formula with its symbol, and gives it by an operation on others."""
+    own = formula.display
+    is_plain = _VALUE.fullmatch(proposed.body) or not any(
+        isinstance(said.right, Apply | Block) for said in _relations(formula)
+    )
+    if is_plain or not is_presented(own):
+        return False
+    key = re.compile(re.escape(latex_key(proposed.name)) + "(?![A-Za-z])")
+    before = (each for each in inline if each.source is own.source and each.start < own.start)
+    return not any(key.search(latex_key(each.latex)) for each in before)

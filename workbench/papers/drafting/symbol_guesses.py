@@ -1,10 +1,12 @@
-"""Model entries of symbols: the inferred kind, and the properties that the text states."""
+"""Model entries of symbols: the inferred kind, the properties that the text states, and letters of labels."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 
+from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.papers.drafting.inference.infer import Inference, Inferred, kind_name
 from workbench.papers.drafting.inference.kind_signatures import SCALAR, TENSOR, VECTOR, Kind
 from workbench.papers.drafting.inference.priors import face, is_open
@@ -17,6 +19,14 @@ _TURN = re.compile(r"(?:\{\}.*\})?(?:\\[a-z]+\{)*[RC]\}?(?![a-z])")
 _LENGTHS = re.compile(r"(?:[lLmabdcg]|\\ell)(?:_\{.*\})?")
 #: The acceleration of gravity as a vector.
 _GRAVITY = re.compile(r"(?:\\[a-z]+\{)?g\}?")
+
+_IN_WORDS = re.compile(r"\\(?:text|textrm|mathrm|operatorname|label|ref|eqref|begin|end)\s*\*?\{[^{}]*\}")
+#: A letter with marks, and its subscript.
+_BELOW = re.compile(
+    r"(?P<base>(?:\\[A-Za-z]+\s*\{?\s*)*[A-Za-z]?|\\[A-Za-z]+)\s*\}*(?:'|\^\s*\{?[\d*+-]*\}?)?"
+    r"\s*_\s*(?:\{(?P<long>[^{}]*)\}|(?P<short>[A-Za-z0-9]))"
+)
+_MACRO = re.compile(r"\\[A-Za-z]+")
 
 
 def guesses_of(inference: Inference, prose: Prose) -> dict[str, Guess]:
@@ -68,3 +78,32 @@ def _why(name: str, found: Inferred) -> str:
         more = ", …" if len(found.because) > 3 else ""
         return f"fits the formulas of line {lines}{more}"
     return by_typeface(name).why or face(name)
+
+
+def labels_in(formulas: Iterable[str]) -> Iterator[Guess]:
+    """Yields the letters that stand only as the whole subscript of symbols without other members.
+
+    So is the m of F_m and v_m, unless the text writes F_1, F_{m+1}, F_j or m = 1, 2, …
+    """
+    texts = [_IN_WORDS.sub(" ", latex) for latex in formulas]
+    below: dict[str, set[str]] = {}
+    for match in chain.from_iterable(map(_BELOW.finditer, texts)):
+        said = "".join((match["long"] or match["short"] or "").split())
+        below.setdefault("".join(match["base"].split()).replace("{", ""), set()).add(said)
+    alone = [_MACRO.sub(" ", _BELOW.sub(" ", text)) for text in texts]
+    for letter in sorted(INDEX_LETTERS):
+        bases = {base for base, own in below.items() if letter in own}
+        members = {said for base in bases for said in below[base] if said != letter}
+        composite = {said for own in below.values() for said in own if letter in _letters_of(said)}
+        is_index = any(re.search(r"\d|^[i-np]$", said) for said in members) or composite - {letter}
+        is_written = any(
+            re.search(rf"(?<![A-Za-z]){letter}(?![A-Za-z])|{letter}\s*=", text) for text in alone
+        )
+        if bases and not bases & {"\\sum", "\\prod", "\\int"} and not is_index and not is_written:
+            yield Guess(letter, "scalar", "a label of symbols, and no index")
+
+
+def _letters_of(subscript: str) -> str:
+    """Returns the letters of a subscript that may be indices: none of a word such as "max"."""
+    plain = _MACRO.sub(" ", subscript)
+    return "" if re.search(r"[A-Za-hoq-z]", plain) else plain

@@ -33,7 +33,7 @@ from workbench.prover.explain.decide_under_facts import (
     minimise,
 )
 from workbench.prover.explain.excluded_poles import POLES, without_poles
-from workbench.prover.explain.fact_layers import layers_of
+from workbench.prover.explain.fact_layers import layers_of, restricts
 from workbench.prover.explain.false_premises import under_premises
 from workbench.prover.explain.family_facts import for_members
 from workbench.prover.explain.field_alternatives import other_convention, with_other_gradient
@@ -187,7 +187,7 @@ class _Explanation:
                 met.update(layer)
                 self.known = layer if len(layer) >= len(self.known) else self.known
         tried = dict.fromkeys(fact for layer in layers for fact in layer)
-        self.pending = [fact for fact in tried if fact not in met]
+        self.pending = [f for f in tried if f not in met and restricts(f, self.subject, list(tried))]
         self.against = self.decider.decide(self.known) if self.known else self.base
         return None
 

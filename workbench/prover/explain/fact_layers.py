@@ -12,10 +12,11 @@ from contextlib import suppress
 from workbench.context.claims import Claim
 from workbench.context.facts import Fact, Provider, Supposition
 from workbench.context.formula_subject import Subject
+from workbench.context.free_symbols import terms_of
 from workbench.context.repeated_laws import closes_circle
 from workbench.core.integer_expressions import Linear
-from workbench.core.terms import Definition, IllFormed, sides_of
-from workbench.core.types import Declaration
+from workbench.core.terms import Apply, Definition, IllFormed, Relation, Symbol, sides_of
+from workbench.core.types import SCALAR, Declaration
 from workbench.core.verdict import Strength
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.inventory import take_inventory
@@ -54,6 +55,25 @@ def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
         if (layer := list(dict.fromkeys(layer))) not in tried:
             tried.append(layer)
             yield layer
+
+
+def restricts(fact: Fact, subject: Subject, facts: Sequence[Fact]) -> bool:
+    """False if the fact gives a symbol of any value that neither the claim nor another of the facts contains.
+
+    φ = θ n with θ = ‖φ‖ then only names the direction n.
+    """
+    if not isinstance(fact.content, Relation) or fact.content.operator != "=":
+        return True
+    written = [part.declaration for part in terms_of(fact.content) if isinstance(part, Symbol)]
+    beside = (each.about for each in facts if each != fact)
+    known = {*(each.name for each in subject.declarations), *(name for names in beside for name in names)}
+    for own in (fact.content.left, fact.content.right):
+        while isinstance(own, Apply) and own.head == "mul" and own.arguments[0].type == SCALAR:
+            own = own.arguments[1]
+        if isinstance(own, Symbol) and not (own.declaration.flags or own.index or own.arguments):
+            if own.declaration.name not in known and written.count(own.declaration) == 1:
+                return False
+    return True
 
 
 def _first(formulas: Sequence[Fact]) -> list[Fact]:

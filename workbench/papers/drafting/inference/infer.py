@@ -10,7 +10,14 @@ from dataclasses import dataclass, replace
 from workbench.papers.drafting.inference.differential_letters import has_differentials
 from workbench.papers.drafting.inference.kind_operations import SYMBOL, Operation
 from workbench.papers.drafting.inference.kind_search import Formula, Search
-from workbench.papers.drafting.inference.kind_signatures import QUATERNION, SCALAR, TENSOR, VECTOR, Kind
+from workbench.papers.drafting.inference.kind_signatures import (
+    MISFIT,
+    QUATERNION,
+    SCALAR,
+    TENSOR,
+    VECTOR,
+    Kind,
+)
 from workbench.papers.drafting.inference.notation_marks import (
     Rewriter,
     applied_letters,
@@ -133,6 +140,10 @@ class Inference:
         spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
         return spoilt | self.dotted | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
 
+    def is_sure(self, name: str) -> bool:
+        """True if with any other kind of a symbol at least two formulas would not fit."""
+        return name in self.kinds and self.kinds[name].margin >= 2 * MISFIT
+
     def is_square(self, name: str) -> bool:
         """True if a symbol is a square matrix."""
         kind = self.kinds[name].kind
@@ -210,13 +221,24 @@ def _counted(trees: Iterable[Operation], prose: Prose) -> frozenset[str]:
     return counted_letters(leaves, (name for name in leaves if prose.is_inertia(name)))
 
 
-def _turning(trees: Iterable[Operation]) -> Iterable[str]:
+def _maps(trees: Iterable[Operation]) -> Iterable[str]:
+    """Yields the T of a × (T a) and of aᵀ T a, which authors do not write for a scalar."""
     for tree in trees:
         match tree:
-            case Operation(op="cross", parts=(one, Operation(op="mul", parts=(factor, other)))) if (
-                one is other
-            ):
-                yield from factor.names
+            case Operation(op="cross", parts=(one, Operation(op="mul", parts=(factor, other)))):
+                pass
+            case Operation(op="mul", parts=(Operation(op="mul", parts=(row, factor)), other)):
+                one = _transposed(row)
+            case _:
+                continue
+        if one is other:
+            yield from (factor.parts[0] if factor.op == "apply" else factor).names
+
+
+def _transposed(row: Operation) -> Operation | None:
+    """Returns the a of aᵀ and of s aᵀ."""
+    last = row.parts[-1] if row.op == "mul" else row
+    return last.parts[0] if last.op == "transpose" else None
 
 
 def _orthogonal(trees: Iterable[Operation]) -> Iterable[str]:
@@ -268,7 +290,7 @@ def _search(
     speaks = prose.has_quaternions or bool(units) or bool(parted)
     sizes = _sizes(trees, prose, has_joints) + ([QUATERNION] if speaks else [])
     names = {name for tree in trees for name in tree.names}
-    priors = Priors(prose, sizes, heads, units, parted, {*_turning(trees)}, components_in(names))
+    priors = Priors(prose, sizes, heads, units, parted, {*_maps(trees)}, components_in(names))
     if before is None:
         return Search(formulas, priors)
     return Search(formulas, priors, before.kinds, before.costs)

@@ -42,6 +42,10 @@ class Formula:
     def names(self) -> tuple[str, ...]:
         return tuple(sorted({name for tree in self.trees for name in tree.names}))
 
+    @property
+    def is_equation(self) -> bool:
+        return any(tree.op == "equal" and len(tree.names) > 1 for tree in self.trees)
+
 
 Change = Mapping[str, Kind]
 
@@ -91,7 +95,9 @@ class Search:
             stop_if_asked()
             formula, kinds = self.formulas[place], dict(zip(names, own, strict=True))
             total = sum(self.costs.least(tree, kinds) for tree in formula.trees)
-            known = self._known[key] = total * _INLINE // 10 if formula.inline else total
+            known = self._known[key] = (
+                total * _INLINE // 10 if formula.inline and not formula.is_equation else total
+            )
         return known
 
     def own(self, names: Collection[str], change: Change) -> int:
@@ -188,12 +194,13 @@ class Search:
             names = self.names[place]
             strange = (self.prior[name][self.kinds[name]] - min(self.prior[name].values()) for name in names)
             is_wrong = self.cost(place) >= MISFIT * (_INLINE if self.formulas[place].inline else 10) // 20
-            if not (is_wrong or max(strange, default=0) >= _STRANGE) or self._is_late():
+            is_suspect = is_wrong or max(strange, default=0) >= _STRANGE
+            if not is_suspect or self._is_late():
                 continue
             state = tuple(self.kinds[name] for name in names)
             if self._hopeless.get(place) == state:
                 continue
-            if self._take(self._together(place)) or (is_wrong and self._chain(place)):
+            if self._take(self._together(place)) or self._chain(place):
                 changed = True
             else:
                 self._hopeless[place] = state

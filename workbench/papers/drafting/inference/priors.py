@@ -62,8 +62,8 @@ _OF_JOINTS = re.compile(
 _OPEN = 9
 #: The costs of a quaternion in a text that does not mention quaternions, and of a row.
 _NO_QUATERNIONS, _ROW = 60, 14
-#: The cost of a scalar s in a × (s a).
-_NOT_PARALLEL = 30
+#: The cost of a scalar s in a × (s a) or aᵀ s a.
+_NO_MAP = 30
 
 #: A word for a map of twists.
 MAP_OF_TWISTS = re.compile(r"\\operatorname\{[aA]d\b")
@@ -137,7 +137,7 @@ class Priors:
         functions: Letters before brackets.
         units: i, j and k, if they are those of quaternions.
         parted: Symbols whose scalar or vector part the text takes.
-        turning: Symbols T of formulas with a × (T a), which is 0 for a scalar.
+        maps: Symbols T of formulas with a × (T a) or aᵀ T a.
         components: Symbols as Ω_1 in a text with a bold Ω.
     """
 
@@ -148,11 +148,11 @@ class Priors:
         functions: Collection[str],
         units: Collection[str] = (),
         parted: Collection[str] = (),
-        turning: Collection[str] = (),
+        maps: Collection[str] = (),
         components: Collection[str] = (),
     ) -> None:
         self.prose, self.kinds, self.functions = prose, kinds, functions
-        self.units, self.parted, self.turning, self.components = units, parted, turning, components
+        self.units, self.parted, self.maps, self.components = units, parted, maps, components
 
     def is_said(self, name: str) -> bool:
         """True if words next to a symbol, or a set that it is in, state its kind."""
@@ -176,8 +176,8 @@ class Priors:
                 sure = (exact.rows, exact.columns)
         if name in self.parted:
             by_shape = [cost // 4 + own for cost, own in zip(by_shape, SAID["quaternion"], strict=True)]
-        if name in self.turning:
-            by_shape[0] += _NOT_PARALLEL
+        if name in self.maps:
+            by_shape[0] += _NO_MAP
         by_shape[6] += 0 if has_quaternions else _NO_QUATERNIONS
         kinds = {*self.kinds, *([] if sure is None else [sure])}
         bonus = _OPEN if _OF_JOINTS.fullmatch(_LEFT.sub("", name)) else 0

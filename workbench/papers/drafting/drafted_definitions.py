@@ -256,7 +256,7 @@ def in_sentences(
 ) -> Iterator[tuple[Proposed, Formula]]:
     r"""Yields definitions that sentences give of display symbols: "where $L = J \omega$".
 
-    A formula that is supposed or denied defines nothing, unless it presents a new symbol: "for $V = x^T P x$".
+    A formula that is supposed or denied defines nothing, unless it presents a symbol: "for $V = x^T P x$".
     Behind the first display with the symbol, a formula defines it only behind "let" or "where". A value of
     numbers and π must stand behind these words, and before that display.
 

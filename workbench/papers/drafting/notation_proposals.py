@@ -17,7 +17,7 @@ _BELOW = r"\s*_\s*(?:[2-9]|\{\s*[2-9]\s*(?:\\times\s*\d\s*)?\})"
 #: Unit tensors by their letters: a blackboard 1 or I, a bold 1, and I with its size.
 _UNITS = re.compile(
     rf"\\(?:mathbb|mathds)\s*\{{?\s*[1I]\s*\}}?(?:{_BELOW})?|\\(?:mathbf|boldsymbol|mathrm)\s*\{{?\s*1\s*\}}?(?:{_BELOW})?"
-    rf"|(?:\\(?:mathbf|boldsymbol|mathrm)\s*\{{?\s*)?(?<![A-Za-z\\])[IE]\s*\}}?{_BELOW}|\\(?:boldsymbol|mathrm)\s*\{{?\s*I\s*\}}?(?!\s*_)"
+    rf"|(?:\\(?:mathbf|boldsymbol|mathrm)\s*\{{?\s*)?(?<![A-Za-z\\])[IE]\s*\}}?{_BELOW}|\\(?:boldsymbol|math(?:rm|cal|sf))\s*\{{?\s*I\s*\}}?(?!\s*_)"
 )
 _SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])"
 _DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"

@@ -40,6 +40,7 @@ from workbench.prover.explain.field_alternatives import other_convention, with_o
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law, rates_a_definition
+from workbench.prover.explain.near_identities import is_near_identity
 from workbench.prover.explain.other_readings import is_rounded, other_reading
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.prover.explain.verdicts_under_facts import is_small, only_said, says_what_is, under
@@ -114,7 +115,7 @@ class _Explanation:
 
     def verdict(self) -> Verdict:
         may_be = self.base.outcome is Outcome.REFUTED and self.act in _TESTED
-        if may_be and not self.subject.conditioned and self.decider.is_impossible(()):
+        if may_be and not self.subject.conditioned and self._is_no_condition():
             self.act = Act.ASSERT
         elif may_be and self.claim.context.explains:
             return only_said(self.base, self.act, self.own)
@@ -143,6 +144,11 @@ class _Explanation:
         if (held := self._by_hints(context)) is not None:
             return held
         return self._refuted(context) if self._is_claim() else self._only_constrained()
+
+    def _is_no_condition(self) -> bool:
+        """Returns whether nothing makes the equation true, or it is meant to hold for all its symbols."""
+        is_meant = self.act is Act.CONSTRAIN and self.own is not None
+        return self.decider.is_impossible(()) or (is_meant and is_near_identity(self.claim, self.own))
 
     def _on_hints(self) -> Verdict | None:
         """Returns the verdict if hints decide it, as that a symbol rests if the text takes no rate of it."""

@@ -70,8 +70,9 @@ def restricts(fact: Fact, subject: Subject, facts: Sequence[Fact]) -> bool:
     for own in (fact.content.left, fact.content.right):
         while isinstance(own, Apply) and own.head == "mul" and own.arguments[0].type == SCALAR:
             own = own.arguments[1]
-        if isinstance(own, Symbol) and not (own.declaration.flags or own.index or own.arguments):
-            if own.declaration.name not in known and written.count(own.declaration) == 1:
+        if isinstance(own, Symbol) and not (own.index or own.arguments):
+            about = own.declaration
+            if not about.flags and about.name not in known and written.count(about) == 1:
                 return False
     return True
 

@@ -21,6 +21,7 @@ from workbench.papers.drafting.inference.kind_signatures import (
 from workbench.papers.drafting.inference.notation_marks import (
     Rewriter,
     applied_letters,
+    marks_of_exponents,
     said_to_be_skew,
     skew_marks,
 )
@@ -168,6 +169,8 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
     read = [(each, trees) for each, trees in read if not each.inline or _counts(trees, shown)]
     skews = said_to_be_skew(tree for _, trees in read for tree in trees)
     sure_marks = walker.marks_over_several
+    if not prose.has_quaternions:
+        sure_marks |= marks_of_exponents(tree for _, trees in read for tree in trees)
     rewriter = Rewriter(walker, skews=skews, skew_marks=sure_marks)
     formulas = [Formula(rewriter.all(trees), each.line, each.inline, each.section) for each, trees in read]
     has_units = any(_UNITS.search(each.latex) for each in sources)

@@ -28,6 +28,14 @@ def said_to_be_skew(trees: Iterable[Operation]) -> set[str]:
     return found
 
 
+def marks_of_exponents(trees: Iterable[Operation]) -> set[str]:
+    r"""Returns \hat or \tilde if a marked letter is the exponent of e, perhaps times a number: it makes a
+    skew tensor."""
+    exponents = [each.parts[0] for tree in trees for each in tree.walk() if each.op == "exp"]
+    factors = [part for each in exponents for part in (each, *(each.parts if each.op == "mul" else ()))]
+    return {each.mark for each in factors if each.op == MARKED}
+
+
 def skew_marks(search: Search) -> dict[str, bool]:
     r"""Returns, for \hat and \tilde, whether the mark makes skew tensors.
 

@@ -217,6 +217,8 @@ def _with_facts(guesses: Mapping[str, Guess], facts: Facts) -> dict[str, Guess]:
             made[name] = replace(guess, constant=True)
         elif name in facts.free:
             made[name] = replace(guess, free=True)
+        elif name in facts.directions and guess.kind == "vector":
+            made[name] = replace(guess, unit=True)
     return made
 
 

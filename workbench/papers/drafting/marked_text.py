@@ -74,6 +74,11 @@ class MarkedText:
             return None
         return trees[0] if len(trees) == 1 else None
 
+    def shows_before(self, name: str, formula: Display) -> bool:
+        """True if a display before a formula of a sentence contains the symbol."""
+        before = (d for d in self._text.displays if d.source is formula.source and d.start < formula.start)
+        return any(name in tree.names for d in before for tree in operations_of(d.latex, self._walker))
+
     @cached_property
     def equations(self) -> list[Operation]:
         """Returns the formulas of the text that are an equation with a symbol alone on the left."""

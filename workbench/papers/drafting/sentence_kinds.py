@@ -6,10 +6,11 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
+from workbench.context.introducing_words import is_denied, is_supposed
 from workbench.context.sentences import is_case
 from workbench.papers.drafting.drafted_definitions import Proposed
 from workbench.papers.drafting.formula_shapes import quaternion_parts
-from workbench.papers.drafting.inference.kind_operations import SYMBOL
+from workbench.papers.drafting.inference.kind_operations import SYMBOL, Operation
 from workbench.papers.drafting.marked_text import MARK, MarkedText, Sentence
 
 _LABEL = re.compile(r"(?:\\(?:math\w+|boldsymbol)\s*\{?\s*)*\{?[A-Z](?:\s*_\s*\{?\w+\}?)?\s*\}*|\{\w\}|\d")
@@ -48,6 +49,7 @@ class Facts:
         constants: Symbols that are constant.
         free: Symbols with arbitrary values.
         units: Symbols that are unit tensors.
+        directions: Vectors whose norm a formula states to be 1, before any display with them.
         columns: Name → (definition, line) of the columns of a matrix.
     """
 
@@ -58,6 +60,7 @@ class Facts:
     quaternions: list[Quaternion] = field(default_factory=list)
     columns: dict[str, tuple[str, int]] = field(default_factory=dict)
     units: dict[str, None] = field(default_factory=dict)
+    directions: set[str] = field(default_factory=set)
 
     def definitions(self, dot: str) -> Iterator[Proposed]:
         """Yields the definitions of rates.
@@ -80,7 +83,29 @@ def facts_of(text: MarkedText) -> Facts:
             for match in pattern.finditer(sentence.words):
                 take(facts, text, sentence, match)
     facts.quaternions = [_with_parts(each, text) for each in facts.quaternions]
+    facts.directions = set(_directions(text))
     return facts
+
+
+def _directions(text: MarkedText) -> Iterator[str]:
+    """Yields the symbols n of ‖n‖ = 1, n · n = 1 and nᵀ n = 1 in sentences that suppose nothing."""
+    for mark, formula in enumerate(text.formulas):
+        match text.tree(str(mark)):
+            case Operation(op="equal", parts=(side, Operation(op="number", text="1"))):
+                pass
+            case _:
+                continue
+        match side:
+            case Operation(op="norm", parts=(Operation(op="symbol", text=name),)):
+                pass
+            case Operation(op="dot" | "mul", parts=(one, Operation(op="symbol", text=name) as other)) if (
+                other in (one, *(one.parts if one.op == "transpose" else ()))
+            ):
+                pass
+            case _:
+                continue
+        if not (is_denied(formula) or is_supposed(formula)) and not text.shows_before(name, formula):
+            yield name
 
 
 def _with_parts(quaternion: Quaternion, text: MarkedText) -> Quaternion:
@@ -130,6 +155,21 @@ def _two_rates(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Mat
         frame = _frame(text, match)
         facts.rates.setdefault(names[0], (of[0], frame, sentence.line))
         facts.rates.setdefault(names[1], (names[0], frame, sentence.line))
+
+
+def _motion(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
+    """Records "the position r, velocity v and acceleration a" and "r, v and a are position, velocity and
+    acceleration", unless the words behind name another frame for a rate."""
+    nouns = [_ORDER[each.lower()] for each in re.findall("|".join(_ORDER), match[0], re.IGNORECASE)]
+    names = [name for mark in re.findall(MARK, match[0]) for name in text.names(mark)]
+    is_chain = nouns == [*range(nouns[0], nouns[0] + len(nouns))]
+    if (
+        len(names) == len(nouns) == len(set(names))
+        and is_chain
+        and not _ANOTHER_FRAME.search(sentence.words, match.end())
+    ):
+        for name, of in zip(names[1:], names, strict=False):
+            facts.rates.setdefault(name, (of, "", sentence.line))
 
 
 def _columns(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Match[str]) -> None:
@@ -184,6 +224,12 @@ _OF_IN = rf" of {_ARTICLE}{_mark('frame')}{_IN}{_ARTICLE}{_mark('base')}"
 _UNIT_QUATERNION = (
     r"(?:(?:unit|normali[sz]ed)(?:[- ](?:norm|length))?|(?:unit )?versor|unit rotation) quaternions?"
 )
+#: The nouns of a motion, and the orders of the rates that they name.
+_ORDER = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3}
+_NOUN = rf"(?:{'|'.join(_ORDER)})(?: vector)?"
+_AND = r"(?:,? and |, )(?:the |its |linear )*"
+#: Words on a frame that moves, in which a velocity is not the rate of the position.
+_ANOTHER_FRAME = re.compile(r"\b(?:body|local|moving|rotating|sensor|vehicle|camera|respective)")
 _IN_FRAME = rf"(?:{_IN}{_ARTICLE}{_mark('frame')})?"
 _RULES: tuple[Rule, ...] = (
     _rule(rf"{_mark('name')}{_IS}{_ANGULAR}{_OF_IN}", _spin),
@@ -195,6 +241,11 @@ _RULES: tuple[Rule, ...] = (
         rf"(?P<names>{_LIST})(?: be| are| denote)? (?:its|the|their) first and second {_DERIVATIVE}"
         rf"(?: of {_mark('of')})?{_IN_FRAME}",
         _two_rates,
+    ),
+    _rule(rf"{_NOUN} ⟦\d+⟧(?:{_AND}{_NOUN} ⟦\d+⟧)+", _motion),
+    _rule(
+        rf"⟦\d+⟧(?:(?:,? and |, )⟦\d+⟧)+(?: are| be| denote)? (?:the )?(?:linear )?{_NOUN}(?:{_AND}{_NOUN})+",
+        _motion,
     ),
     _rule(rf"\b(?:constants?|constant \w+|lengths?|masses|mass) (?P<names>{_LIST})", _listed("constants")),
     _rule(

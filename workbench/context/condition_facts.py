@@ -7,21 +7,19 @@ from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from fractions import Fraction
-from functools import partial
 from pathlib import Path
 
 from workbench.context.claims import Notation
-from workbench.context.facts import Act, Bound, Duration, Fact, Origin, Provider
+from workbench.context.facts import Act, Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.formula_subject import names_of
 from workbench.context.free_symbols import names_in, terms_of
 from workbench.context.introducing_words import is_denied, is_exception, is_let, is_over, reaches
-from workbench.context.property_statements import having
 from workbench.context.read_formulas import read_statement
+from workbench.context.stated_bounds import ORDERS, UNEQUAL, bounds_of, links_of, with_signs_of_functions
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.names import Name
-from workbench.core.terms import Apply, Relation, Statement, Symbol, Term, Zero, sides_of
+from workbench.core.terms import Relation, Statement, Symbol, Term, sides_of
 from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.printing.printer import to_latex
@@ -34,15 +32,8 @@ from workbench.source.documents.surrounding_words import (
 )
 from workbench.source.rows.chains import Step, steps_of
 
-_UNEQUAL = frozenset({"\\neq", "\\ne"})
 #: Macros that mark an equation as a law for the rest of the text.
 _RATES = frozenset({"\\dot", "\\ddot", "\\dddot"})
-_ORDERS = {
-    **dict.fromkeys((">", "\\gt"), ">"),
-    **dict.fromkeys(("<", "\\lt"), "<"),
-    **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
-    **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
-}
 _FORMULA = r"(?:\$[^$]+\$|\\\([^$]*?\\\)|`[^`]+`)"
 #: A relation of two symbols that words state as a condition, or as the reason of a formula: "a and b are
 #: orthogonal", "a is orthogonal to the vector b".
@@ -70,8 +61,7 @@ _RELATIONS = {
     "commute": "{0} {1} = {1} {0}",
 }
 #: Marks of conditions that stay in force after their sentence.
-_FAR_REACHING = _UNEQUAL | _RATES | _ORDERS.keys()
-_TURNED = str.maketrans("<>≤≥", "><≥≤")
+_FAR_REACHING = UNEQUAL | _RATES | ORDERS.keys() | {"\\in"}
 
 
 class InlineFormulas:
@@ -187,6 +177,7 @@ def conditions_of(
             continue
         for step in spoken.steps(formula, notation) if formula.rows else ():
             found += spoken.said(formula, step, notation, with_equations=True)
+    found = with_signs_of_functions(found, statement, notation)
     for _ in found:  # what is said of the symbols by which the sentence defines others counts, too
         own = own.union(*(fact.about for fact in found if fact.act is Act.DEFINE and fact.about & own))
     yield from (fact for fact in found if fact.about & own)
@@ -203,7 +194,7 @@ def _between(words: str, line: int, notation: Notation) -> Iterator[Fact]:
         with suppress(ReadError, IllFormedAt, ValueError):
             statement, ranges = read_statement(latex, notation, None)
             if isinstance(statement, Relation) and not ranges:
-                yield from _facts(latex, line, statement, None)
+                yield from bounds_of(latex, line, statement, None)
 
 
 def _symbols(parts: Iterable[Term]) -> set[Declaration]:
@@ -217,23 +208,32 @@ def _holds_rate(tokens: Sequence[Token]) -> bool:
 def _condition(
     tokens: Sequence[Token], line: int, notation: Notation, with_equations: bool
 ) -> Iterator[Fact]:
+    """Yields the facts of a condition: those of the links of a chain a < x = y < b, and of x ∈ (a, b)."""
+    for link in links_of(tokens):
+        for fact in _of_link(link, line, notation, with_equations):
+            yield replace(fact, origin=replace(fact.origin, text=spelled(tokens)[0]))
+
+
+def _of_link(tokens: Sequence[Token], line: int, notation: Notation, with_equations: bool) -> Iterator[Fact]:
     latex, _ = spelled(tokens)
-    signs = [at for at, token in enumerate(tokens) if token.text in _ORDERS]
-    order = _ORDERS[tokens[signs[0]].text] if len(signs) == 1 else None
+    signs = [at for at, token in enumerate(tokens) if token.text in ORDERS]
+    order = ORDERS[tokens[signs[0]].text] if len(signs) == 1 else None
     if order:
         at = signs[0]
         latex = spelled([*tokens[:at], tokens[at].standing_for("="), *tokens[at + 1 :]])[0]
-    elif not (with_equations or any(token.text in _UNEQUAL | _RATES for token in tokens)):
+    elif not (with_equations or any(token.text in UNEQUAL | _RATES for token in tokens)):
         return
     with suppress(ReadError, IllFormedAt, ValueError):
         statement, ranges = read_statement(latex, notation, None)
         symbols = _symbols(terms_of(statement))
-        of_pi = any(map(notation.definitions.is_pi, symbols))  # `unread_facts` handles such angles
-        if not isinstance(statement, Relation) or statement.operator == "≈" or of_pi or ranges:
+        pi = next(filter(notation.definitions.is_pi, symbols), None)
+        if not isinstance(statement, Relation) or statement.operator == "≈" or ranges:
+            return
+        if pi is not None and order is None:  # `unread_facts` handles such angles
             return
         is_known = order is None and is_by_definition(statement, notation.definitions)
         if not is_known and not is_before_scope(names_in(statement), tokens[0].source.path, line, notation):
-            yield from _facts(spelled(tokens)[0], line, statement, order)
+            yield from bounds_of(spelled(tokens)[0], line, statement, order, pi)
 
 
 def range_facts(step: Step, notation: Notation, about: frozenset[Name]) -> Iterator[Fact]:
@@ -249,36 +249,3 @@ def range_facts(step: Step, notation: Notation, about: frozenset[Name]) -> Itera
 def opaque(words: str, line: int, about: frozenset[Name]) -> Fact:
     """Returns the fact that the text makes an unformalized statement about symbols."""
     return Fact(None, about, Origin(Provider.CONDITION, words, f"line {line}"), Strength.STATED)
-
-
-def _has_value(term: Term) -> bool:
-    """True if a counterexample gives the value of the term: a symbol, or the sine or cosine of one."""
-    is_turn = isinstance(term, Apply) and term.head in ("sin", "cos")
-    return isinstance(term, Symbol) or (is_turn and isinstance(term.children[0], Symbol))
-
-
-def _facts(latex: str, line: int, said: Relation, order: str | None) -> Iterator[Fact]:
-    """Yields the facts of a bound such as x > 0: x ≠ 0, x is positive, and a bound for counterexamples."""
-    about = names_of(_symbols(terms_of(said)))
-    origin = Origin(Provider.CONDITION, latex, f"line {line}")
-    fact = partial(Fact, about=about, origin=origin, strength=Strength.STATED, duration=Duration.INSTANT)
-    if order is None:
-        yield fact(said)
-        return
-    left, right = said.left, said.right
-    if order in "<>":
-        is_of_zero = isinstance(right, Zero)
-        bound = Bound(to_latex(left), "≠", Fraction(0)) if is_of_zero and _has_value(left) else None
-        yield fact(Relation("≠", left, right), bound=bound)
-    if isinstance(left, Apply) and left.head == "norm" and isinstance(right, Zero) and order in ">≥":
-        return
-    if isinstance(right, Symbol):
-        left, right, order = right, left, order.translate(_TURNED)
-    value = Fraction(0) if isinstance(right, Zero) else getattr(right, "value", None)
-    if not (_has_value(left) and isinstance(value, Fraction)):
-        yield opaque(latex, line, about)
-        return
-    yield fact(None, bound=Bound(to_latex(left), order, value))
-    is_positive = (order == ">" and value >= 0) or (order == "≥" and value > 0)
-    if isinstance(left, Symbol) and is_positive and not left.declaration.positive:
-        yield fact(having("positive", [left]))

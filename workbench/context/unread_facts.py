@@ -62,7 +62,7 @@ class Unread:
 
         Returns None otherwise, or if the terms cannot be evaluated at the angle.
         """
-        top, is_turn = _top(own, terms), _is_turn(own, terms)
+        top, is_turn = _top(own, terms), is_turned(own, terms)
         is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))
         if top is None or own.type.kind != "scalar" or not is_value:
             return None
@@ -261,7 +261,7 @@ def _top(own: Symbol, terms: Sequence[Term]) -> int | None:
     return sum(each.constant for each in orders) if all(each.is_number for each in orders) else None
 
 
-def _is_turn(own: Symbol, terms: Sequence[Term]) -> bool:
+def is_turned(own: Symbol, terms: Sequence[Term]) -> bool:
     """True if the symbol occurs only in circular functions and derivatives."""
 
     def is_turn(term: Term) -> bool:

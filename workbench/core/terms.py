@@ -64,8 +64,8 @@ Head = Literal[
     "reciprocal",
     "turn",
 ]
-#: What a relation states of its sides.
-Sign = Literal["=", "≠", "≈"]
+#: What a relation states of its sides; ≥ only in assumptions.
+Sign = Literal["=", "≠", "≈", "≥"]
 
 
 class IllFormed(ValueError):

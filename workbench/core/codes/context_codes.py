@@ -23,6 +23,7 @@ class ContextCode(Code):
     HOLDS_IF_KINDS = "holds if {kinds}{reason}"
     SCOPE_UNKNOWN = "{outcome} if no [[scope]] stands before it; say where each begins"
     ROUNDED = "the sides differ by no more than its decimals may be rounded by"
+    NONE_WITHIN_BOUNDS = "false without {facts}, and no counterexample that meets it was found"
     OF_PI = "false for some values of \\pi; if it is the number, that says nothing"
     REACH = "how far does d/dt reach? bracket what it differentiates"
     OF_QUATERNIONS = "holds for quaternions without a scalar part; declare them so, if the text means them"

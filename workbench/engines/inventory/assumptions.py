@@ -35,10 +35,11 @@ class Unsatisfiable(ValueError):
 
 
 class Assumptions:
-    """The hypotheses of one claim, sorted by kind."""
+    """The hypotheses of one claim, sorted by kind. Bounds, a ≥ b, only restrict counterexamples."""
 
     def __init__(self, statements: Sequence[Statement]) -> None:
         self.relations = [relation for s in statements for relation in _relations(s)]
+        self.bounds = [each for s in statements for each in _parts(s) if each.operator == "≥"]
         self.nonzero = [r for r in self.relations if r.operator == "≠"]
         self.equations = [r for r in self.relations if r.operator == "="]
 
@@ -134,9 +135,14 @@ def _each_side(relation: Relation, of: Callable[[Term], Term]) -> Relation:
 
 
 def _relations(statement: Statement) -> list[Relation]:
+    """Returns the equations and inequations of an assumption, without its bounds."""
+    return [each for each in _parts(statement) if each.operator != "≥"]
+
+
+def _parts(statement: Statement) -> list[Relation]:
     match statement:
-        case Relation(operator="=" | "≠"):
+        case Relation(operator="=" | "≠" | "≥"):
             return [statement]
         case Conjunction():
-            return [relation for part in statement.parts for relation in _relations(part)]
+            return [relation for part in statement.parts for relation in _parts(part)]
     raise NotExact("an assumption is an equation or an inequation (= or ≠)")

@@ -86,6 +86,9 @@ class Algebraic:
     def __bool__(self) -> bool:
         return bool(self.coefficients)
 
+    def __ge__(self, other: Any) -> bool:
+        return bool(self == other) or float(self) > float(other)
+
     def __float__(self) -> float:
         return float(sum(float(c) * self.field.near**k for k, c in enumerate(self.coefficients)))
 

@@ -125,8 +125,8 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     functions = functions_in((step.spelled()[0], display.line) for display, step in steps)
     inference = _inferred(text, steps, prose, [each.name for each in functions])
     facts = facts_of(MarkedText(text))
-    written = (each.latex for each in (*text.displays, *text.inline))
-    labels = {each.name: each for each in labels_in(written) if each.name not in inference.kinds}
+    latex = (each.latex for each in (*text.displays, *text.inline))
+    labels = {each.name: each for each in labels_in(latex) if each.name not in inference.kinds}
     guessed = labels | _with_facts(guesses_of(inference, prose), facts)
     known = {name: guess for name in guessed if (guess := prose.given_for(name)) is not None}
     spoken = tuple(each.latex for each in inline if "=" in each.latex and not _opaque(each, each.latex))

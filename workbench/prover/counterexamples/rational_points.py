@@ -64,6 +64,11 @@ class Trial:
             return False
         return any(differences) == (relation.operator == "≠")
 
+    def meets(self, bound: Relation) -> bool:
+        """True if a ≥ b certainly holds at this point; False if a side is undefined."""
+        differences = self.differences(bound)
+        return differences is not None and all(bool(each >= 0) for each in differences)
+
 
 def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> Iterator[Trial]:
     """Yields random points, simple ones first. In each stage a parameter is non-zero with growing

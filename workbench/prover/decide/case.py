@@ -72,7 +72,8 @@ class Case:
     ) -> None:
         self.setting = setting
         self.assumptions = Assumptions(assume)
-        self.sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
+        supposed = (*self.assumptions.relations, *self.assumptions.bounds)
+        self.sides = [side for r in (*relations, *supposed) for side in (r.left, r.right)]
         known = setting.definitions if definitions is None else definitions
         self.definitions = with_parts_of_angles(self.sides, known)
         self.inventory: Inventory = take_inventory(self.sides, self.definitions)
@@ -110,7 +111,7 @@ class Case:
         admitted = self._admitted(lambda trial: True)
         points = trials(self.inventory, self.definitions, self._completed)
         first = islice(points, _FEW)
-        if not self.assumptions.relations or any(
+        if not (self.assumptions.relations or self.assumptions.bounds) or any(
             accepted(t, admitted) for t in chain(first, self._solved(), points)
         ):
             return
@@ -134,10 +135,11 @@ class Case:
         irrational = self.inventory.norms or self.inventory.circles or self.measured_angles
         if self.assumptions.equations or not irrational:
             return None
-        supposed = self.assumptions.nonzero
+        supposed, bounds = self.assumptions.nonzero, self.assumptions.bounds
         for trial in real_trials(self.inventory, self.definitions):
             try:
-                if all(surely_differ(trial, r) for r in supposed) and accept(trial):
+                is_admitted = all(surely_differ(trial, r) for r in supposed) and all(map(trial.meets, bounds))
+                if is_admitted and accept(trial):
                     return trial
             except NotExact:
                 continue
@@ -151,8 +153,10 @@ class Case:
             yield trial_at(point, self.definitions, NumberFieldRing())
 
     def _admitted(self, accept: Callable[[Trial], bool]) -> Callable[[Trial], bool]:
-        supposed = self.assumptions.relations
-        return lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t)
+        supposed, bounds = self.assumptions.relations, self.assumptions.bounds
+        return lambda t: (
+            self._is_real(t) and all(map(t.holds, supposed)) and all(map(t.meets, bounds)) and accept(t)
+        )
 
     def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
         """Returns the point with the parameters for which the equations are solved set to their values."""

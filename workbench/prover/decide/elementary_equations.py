@@ -9,7 +9,16 @@ from dataclasses import replace
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, derivative, power, relation, zero
 from workbench.core.operations import PARTIALS
-from workbench.core.terms import Apply, Derivative, Number, Power, Relation, Statement, Symbol, Term
+from workbench.core.terms import (
+    Apply,
+    Derivative,
+    Number,
+    Power,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
 from workbench.core.types import SCALAR
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact
@@ -163,8 +172,8 @@ def _with_evidence(verdict: Verdict, kind: str, method: str) -> Verdict:
 
 
 def _apart(assume: Sequence[Statement]) -> list[Relation] | None:
-    """Returns the assumptions a ≠ b; None if there are others."""
-    apart = [each for each in assume if isinstance(each, Relation) and each.operator == "≠"]
+    """Returns the assumptions a ≠ b and a ≥ b; None if there are others."""
+    apart = [each for each in assume if isinstance(each, Relation) and each.operator in "≠≥"]
     return apart if len(apart) == len(assume) else None
 
 
@@ -188,8 +197,13 @@ def _real_points(
     for trial in real_trials(inventory, definitions, found.values):
         with suppress(NotExact):
             is_defined = all(surely_positive(trial, term) for term in found.domain)
-            if is_defined and all(surely_differ(trial, each) for each in apart):
+            if is_defined and all(_meets(trial, each) for each in apart):
                 yield trial
+
+
+def _meets(trial: Trial, supposed: Relation) -> bool:
+    """True if a ≠ b or a ≥ b is certain at a point."""
+    return trial.meets(supposed) if supposed.operator == "≥" else surely_differ(trial, supposed)
 
 
 def _holds_somewhere(found: Replaced, assume: Sequence[Statement], definitions: Lookup) -> bool:

@@ -156,6 +156,8 @@ class Decider:
 
         if self.claim.orders or not isinstance(goal, Relation) or goal.operator != "=":
             return False
+        if any(isinstance(each, Relation) and each.operator == "≥" for each in supposed):
+            return False  # the point need not meet a bound
         with suppress(*_PROBLEMS):
             return Equation(judge, goal, tuple(supposed))._at_random_point() is False
         return False

@@ -43,7 +43,13 @@ from workbench.prover.explain.laws_of_motion import is_all_given, is_law, rates_
 from workbench.prover.explain.near_identities import is_near_identity
 from workbench.prover.explain.other_readings import is_rounded, other_reading
 from workbench.prover.explain.stated_properties import with_stated_properties
-from workbench.prover.explain.verdicts_under_facts import is_small, only_said, says_what_is, under
+from workbench.prover.explain.verdicts_under_facts import (
+    is_small,
+    only_said,
+    says_what_is,
+    under,
+    unmet_bounds,
+)
 from workbench.runtime.limits import within
 
 _SURE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
@@ -147,8 +153,8 @@ class _Explanation:
 
     def _is_no_condition(self) -> bool:
         """Returns whether nothing makes the equation true, or it is meant to hold for all its symbols."""
-        is_meant = self.act is Act.CONSTRAIN and self.own is not None
-        return self.decider.is_impossible(()) or (is_meant and is_near_identity(self.claim, self.own))
+        own = self.own if self.act is Act.CONSTRAIN else None
+        return self.decider.is_impossible(()) or (own is not None and is_near_identity(self.claim, own))
 
     def _on_hints(self) -> Verdict | None:
         """Returns the verdict if hints decide it, as that a symbol rests if the text takes no rate of it."""
@@ -323,6 +329,9 @@ class _Explanation:
         shown = (with_hints if meets else against).counterexample or self.base.counterexample
         if shown is not None and is_rounded(self.claim.printed.latex, shown):
             return Verdict(Outcome.UNCHECKED, reason=ContextCode.ROUNDED(), read_back=self.base.read_back)
+        if bounds := unmet_bounds(self.known, self.pending, self.decider.decide):
+            reason = ContextCode.NONE_WITHIN_BOUNDS(facts=", ".join(dict.fromkeys(map(str, bounds))))
+            return Verdict(Outcome.UNCHECKED, reason=reason, read_back=self.base.read_back)
         unless = [*self._rescuing(context), *self.doubts]
         met = {_said(fact) for fact in self.known}
         unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in context.opaque if not _is_met(fact, met)]

@@ -28,7 +28,7 @@ def is_near_identity(claim: Claim, own: Symbol) -> bool:
         engine = ExactEngine(take_inventory(sides_of(said), definitions), definitions)
         values = [engine.ring.clear(p) for side in sides_of(said) for p in engine.parts(engine.value(side))]
         about = {place for p in engine.parts(engine.value(own)) for place in _places(p)}
-        factors = [f for p in engine.residuals(said) if p != 0 for f in factors_of(engine, p)]
+        factors = [f for p in engine.residuals(said) if not p.is_zero() for f in factors_of(engine, p)]
         needed = {place for factor in factors if about & _places(factor) for place in _places(factor)}
         written = {place for p in values for place in _places(p)}
         return bool(needed) and len(written - needed) >= _FEWEST and 2 * len(needed) <= len(written)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.context.facts import Act, Fact, Strength, Supposition
 from workbench.context.free_symbols import names_in
 from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.terms import Relation, Symbol
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
+
+#: No point was found at which the sides of an equation differ.
+_NONE_FOUND = frozenset({VerdictCode.NO_COUNTEREXAMPLE, VerdictCode.NOT_FROM_FUNCTIONS})
 
 
 def under(found: Verdict, core: Sequence[Fact], base: Verdict) -> Verdict:
@@ -38,6 +42,15 @@ def only_said(base: Verdict, act: Act, own: Symbol | None) -> Verdict:
         Act.CONSTRAIN: ContextCode.CONSTRAINS(symbol=name),
     }[act]
     return Verdict(Outcome.DEFINITION, reason=reason, read_back=base.read_back, basis=Strength.STATED)
+
+
+def unmet_bounds(
+    known: Sequence[Fact], pending: Sequence[Fact], decide: Callable[[Sequence[Fact]], Verdict]
+) -> list[Fact]:
+    """Returns the stated inequalities among the pending facts that no counterexample was found to meet."""
+    bounds = [fact for fact in pending if isinstance(fact.content, Relation) and fact.content.operator == "≥"]
+    found = decide([*known, *bounds]) if bounds else None
+    return bounds if found is not None and found.code in _NONE_FOUND else []
 
 
 def says_what_is(own: Symbol, content: object) -> bool:

@@ -227,6 +227,7 @@ def _counted(trees: Iterable[Operation], prose: Prose) -> frozenset[str]:
 def _maps(trees: Iterable[Operation]) -> Iterable[str]:
     """Yields the T of a × (T a) and of aᵀ T a, which authors do not write for a scalar."""
     for tree in trees:
+        one: Operation | None
         match tree:
             case Operation(op="cross", parts=(one, Operation(op="mul", parts=(factor, other)))):
                 pass

@@ -40,7 +40,32 @@ DEFINED = [
         r"\vec{\mathring{r}}",
         r"\times \vec{r}",
     ),
+    # A supposition that presents a new symbol.
+    (r"For $V = x^T P x$ the rate is $$\dot V = 2 \dot x^T P x$$", "V", "x^T P x"),
+    (r"Given $R = \exp(\theta\tilde{\mathbf n})$ it is $$R \mathbf n = \mathbf n$$", "R", r"\exp"),
+    # Words that name the rates of a position.
+    (r"It has position $\mathbf p$ and velocity $\mathbf v$. $$\dot{\mathbf v} = g \mathbf p$$", r"\mathbf{v}", r"\mathbf{p}"),
+    (
+        r"Here $\mathbf p$, $\mathbf v$ and $\mathbf a$ are position, velocity and acceleration."
+        r" $$\dot{\mathbf v} = g \mathbf p + \mathbf a$$",
+        r"\mathbf{a}",
+        r"\mathbf{v}",
+    ),
+    # m is a label, and no index.
+    (r"With $w_m = G v_m$ it is $$F_m = w_m V - v_m$$", r"w_{m}", "G v_m"),
 ]  # fmt: skip
+
+#: The like, where the words give nothing to the whole text.
+NOT_DEFINED = [
+    (r"If $V = x^T P x$, then $$\dot V = 2 \dot x^T P x$$", "V"),
+    (r"For $V = W$ it is $$\dot V = \dot W$$", "V"),
+    (r"A function $V$ of $x$. For $V = x^T P x$ it is $$\dot V = 2 \dot x^T P x$$", "V"),
+    (
+        r"It has position $\mathbf p$ and velocity $\mathbf v$ in the body frame."
+        r" $$\dot{\mathbf v} = g \mathbf p$$",
+        r"\mathbf{v}",
+    ),
+]
 
 
 def _definitions(folder: Path, text: str) -> dict[str, str]:
@@ -53,6 +78,36 @@ def _definitions(folder: Path, text: str) -> dict[str, str]:
 def test_draft_defines_what_a_text_says(tmp_path: Path, text: str, name: str, part: str) -> None:
     body = _definitions(tmp_path, text).get(name, "nothing")
     assert part.replace(" ", "") in body.replace(" ", "")
+
+
+@pytest.mark.parametrize(("text", "name"), NOT_DEFINED)
+def test_draft_defines_nothing_by_a_case(tmp_path: Path, text: str, name: str) -> None:
+    assert name not in _definitions(tmp_path, text)
+
+
+@pytest.mark.parametrize("norm", [r"\|n\|", r"n \cdot n", "n^T n"])
+def test_vector_of_norm_1_is_a_unit_vector(tmp_path: Path, norm: str) -> None:
+    text = rf"Let $\phi = \theta n$ with ${norm} = 1$ and $K = n^\wedge$. $$K^2 = {{}}$$n n^T - I$$"
+    text = text.replace("{}$$", "")
+    assert _warned(tmp_path, text) == []
+    assert len(_warned(tmp_path, text.replace("- I", "+ I"))) == 1
+
+
+def test_fact_that_names_another_symbol_restricts_nothing(tmp_path: Path) -> None:
+    said = r"With $\theta = \|\phi\|$ and $\phi = \theta \mathbf a$ "
+    wrong = r"$$(\phi^\wedge)^3 = \theta^2 \phi^\wedge$$"
+    assert len(_warned(tmp_path, said + wrong)) == 1
+    assert _warned(tmp_path, said + wrong.replace("= ", "= -")) == []
+
+
+MEANT = r"\frac12 M \dot x^2 + \frac12 m ((\dot x + l \dot\theta \cos\theta)^2 + (l \dot\theta \sin\theta)^2)"
+RIGHT = r"\frac12 (M + m) \dot x^2 + m l \dot x \dot\theta \cos\theta + \frac12 m l^2 \dot\theta^2"
+
+
+def test_equation_in_which_most_symbols_cancel_is_meant_for_all(tmp_path: Path) -> None:
+    assert _warned(tmp_path, f"$${MEANT} = {RIGHT}$$") == []
+    assert len(_warned(tmp_path, f"$${MEANT} = {RIGHT.replace('(M + m) ', '')}$$")) == 1
+    assert _warned(tmp_path, r"$$m g l \sin\theta + m l^2 \ddot\theta = 0$$ $$m a + m b = m c d$$") == []
 
 
 @pytest.mark.parametrize("value", [r"\pi", r"-\frac{\pi}{2}", "0", "3", r"90^\circ"])

@@ -240,10 +240,11 @@ def range_facts(step: Step, notation: Notation, about: frozenset[Name]) -> Itera
     """Yields the ranges of symbols that a step states next to a formula, such as x > 0."""
     for piece in step.ranges:
         line = piece[0].source.place(piece[0].start)[0]
-        found = list(_condition(piece, line, notation, with_equations=False))
+        stated = list(_condition(piece, line, notation, with_equations=False))
         words = spelled(piece)[0]
         named = frozenset(name for name in about if name.letter in words)
-        yield from found or ([opaque(words, line, named)] if named else [])
+        own = [fact for fact in stated if fact.about & about]
+        yield from own or ([opaque(words, line, named)] if named and not stated else [])
 
 
 def opaque(words: str, line: int, about: frozenset[Name]) -> Fact:

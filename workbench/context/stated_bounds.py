@@ -58,7 +58,7 @@ def links_of(tokens: Sequence[Token]) -> Iterator[list[Token]]:
     """
     texts = [token.text for token in tokens]
     signs = [at for at in outside(texts, _OPENING, _CLOSING) if texts[at] in _RELATIONS]
-    ends = [*signs[1:], len(tokens)]
+    ends = [*signs[1:], len(tokens)][: len(signs)]
     intervals = {at: _interval(tokens[at + 1 : end]) for at, end in zip(signs, ends, strict=True)}
     is_interval = any(texts[at] == "\\in" and intervals[at] for at in signs)
     if not is_interval and not (len(signs) > 1 and any(texts[at] in ORDERS for at in signs)):

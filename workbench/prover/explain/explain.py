@@ -7,7 +7,7 @@ refuted.
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
@@ -44,11 +44,13 @@ from workbench.prover.explain.near_identities import is_near_identity
 from workbench.prover.explain.other_readings import is_rounded, other_reading
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.prover.explain.verdicts_under_facts import (
+    is_met,
     is_small,
     only_said,
     says_what_is,
     under,
     unmet_bounds,
+    words_of,
 )
 from workbench.runtime.limits import within
 
@@ -333,8 +335,8 @@ class _Explanation:
             reason = ContextCode.NONE_WITHIN_BOUNDS(facts=", ".join(dict.fromkeys(map(str, bounds))))
             return Verdict(Outcome.UNCHECKED, reason=reason, read_back=self.base.read_back)
         unless = [*self._rescuing(context), *self.doubts]
-        met = {_said(fact) for fact in self.known}
-        unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in context.opaque if not _is_met(fact, met)]
+        met = {words_of(fact) for fact in self.known}
+        unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in context.opaque if not is_met(fact, met)]
         values = shown.values if shown else {}
         pending = [each for each in self.pending if not (each.bound and each.bound.allows(values))]
         pending += self._undecided(context)
@@ -382,16 +384,6 @@ class _Explanation:
             return []
         other = other_convention(self.claim, self.decider, [*self.known, *self.hints])
         return [other] if other is not None else []
-
-
-def _said(fact: Fact) -> tuple[str, str]:
-    """Returns the words of a fact without blanks, and its place."""
-    return "".join(fact.origin.text.split()), fact.origin.place
-
-
-def _is_met(fact: Fact, met: Set[tuple[str, str]]) -> bool:
-    """True if an equation that is not read in its place is a fact that the refutation meets."""
-    return fact.origin.provider is Provider.UNREAD and _said(fact) in met
 
 
 def _order(said: object, own: Symbol) -> int | None:

@@ -6,13 +6,13 @@ from contextlib import suppress
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.context.claims import Claim
-from workbench.core.terms import IllFormed, Relation, Symbol, sides_of
+from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.inventory import take_inventory
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.prover.decide.zero_sets import factors_of
 
-#: An identity has at least this many parameters that the value of the symbol would not depend on.
+#: An identity has at least this many symbols that the value of the symbol would not depend on.
 _FEWEST = 3
 
 
@@ -27,14 +27,20 @@ def is_near_identity(claim: Claim, own: Symbol) -> bool:
     with suppress(NotExact, IllFormed, RecursionError, ZeroDivisionError, ValueError):
         engine = ExactEngine(take_inventory(sides_of(said), definitions), definitions)
         values = [engine.ring.clear(p) for side in sides_of(said) for p in engine.parts(engine.value(side))]
-        about = {place for p in engine.parts(engine.value(own)) for place in _places(p)}
-        factors = [f for p in engine.residuals(said) if not p.is_zero() for f in factors_of(engine, p)]
-        needed = {place for factor in factors if about & _places(factor) for place in _places(factor)}
-        written = {place for p in values for place in _places(p)}
+        residuals = [p for p in engine.residuals(said) if not p.is_zero()]
+        factors = [_quantities(engine, f) for p in residuals for f in factors_of(engine, p)]
+        needed = {each for quantities in factors if (own, 0) in quantities for each in quantities}
+        written = {each for p in values for each in _quantities(engine, p)}
         return bool(needed) and len(written - needed) >= _FEWEST and 2 * len(needed) <= len(written)
     return False
 
 
-def _places(p: Polynomial) -> set[int]:
-    degrees = p.degrees()
-    return {place for place, degree in enumerate(degrees) if degree > 0}
+def _quantities(engine: ExactEngine, p: Polynomial) -> set[tuple[Term, int]]:
+    """Returns the symbols of a polynomial, each with the order of its rate."""
+    generators = (p.context().gen(place) for place, degree in enumerate(p.degrees()) if degree > 0)
+    found: set[tuple[Term, int]] = set()
+    for each in generators:
+        with suppress(StopIteration):  # a norm or a reciprocal
+            parameter = engine.parameter_of(each)
+            found.add((parameter.symbol, parameter.order))
+    return found

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from dataclasses import replace
 
-from workbench.context.facts import Act, Fact, Strength, Supposition
+from workbench.context.facts import Act, Fact, Provider, Strength, Supposition
 from workbench.context.free_symbols import names_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
@@ -66,3 +66,13 @@ def is_small(facts: Sequence[Fact]) -> bool:
     suppositions = (fact.content for fact in facts if isinstance(fact.content, Supposition))
     terms = (term for each in suppositions for _, term in each.terms)
     return any(isinstance(term, Symbol) and term.declaration.small for term in terms)
+
+
+def words_of(fact: Fact) -> tuple[str, str]:
+    """Returns the words of a fact without blanks, and its place."""
+    return "".join(fact.origin.text.split()), fact.origin.place
+
+
+def is_met(fact: Fact, met: Set[tuple[str, str]]) -> bool:
+    """True if an equation that is not read in its place is a fact that the refutation meets."""
+    return fact.origin.provider is Provider.UNREAD and words_of(fact) in met

@@ -141,10 +141,6 @@ class Inference:
         spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
         return spoilt | self.dotted | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
 
-    def is_sure(self, name: str) -> bool:
-        """True if with any other kind of a symbol at least two formulas would not fit."""
-        return name in self.kinds and self.kinds[name].margin >= 2 * MISFIT
-
     def is_square(self, name: str) -> bool:
         """True if a symbol is a square matrix."""
         kind = self.kinds[name].kind

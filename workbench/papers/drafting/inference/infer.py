@@ -11,7 +11,6 @@ from workbench.papers.drafting.inference.differential_letters import has_differe
 from workbench.papers.drafting.inference.kind_operations import SYMBOL, Operation
 from workbench.papers.drafting.inference.kind_search import Formula, Search
 from workbench.papers.drafting.inference.kind_signatures import (
-    MISFIT,
     QUATERNION,
     SCALAR,
     TENSOR,

@@ -137,24 +137,24 @@ def bounds_of(
 def with_signs_of_functions(facts: Sequence[Fact], statement: Statement, notation: Notation) -> list[Fact]:
     """Returns the facts with the signs of the sine and cosine of an angle between stated bounds.
 
-    They stand for the bounds where the statement contains the angle in such functions only.
+    They replace the bounds, and nothing replaces those of a full turn, where the statement contains the angle
+    in such functions only.
     """
     limits: dict[Name, list[Fact]] = {}
     for fact in facts:
         if fact.bound is not None and len(fact.about) == 1:
             limits.setdefault(next(iter(fact.about)), []).append(fact)
     found = list(facts)
+    stated = [fact for fact in facts if fact.origin.provider is Provider.CONDITION]
     for name, own in limits.items():
         declaration = notation.symbols.symbols.get(name)
         if declaration is None or declaration.type != SCALAR or name.indices:
             continue
-        signs = list(_signs_of_functions(own, symbol(declaration)))
-        if signs and is_turned(symbol(declaration), _expanded(statement, notation)):
-            found = [
-                each
-                for each in found
-                if each.about != {name} or each.origin.provider is not Provider.CONDITION
-            ]
+        angle, (lower, upper) = symbol(declaration), _ends(own)
+        signs = list(_signs_of_functions(own[0], angle, lower, upper))
+        is_full_turn = math.isfinite(upper - lower) and upper - lower >= 2 * math.pi - _CLOSE
+        if (signs or is_full_turn) and is_turned(angle, _expanded(statement, notation)):
+            found = [each for each in found if each.about != {name} or each not in stated]
         found += signs
     return found
 
@@ -165,16 +165,20 @@ def _expanded(statement: Statement, notation: Notation) -> list[Term]:
     return list(sides_of(statement))
 
 
-def _signs_of_functions(bounds: Sequence[Fact], angle: Symbol) -> Iterator[Fact]:
-    ends = [(each.sign, float(each.number)) for each in (fact.bound for fact in bounds) if each is not None]
+def _ends(bounds: Sequence[Fact]) -> tuple[float, float]:
+    """Returns the greatest lower bound and the least upper bound."""
+    ends = [(fact.bound.sign, float(fact.bound.number)) for fact in bounds if fact.bound is not None]
     lower = max((end for sign, end in ends if sign in ">≥"), default=-math.inf)
-    upper = min((end for sign, end in ends if sign in "<≤"), default=math.inf)
+    return lower, min((end for sign, end in ends if sign in "<≤"), default=math.inf)
+
+
+def _signs_of_functions(bound: Fact, angle: Symbol, lower: float, upper: float) -> Iterator[Fact]:
     for value, least, most in (
         (apply("sin", angle), 0.0, math.pi),
         (apply("cos", angle), -math.pi / 2, math.pi / 2),
     ):
         if least - _CLOSE <= lower and upper <= most + _CLOSE:
-            yield replace(bounds[0], content=_assumed(value, zero(SCALAR), ">"), bound=None)
+            yield replace(bound, content=_assumed(value, zero(SCALAR), ">"), bound=None)
 
 
 def _has_value(term: Term) -> bool:

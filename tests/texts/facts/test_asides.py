@@ -80,6 +80,8 @@ def written(text: str, ending: str) -> str:
         (r"With <<0 < f < \pi>> it is [[\sqrt{1 - \cos^2 f} = \sin f]]", "unchecked"),
         (r"With <<f \in [0, \pi)>> it is [[\sqrt{1 - \cos^2 f} = \sin f]]", "unchecked"),
         (r"With <<f \in (0, \pi)>> it is [[\sqrt{1 - \cos^2 f} = -\sin f]]", "refuted"),
+        (r"With <<f \in [0, 2\pi)>> it is [[\sqrt{1 - \cos^2 f} = \sin f]]", "refuted"),
+        (r"With <<-\pi \leq f < \pi>> it is [[\sin^2 f = 1 + \cos^2 f]]", "refuted"),
         (r"With <<m > f>> it is [[|m - f| = m - f]]", "unchecked"),
         (r"If <<0 = a - g b>>, then [[a \times b = 0]]", "conditional"),
         (r"If <<0 = a - g b>>, then [[a \times b = b]]", "doubtful"),

@@ -16,7 +16,7 @@ from workbench.context.formula_subject import names_of
 from workbench.context.free_symbols import names_in, terms_of
 from workbench.context.introducing_words import is_denied, is_exception, is_let, is_over, reaches
 from workbench.context.read_formulas import read_statement
-from workbench.context.stated_bounds import ORDERS, UNEQUAL, bounds_of, links_of, with_signs_of_functions
+from workbench.context.stated_bounds import ORDERS, UNEQUAL, bounds_of, links_of
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.names import Name
 from workbench.core.terms import Relation, Statement, Symbol, Term, sides_of
@@ -177,7 +177,6 @@ def conditions_of(
             continue
         for step in spoken.steps(formula, notation) if formula.rows else ():
             found += spoken.said(formula, step, notation, with_equations=True)
-    found = with_signs_of_functions(found, statement, notation)
     for _ in found:  # what is said of the symbols by which the sentence defines others counts, too
         own = own.union(*(fact.about for fact in found if fact.act is Act.DEFINE and fact.about & own))
     yield from (fact for fact in found if fact.about & own)

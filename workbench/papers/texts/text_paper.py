@@ -19,6 +19,7 @@ from workbench.context.free_symbols import names_in, terms_of
 from workbench.context.index_values import Orders
 from workbench.context.read_formulas import WORDS, FormulaReader, read_statement
 from workbench.context.sentence_facts import TextSentences
+from workbench.context.stated_bounds import with_signs_of_functions
 from workbench.context.stated_rotations import stated_rotation
 from workbench.context.unread_facts import Unread, said_unread, unread_facts
 from workbench.core.codes.syntax_codes import SyntaxCode
@@ -185,9 +186,10 @@ def _own_facts(
         return
     for words in placed.step.limits:
         yield opaque(words, claim.line, names)
-    if placed.step.ranges and claim.printed.latex != placed.step.spelled()[0]:
-        yield from range_facts(placed.step, placed.notation, names)
     conditions = list(conditions_of(placed.display, statement, placed.notation, spoken))
+    if placed.step.ranges and claim.printed.latex != placed.step.spelled()[0]:
+        conditions = [*range_facts(placed.step, placed.notation, names), *conditions]
+    conditions = with_signs_of_functions(conditions, statement, placed.notation)
     yield from conditions
     yield from sentences.facts(placed.display, statement, placed.notation)
     read = {_words(fact) for fact in conditions if fact.content and fact.duration is Duration.ALWAYS}

@@ -147,3 +147,92 @@ def test_long_text_gets_less_time_for_each_claim(tmp_path: Path, count: int, sec
 def test_symbol_given_for_another_case(tmp_path: Path, words: str, grade: Grade) -> None:
     given = ["The source moves:", "f = g v + s", "(v - s)(v + s) = v^2 - s^2"]
     assert grades(tmp_path, *given, words, "f = g v - s")[-1] is grade
+
+
+@pytest.mark.parametrize(
+    ("formula", "grade"),
+    [
+        ("y = v^2", Grade.NOTE),  # at one t
+        ("y = 2 v t - g t^2", Grade.WARNING),
+        ("s = 2 r^2", Grade.WARNING),  # s does not depend on φ
+    ],
+)
+def test_value_at_one_instant(tmp_path: Path, formula: str, grade: Grade) -> None:
+    known = ["y = v t - g t^2", r"x_1 = r \cos\phi, \qquad x_2 = r \sin\phi", "s = x_1^2 + x_2^2"]
+    assert grades(tmp_path, *known, "(v - g)(v + g) = v^2 - g^2", formula)[-1] is grade
+
+
+@pytest.mark.parametrize(
+    ("letter", "more", "grade"),
+    [
+        ("j", (), Grade.NOTE),
+        ("i", (), Grade.NOTE),
+        ("b", (), Grade.WARNING),
+        ("j", ("s_j = r x",), Grade.WARNING),  # an index
+    ],
+)
+def test_imaginary_unit_is_no_number(
+    tmp_path: Path, letter: str, more: tuple[str, ...], grade: Grade
+) -> None:
+    first = [f"Z = r + {letter} x", "(r - x)(r + x) = r^2 - x^2", *more]
+    assert grades(tmp_path, *first, f"(Z - r)^2 = {letter} x^2 - x^2")[-1] is grade
+
+
+@pytest.mark.parametrize(("more", "grade"), [((), Grade.WARNING), (("E = 3 m + 2 p",), Grade.NOTE)])
+def test_symbol_with_several_values(tmp_path: Path, more: tuple[str, ...], grade: Grade) -> None:
+    first = ["E = p^2 + m", "(p - m)(p + m) = p^2 - m^2"]
+    assert grades(tmp_path, *first, "E^2 = p^2 + m^2", *more)[2] is grade
+
+
+def test_rate_at_an_instant(tmp_path: Path) -> None:
+    known = [
+        r"\theta(t) = a_0 + a_1 t",
+        r"\theta(t_f) = a_0 + a_1 t_f",
+        "(a_0 - a_1)(a_0 + a_1) = a_0^2 - a_1^2",
+    ]
+    assert grades(tmp_path, *known, r"\dot\theta(0) = a_1")[-1] is Grade.NOTE
+
+
+def test_known_symbol_among_others_makes_no_claim(tmp_path: Path) -> None:
+    known = ["(a + b)^2 = a^2 + 2 a b + b^2", "c = 0"]
+    assert grades(tmp_path, *known, "c + 2 a s + 3 b s^2 = 0")[-1] is Grade.NOTE
+
+
+@pytest.mark.parametrize(
+    ("formula", "grade"),
+    [
+        ("p = 3 (12)", Grade.NOTE),  # another example
+        ("p = 3 v", Grade.WARNING),
+    ],
+)
+def test_value_of_an_example(tmp_path: Path, formula: str, grade: Grade) -> None:
+    known = ["p = 2 v", "(m + v)(m - v) = m^2 - v^2"]
+    assert grades(tmp_path, *known, formula)[-1] is grade
+
+
+@pytest.mark.parametrize(
+    ("formula", "grade"),
+    [
+        (r"\frac{\mathbf{h}}{m} = \mathbf{1}(m) m", Grade.NOTE),
+        (r"\frac{\mathbf{h}}{m} = 2 m", Grade.WARNING),
+        (r"\frac{m}{RMS(\mathbf{h})} = 2 m", Grade.NOTE),
+        (
+            r"s^0 = \begin{bmatrix} \mathbf{h} \cdot \mathbf{v} \\ m \\ m \end{bmatrix}",
+            Grade.NOTE,
+        ),  # in frame 0
+        (r"m \mathbf{h} = \begin{bmatrix} 0 \\ 0 \end{bmatrix}", Grade.NOTE),
+        (r"\frac{d}{m} = 2 m", Grade.NOTE),  # the magnitude of d
+    ],
+)
+def test_misfit_of_letters_that_are_something_else(tmp_path: Path, formula: str, grade: Grade) -> None:
+    more = (r"\mathbf{d} = \mathbf{r} + \mathbf{h}", "The displacement $d$ is a vector.", "d = \\mathbf{d}")
+    assert grades(tmp_path, *VECTORS, *more, formula)[-1] is grade
+
+
+@pytest.mark.parametrize(
+    ("words", "grade"),
+    [("We solve the Lyapunov equation", Grade.NOTE), ("It is easy to see that", Grade.WARNING)],
+)
+def test_equation_to_solve(tmp_path: Path, words: str, grade: Grade) -> None:
+    known = ["(x + y)^2 = x^2 + 2 x y + y^2", "(x - y)(x + y) = x^2 - y^2"]
+    assert grades(tmp_path, *known, words, "x^2 + y^2 = 2 x y")[-1] is grade

@@ -115,6 +115,7 @@ NO_DEFINITIONS = [
     (r"$$J(\theta) = \theta^2$$ $$\dot x = J(\theta)$$", r"J(\theta)"),  # it only says what J depends on
     (r"$$c_1 + d_1 = 0$$ $$\dot\theta_1 = c_1$$", r"c_{1}"),
     (r"$$a = b + m$$ with $$m = 1$$", "m"),
+    (r"$$a = b + m$$ In a ring it is alike, with the law $n m = b$, which gives $m = 2 b / n$.", "m"),
 ]
 
 

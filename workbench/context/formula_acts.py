@@ -197,3 +197,9 @@ def is_before_scope(names: Iterable[Name], file: Path | None, line: int, notatio
     """True if a scope redeclares one of the names after the line."""
     places = map(notation.since.get, names)
     return any(place is not None and place[0] == file and line < place[1] for place in places)
+
+
+def act_by_sign(printed: Formula, notation: Notation) -> tuple[Act, Symbol | None]:
+    """Returns the act of a formula outside a text: an assertion, unless a sign indicates another act."""
+    is_signed = assigns(printed) or introduces(printed, notation)
+    return act_of(printed, notation) if is_signed else (Act.ASSERT, None)

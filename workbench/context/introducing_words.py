@@ -42,6 +42,11 @@ _BREAKS = re.compile(
     r",|\b(?:is|are|be|reads|becomes|equals|have|has|get|obtain|find|defin\w+|denot\w+|writ\w+|call)\b"
 )
 
+#: The words for what follows from the formula before them: "with the law f, which gives g".
+_FOLLOWS = re.compile(
+    r"\b(?:gives?|yields?|implies|means|leads? to|results? in|follows|(?:we|one) (?:get|obtain|find)s?)\b"
+)
+
 
 def _words_before(formula: Display) -> re.Match[str] | None:
     """Returns the word of the sentence that introduces the formula, as "let" or "if"."""
@@ -59,7 +64,9 @@ def is_exception(formula: Display) -> bool:
 def is_let(formula: Display) -> bool:
     """True if the sentence introduces the formula, as in "let f = g^2" or "where f = g^2"."""
     words = _words_before(formula)
-    return words is not None and (words["defines"] or words["explains"]) is not None
+    if words is None or (words["defines"] or words["explains"]) is None:
+        return False
+    return words["defines"] is not None or _FOLLOWS.search(_words_between(words, formula)) is None
 
 
 def is_presented(formula: Display) -> bool:
@@ -103,12 +110,16 @@ def is_denied(formula: Display) -> bool:
 
 def is_supposed(formula: Display) -> bool:
     """True if the words before the formula make it a condition: "for f = g", "suppose that f = g"."""
-    words, text = _words_before(formula), formula.source.prose
+    words = _words_before(formula)
     if words is None or not (words["case"] or words["excepts"] or words["supposes"]):
         return False
-    first, _ = sentence_around(text, formula.start, formula.end)
-    between = text[first + words.end() : formula.start]
-    return _BREAKS.search(re.sub(r"\$[^$]*\$", "", between)) is None
+    return _BREAKS.search(_words_between(words, formula)) is None
+
+
+def _words_between(words: re.Match[str], formula: Display) -> str:
+    """Returns the words between those that introduce a formula and the formula, without other formulas."""
+    first, _ = sentence_around(formula.source.prose, formula.start, formula.end)
+    return re.sub(r"\$[^$]*\$", "", formula.source.prose[first + words.end() : formula.start])
 
 
 def is_over(formula: Display, start: int) -> bool:

@@ -8,7 +8,7 @@ from workbench.context.claims import Claim
 from workbench.context.facts import Act, Fact, Provider, Strength
 from workbench.context.formula_acts import constrains, subject_of
 from workbench.context.formula_subject import derived
-from workbench.context.free_symbols import free_in
+from workbench.context.free_symbols import body_of, free_in
 from workbench.core.terms import Definition, Relation, Symbol, Term
 from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions
@@ -20,7 +20,8 @@ GIVES = frozenset({Act.DEFINE, Act.POSTULATE})
 def rate_in(said: object, own: Symbol) -> tuple[int, Term] | None:
     """Returns the order of the symbol's rate that stands alone on one side of an equation, and the other."""
     if isinstance(said, Definition):
-        return (0, said.body) if said.declaration == own.declaration else None
+        body = body_of(own, Definitions([said])) if said.declaration == own.declaration else None
+        return (0, body) if body is not None else None
     if not isinstance(said, Relation) or said.operator != "=":
         return None
     for one, other in ((said.left, said.right), (said.right, said.left)):

@@ -21,10 +21,15 @@ from workbench.core.verdict import Grade, Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
+from workbench.papers.drafting.drafted_doubts import (
+    is_open_misfit,
+    may_say_what_symbols_are,
+    misread,
+    other_meanings,
+    subject_alone,
+)
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
-from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
-from workbench.papers.drafting.one_sided_equations import may_say_what_symbols_are
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
 from workbench.prover.results.claim_results import ClaimResult
@@ -35,10 +40,12 @@ from workbench.source.documents.surrounding_words import sections_of
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
 _OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
+#: The words before an equation that the text solves.
+_TO_SOLVE = re.compile(
+    r"\bsolv(?:e|es|ed|ing)\b[^.;,$]*\b(?:equations?|systems?|problems?)\s*:?\s*$", re.IGNORECASE
+)
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
-#: The most displays of a text whose misfits are errors rather than a notation that the draft misreads.
-_MOST_MISFITS = 3
 
 #: Faults → the operations of which they tell; no entry: of any.
 _OPERATIONS: Mapping[object, frozenset[str]] = {
@@ -47,6 +54,7 @@ _OPERATIONS: Mapping[object, frozenset[str]] = {
     Compared.SIDES: frozenset(("equal",)),
     Compared.ADDENDS: frozenset(("add",)),
 }
+
 
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
@@ -74,7 +82,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
     if verdict.outcome is not Outcome.ILL_FORMED:  # with another kind, it is ill-formed
         thin = [each for each in thin if not each.alone]
-    own_misfits = [each for each in inference.misfits if not _is_open(each)]
+    own_misfits = [each for each in inference.misfits if not is_open_misfit(each)]
     misfits = {each.latex: each.cured_by for each in own_misfits}
     given_anew = {name for each in inference.misfits if each.gives_entries for name in each.names}
     reason: Reason | None = None
@@ -101,27 +109,18 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         DoubtCode.DRAFTED_KINDS(),
         *(DoubtCode.SOMETHING_ELSE(name=name) for name in doubts[:_MOST_DOUBTS]),
     ]
-    if is_misfit and (count := _misfit_displays(draft)) > _MOST_MISFITS:
-        unless.append(DoubtCode.NOTATION_MISREAD(count=count))
+    if not is_misfit:
+        guesses = {name: each for name, each in draft.ingested.guesses.items() if name not in confirmed}
+        unless += other_meanings(claim, _definitions(claim), guesses)
+    display = _display_of(draft, claim)
+    if display is not None and _TO_SOLVE.search(display.before):
+        unless.append(DoubtCode.TO_SOLVE())
+    unless += misread(draft, latex) if is_misfit else ()
     is_open = verdict.code is not ContextCode.GIVEN_OTHERWISE and may_say_what_symbols_are(claim)
     if not doubts and verdict.counterexample is not None and is_open:
         unless.append(DoubtCode.SAYS_WHAT_SYMBOLS_ARE())
     said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
-
-
-def _is_open(misfit: TypeMismatch) -> bool:
-    """True if the operation may fit: it gives a letter entries, as those of another case, or has a word whose
-    values the draft can only guess, as vech(A)."""
-    if misfit.gives_entries:
-        return True
-    words = [name for name in misfit.names if name.startswith(r"\operatorname")]
-    return not all(map(MAP_OF_TWISTS.match, words))
-
-
-def _misfit_displays(draft: Draft) -> int:
-    misfits = (each for each in draft.ingested.inference.misfits if not _is_open(each))
-    return len({each.latex for each in misfits} & {each.latex for each in draft.ingested.formulas})
 
 
 def _is_told(verdict: Verdict, misfit: TypeMismatch) -> bool:
@@ -204,18 +203,26 @@ class Records:
     Attributes:
         true: Name → section → formulas.
         false: Name → formulas.
+        values: Name → formulas that give its value or a power of it, and are not true.
     """
 
     draft: Draft
     true: Mapping[str, Mapping[str | None, frozenset[str]]]
     false: Mapping[str, frozenset[str]]
+    values: Mapping[str, frozenset[str]]
 
     @staticmethod
     def of(draft: Draft, results: Sequence[ClaimResult]) -> Records:
         true: dict[str, dict[str | None, frozenset[str]]] = {}
         false: dict[str, frozenset[str]] = {}
+        values: dict[str, frozenset[str]] = {}
         for result in results:
             claim, outcome = result.claim, result.verdict.outcome
+            alone = subject_alone(claim)
+            is_number = alone is not None and alone.type.kind == "scalar"
+            if alone is not None and is_number and outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
+                name = _written(alone.declaration.name)
+                values[name] = values.get(name, frozenset()) | {claim.printed.latex}
             if outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
                 for name in _reached(claim):
                     own = true.setdefault(name, {})
@@ -224,7 +231,7 @@ class Records:
             elif _is_warning(result):
                 for name in _names(claim):
                     false[name] = false.get(name, frozenset()) | {claim.printed.latex}
-        return Records(draft, true, false)
+        return Records(draft, true, false, values)
 
     def doubted(self, result: ClaimResult) -> Verdict:
         """Returns the verdict with the guesses that are not borne out as doubts."""
@@ -246,7 +253,12 @@ class Records:
             for name in _of_other_sections(self.draft, claim, reached)
             if claim.source.section not in self.true.get(name, {})
         ]
-        doubts = dict.fromkeys(DoubtCode.SOMETHING_ELSE(name=name) for name in (*shared, *anew))
+        alone = subject_alone(claim)
+        given = _written(alone.declaration.name) if alone is not None else ""
+        # beside this formula, one is the definition
+        several = [given] if len(self.values.get(given, ())) > 2 else []
+        names = (*shared, *anew, *several)
+        doubts = dict.fromkeys(DoubtCode.SOMETHING_ELSE(name=name) for name in names)
         return replace(verdict, unless=(*verdict.unless, *list(doubts)[:_MOST_DOUBTS]))
 
 

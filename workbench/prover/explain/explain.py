@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from workbench.context.claims import Claim
 from workbench.context.conventions import conventional
 from workbench.context.facts import Act, Context, Fact, Provider, Strength
-from workbench.context.formula_acts import act_of, assigns, introduces, subject_of
+from workbench.context.formula_acts import act_by_sign, subject_of
 from workbench.context.formula_subject import Subject
 from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.context.repeated_laws import GIVES, is_given_by, laws_in, rate_in
@@ -48,6 +48,7 @@ from workbench.prover.explain.verdicts_under_facts import (
     is_small,
     only_said,
     says_what_is,
+    terms_said,
     under,
     unmet_bounds,
     words_of,
@@ -89,7 +90,11 @@ class Explainer:
         if claim.corrected is not None:
             return base
         claim = for_members(claim)
-        act, own = claim.context.act if claim.context.span is not None else _act_by_sign(claim)
+        act, own = (
+            claim.context.act
+            if claim.context.span is not None
+            else act_by_sign(claim.printed, claim.notation)
+        )
         if is_all_given(claim):  # the given formulas determine all symbols
             act = Act.ASSERT
         if act is Act.ASSIGN:
@@ -364,9 +369,10 @@ class _Explanation:
         return found
 
     def _given_otherwise(self) -> Reason | None:
-        """Returns the reason that earlier formulas give the symbol that this one speaks of."""
+        """Returns the reason that earlier formulas give the symbol of this one, and speak of its others."""
         _, own = self.claim.context.act
-        if own is None:
+        terms = (term for fact in self.known for term in terms_said(fact))
+        if own is None or not self.subject.declarations <= free_in(terms, self.claim.notation.definitions):
             return None
         given = [fact for fact in self.known if fact.act in GIVES and rate_in(fact.content, own) is not None]
         facts = ", ".join(map(str, given))
@@ -393,9 +399,3 @@ def _order(said: object, own: Symbol) -> int | None:
 
 def _holds_rate(statement: Statement) -> bool:
     return any(isinstance(part, Derivative) for part in terms_of(statement))
-
-
-def _act_by_sign(claim: Claim) -> tuple[Act, Symbol | None]:
-    """Returns the act of a formula outside a text: an assertion, unless a sign indicates another act."""
-    is_signed = assigns(claim.printed) or introduces(claim.printed, claim.notation)
-    return act_of(claim.printed, claim.notation) if is_signed else (Act.ASSERT, None)

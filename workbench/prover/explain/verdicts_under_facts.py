@@ -9,7 +9,7 @@ from workbench.context.facts import Act, Fact, Provider, Strength, Supposition
 from workbench.context.free_symbols import names_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.terms import Relation, Symbol
+from workbench.core.terms import Definition, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 
@@ -76,3 +76,13 @@ def words_of(fact: Fact) -> tuple[str, str]:
 def is_met(fact: Fact, met: Set[tuple[str, str]]) -> bool:
     """True if an equation that is not read in its place is a fact that the refutation meets."""
     return fact.origin.provider is Provider.UNREAD and words_of(fact) in met
+
+
+def terms_said(fact: Fact) -> Sequence[Term]:
+    """Returns the sides of an equation, or the body of a definition."""
+    match fact.content:
+        case Definition(body=body):
+            return [body]
+        case Relation() as said:
+            return [*sides_of(said)]
+    return ()

@@ -14,6 +14,7 @@ EXPLAINS = "where|with|in which"
 CASES = (
     "provided|given|whenever|when|if|for|at|as long as|so long as|in case|in the case|case of|once"
     "|(?:special|limiting|particular|degenerate) case"
+    "|(?:case|limit|situation|regime|instant|moment|position)s? (?:where|in which)"
     "|on condition that|on the assumption|under the (?:assumption|condition)|in the event"
     "|case [0-9ivxa-c]{1,4}|subject to|while"
 )

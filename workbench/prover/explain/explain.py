@@ -337,8 +337,7 @@ class _Explanation:
         if shown is not None and is_rounded(self.claim.printed.latex, shown):
             return Verdict(Outcome.UNCHECKED, reason=ContextCode.ROUNDED(), read_back=self.base.read_back)
         if bounds := unmet_bounds(self.known, self.pending, self.decider.decide):
-            reason = ContextCode.NONE_WITHIN_BOUNDS(facts=", ".join(dict.fromkeys(map(str, bounds))))
-            return Verdict(Outcome.UNCHECKED, reason=reason, read_back=self.base.read_back)
+            return Verdict(Outcome.UNCHECKED, reason=bounds, read_back=self.base.read_back)
         unless = [*self._rescuing(context), *self.doubts]
         met = {words_of(fact) for fact in self.known}
         unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in context.opaque if not is_met(fact, met)]

@@ -9,6 +9,7 @@ from workbench.context.facts import Act, Fact, Provider, Strength, Supposition
 from workbench.context.free_symbols import names_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.reasons import Reason
 from workbench.core.terms import Definition, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -46,11 +47,14 @@ def only_said(base: Verdict, act: Act, own: Symbol | None) -> Verdict:
 
 def unmet_bounds(
     known: Sequence[Fact], pending: Sequence[Fact], decide: Callable[[Sequence[Fact]], Verdict]
-) -> list[Fact]:
-    """Returns the stated inequalities among the pending facts that no counterexample was found to meet."""
+) -> Reason | None:
+    """Returns the reason that no counterexample was found to meet the stated inequalities among the pending
+    facts; None if there are none, or if one was found."""
     bounds = [fact for fact in pending if isinstance(fact.content, Relation) and fact.content.operator == "≥"]
     found = decide([*known, *bounds]) if bounds else None
-    return bounds if found is not None and found.code in _NONE_FOUND else []
+    if found is None or found.code not in _NONE_FOUND:
+        return None
+    return ContextCode.NONE_WITHIN_BOUNDS(facts=", ".join(dict.fromkeys(map(str, bounds))))
 
 
 def says_what_is(own: Symbol, content: object) -> bool:

@@ -69,13 +69,14 @@ READ: list[tuple[str, str, str, Mapping[str, str]]] = [
         {},
     ),
     (r"\lim_{h \to 0} (f + g)", r"\lim_{h \to 0} f + \lim_{h \to 0} g", r"\lim_{h \to 0} f - \lim_{h \to 0} g", {}),
+    (r"\lim_{h \to 0} \frac{(f + h)^2 - f^2}{h}", "2 f", "f", {}),
+    (r"\int_0^1 h\, dh", r"\frac{1}{2}", "1", {}),
+    (r"\arcsin f + \arccos f", r"\frac{\pi}{2}", r"\pi", {}),
 ]  # fmt: skip
 #: What is not judged yet: a true formula.
 OPEN = [
     r"SE(3) = \left\{ \begin{bmatrix} R & x \\ 0 & 1 \end{bmatrix} \mid R \in SO(3), x \in S^2 \right\}",
     r"\cos(l \phi) \tan l\phi = \sin(l \phi)",
-    r"\lim_{h \to 0} \frac{(f + h)^2 - f^2}{h} = 2 f",
-    r"\int_0^1 h\, dh = \frac{1}{2}",
     r"R(\theta + \phi)^T R(\theta + \phi) = \mathbf{I}",
 ]
 _NUMBERS = {"f": {"kind": "scalar", "independent": True}, "g": {"kind": "scalar", "independent": True}}

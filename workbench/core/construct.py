@@ -142,11 +142,11 @@ def big_sum(variables: Sequence[str], lower: Linear | int | None, upper: Linear 
     return BigSum(body.type, weight, tuple(variables), lower, upper, body)
 
 
-def integral(sign: str, measure: str, variable: str, body: Term) -> Integral:
+def integral(sign: str, measure: str, variable: str, body: Term, place: tuple[Term, ...] = ()) -> Integral:
     """Returns an integral or a limit. Its weight is open, since the weight of dm is."""
     if body.type.kind == "operator":
         raise Unsupported(TypeCode.INTEGRAL_OF_OPERATOR())
-    return Integral(body.type, None, sign, measure, variable, body)
+    return Integral(body.type, None, sign, measure, variable, body, place)
 
 
 def block(entries: Sequence[Sequence[Term]]) -> Block:
@@ -276,7 +276,7 @@ def rebuild(term: Term, children: Sequence[Term]) -> Term:
         case BigSum():
             return big_sum(term.variables, term.lower, term.upper, children[0])
         case Integral():
-            return integral(term.sign, term.measure, term.variable, children[0])
+            return integral(term.sign, term.measure, term.variable, children[0], term.place)
         case Block():
             width = len(term.entries[0])
             return block([children[i : i + width] for i in range(0, len(children), width)])

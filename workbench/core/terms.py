@@ -244,13 +244,14 @@ class BigSum(Term):
 
 @_node
 class Integral(Term):
-    """An integral or a limit, of which only the linearity is known. sign, measure: the LaTeX before and
-    behind the body, as "\\int_{B}" and "\\mathrm{d}m".   variable: that of the letter behind the d."""
+    """An integral or a limit. sign, measure: the LaTeX before and behind the body, as "\\int_{B}" and
+    "\\mathrm{d}m".   place: the symbol of the variable, and both bounds or the place; empty if unread."""
 
     sign: str
     measure: str
     variable: str
     body: Term
+    place: tuple[Term, ...] = ()
 
     @property
     def children(self) -> tuple[Term, ...]:

@@ -242,7 +242,7 @@ class Judge(Setting):
             is_open = alone.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_LINEARITY()) if is_open else alone
 
-        return judge_integrals(said, self.definitions, judge)
+        return judge_integrals(said, self.definitions, judge, lambda other: self._judge(other, assume))
 
     def _inverse_angle(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         """Returns the verdict by the branch of an inverse function alone on its side, else by its rates."""

@@ -4,11 +4,13 @@
 θ = c arcsin x     sin (θ/c) = x              on −π/2 ≤ θ/c ≤ π/2
 θ = c arctan x     sin (θ/c) = x cos (θ/c)    on −π/2 < θ/c < π/2
 θ = c atan2(y, x)  sin (θ/c) r = y, cos (θ/c) r = x, r = ‖(x, y)‖     on −π < θ/c ≤ π
+
+Several of them are added up first, with arccos x = π/2 − arcsin x and arcsin (−x) = −arcsin x.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -16,9 +18,10 @@ from typing import NamedTuple
 
 from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, block, number, relation
+from workbench.core.construct import apply, block, number, relation, symbol, zero
 from workbench.core.reasons import Reason
 from workbench.core.terms import Apply, Conjunction, Head, Number, Relation, Statement, Symbol, Term, heads_in
+from workbench.core.types import PI
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.language.printing.printer import to_latex
@@ -49,6 +52,10 @@ def holds_arc(statement: Relation) -> bool:
 
 def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verdict:
     """Returns the verdict. Raises NotExact if the inverse function is not alone on its side."""
+    if statement.operator == "=":
+        sides = [_unfolded(side, definitions) for side in (statement.left, statement.right)]
+        if sum(part.head in ARCS for side in sides for part in side.walk() if isinstance(part, Apply)) > 1:
+            return _of_several(sides[0], sides[1], definitions, judge)
     left, right = _arc(statement.left), _arc(statement.right)
     others = [s for s, arc in ((statement.left, left), (statement.right, right)) if arc is None]
     inside = [argument for arc in (left, right) if arc is not None for argument in arc.arguments]
@@ -86,6 +93,103 @@ def on_principal_branch(verdict: Verdict, branch: str, witness: Counterexample, 
         evidence=(*verdict.evidence, Evidence("branch", f"{elsewhere} lies on another one")),
         basis=Strength.HINTED,
     )
+
+
+def _unfolded(side: Term, definitions: Lookup) -> Term:
+    """Returns the inverse function by which a side is defined, else the side."""
+    body = definitions.lookup(side) if isinstance(side, Symbol) else None
+    return side if body is None or _arc(body) is None else body
+
+
+def _of_several(left: Term, right: Term, definitions: Lookup, judge: Judge) -> Verdict:
+    """Returns the verdict on an equation that is linear in its arcs. Raises NotExact for any other."""
+    arcs: dict[Term, Fraction] = {}
+    rest: list[Term] = []
+    signed = (*_addends(left, Fraction(1)), *_addends(right, Fraction(-1)))
+    several = len({part.head for _, part in signed if isinstance(part, Apply) and part.head in ARCS}) > 1
+    for factor, addend in signed:
+        if not (isinstance(addend, Apply) and addend.head in ARCS):
+            rest.append(_times(factor, addend))
+            continue
+        own, turns, arc = _normal(addend, several)
+        arcs[arc] = arcs.get(arc, Fraction(0)) + factor * own
+        if turns:
+            rest.append(_times(factor * turns, symbol(PI)))
+    left_over = {arc: factor for arc, factor in arcs.items() if factor}
+    if any(map(_has_arc, (*rest, *(part for arc in arcs for part in arc.children)))):
+        raise NotExact(EngineCode.INVERSE_ANGLE())
+    none = judge(relation("=", apply("add", *rest, zero()), zero())) if rest else None
+    is_zero = none is None or none.outcome is Outcome.PROVED
+    if not left_over and none is not None:
+        is_somewhere = none.outcome is not Outcome.REFUTED or _are_free(arcs, rest, definitions)
+        return none if is_somewhere else _unchecked(VerdictCode.OUTSIDE_OF_ARC())
+    if not left_over:
+        (whole, *_) = arcs
+        return judge(
+            relation("=", apply("add", whole.children[-1], apply("neg", whole.children[-1])), zero())
+        )
+    if len(left_over) == 1:
+        ((arc, factor),) = left_over.items()
+        if is_zero and isinstance(arc, Apply) and arc.head in ("arcsin", "arctan"):
+            return judge(relation("=", arc.arguments[0], zero()))
+        return judge_branch(
+            relation("=", _times(-factor, arc), apply("add", *rest, zero())), definitions, judge
+        )
+    if len(left_over) == 2 and is_zero:
+        (first, factor), (second, minus) = left_over.items()
+        one, other = _arc(first), _arc(second)
+        assert one is not None and other is not None, "arcs"
+        return _of_two(one, other._replace(factor=-minus / factor), judge)
+    raise NotExact(EngineCode.TWO_INVERSE_ANGLES())
+
+
+def _addends(term: Term, factor: Fraction) -> Iterator[tuple[Fraction, Term]]:
+    match term:
+        case Apply(head="add", arguments=arguments):
+            for each in arguments:
+                yield from _addends(each, factor)
+        case Apply(head="neg", arguments=(inner,)):
+            yield from _addends(inner, -factor)
+        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))) if (
+            value
+        ):
+            yield from _addends(inner, factor * value)
+        case Apply(head="div", arguments=(inner, Number(value=value))):
+            yield from _addends(inner, factor / value)
+        case _:
+            yield factor, term
+
+
+def _normal(arc: Apply, several: bool) -> tuple[Fraction, Fraction, Term]:
+    """Returns c, n and a simpler arc with arc = c · simpler + n π. several: whether there are arcs of
+    other kinds, so that an arc cosine is turned into an arc sine."""
+    argument = arc.arguments[-1]
+    match argument:
+        case Apply(head="neg", arguments=(inner,)) if arc.head in ("arcsin", "arctan", "arccos"):
+            plain = apply(arc.head, inner)
+            assert isinstance(plain, Apply), "a function of a scalar"
+            factor, turns, simpler = _normal(plain, several)
+            return -factor, int(arc.head == "arccos") - turns, simpler
+        case Apply(head="div", arguments=(Number(value=one), Symbol() as inner)) if arc.head == "arctan":
+            if one == 1 and inner.declaration.positive:
+                return Fraction(-1), Fraction(1, 2), apply("arctan", inner)
+    if arc.head == "arccos" and several:
+        return Fraction(-1), Fraction(1, 2), apply("arcsin", argument)
+    return Fraction(1), Fraction(0), arc
+
+
+def _are_free(arcs: dict[Term, Fraction], rest: list[Term], definitions: Lookup) -> bool:
+    """True if the arcs have values whatever the values of the other addends are."""
+    inside = [arc.children[0] for arc in arcs if isinstance(arc, Apply) and arc.head in ("arccos", "arcsin")]
+    outside = {part for term in rest for part in term.walk()}
+    return all(
+        isinstance(each, Symbol) and each not in outside and definitions.lookup(each) is None
+        for each in inside
+    )
+
+
+def _times(factor: Fraction, term: Term) -> Term:
+    return term if factor == 1 else apply("mul", number(factor), term)
 
 
 def _of_two(left: _Arc, right: _Arc, judge: Judge) -> Verdict:

@@ -8,17 +8,21 @@ the integral stands in fᵢ or the functions are not free.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
+from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, relation, with_children, zero
 from workbench.core.operations import LINEAR
 from workbench.core.terms import Apply, Block, Integral, Relation, Statement, Symbol, Term, Zero
+from workbench.core.types import PI
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact, reached
-from workbench.language.definitions import expand
+from workbench.language.definitions import expand, only_turns
 from workbench.language.printing.printer import to_latex
+from workbench.prover.decide.closed_formulas import is_of_numbers
+from workbench.prover.decide.values_of_integrals import changing_in, with_values
 
 
 def holds_integral(said: Relation, definitions: Lookup) -> bool:
@@ -27,9 +31,25 @@ def holds_integral(said: Relation, definitions: Lookup) -> bool:
     return any(isinstance(part, Integral) for part in parts)
 
 
-def judge_integrals(said: Relation, definitions: Lookup, judge: Callable[[Statement], Verdict]) -> Verdict:
-    """Returns the verdict. Raises NotExact if the equation is not linear in integrals of one kind."""
+def judge_integrals(
+    said: Relation,
+    definitions: Lookup,
+    judge: Callable[[Statement], Verdict],
+    at_once: Callable[[Statement], Verdict],
+) -> Verdict:
+    """Returns the verdict. Raises NotExact if the equation is not linear in integrals of one kind.
+
+    judge: of what stands below the signs.   at_once: of an equation of values."""
     sides = [expand(side, definitions) for side in (said.left, said.right)]
+    valued = [with_values(side, lambda below: judge(below).outcome is Outcome.PROVED) for side in sides]
+    if valued != sides and not any(map(_holds, valued)):
+        changing = [each for side in sides for each in changing_in(side)]
+        left, right = valued
+        apart = (left, right) if left != right else (apply("add", left, apply("neg", right)), zero(left.type))
+        verdict = at_once(relation("=", *apart))
+        if verdict.outcome is Outcome.REFUTED and not is_of_numbers(verdict) and not _has_known_pi(valued):
+            return Verdict(Outcome.UNCHECKED, reason=ContextCode.OF_PI())
+        return _under_sameness(verdict, changing, sides)
     integrals = {part for side in sides for part in side.walk() if isinstance(part, Integral)}
     if len({(each.sign, each.measure) for each in integrals}) > 1:
         raise NotExact("integrals of more than one kind")
@@ -46,10 +66,20 @@ def judge_integrals(said: Relation, definitions: Lookup, judge: Callable[[Statem
     verdict = replace(verdict, evidence=(*verdict.evidence, evidence))
     if verdict.outcome is Outcome.REFUTED and not _is_free(sides, integrals):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_LINEARITY(), evidence=verdict.evidence)
-    kept = _kept(sides, integrals)
+    return _under_sameness(verdict, _kept(sides, integrals), sides)
+
+
+def _has_known_pi(sides: Sequence[Term]) -> bool:
+    """False if π stands outside of sines and the like, where the engines know only that it is not 0."""
+    pis = {part for side in sides for part in side.walk() if isinstance(part, Symbol)}
+    return all(only_turns(side, pi) for side in sides for pi in pis if pi.declaration.name == PI.name)
+
+
+def _under_sameness(verdict: Verdict, kept: Sequence[Symbol], sides: Sequence[Term]) -> Verdict:
+    """Returns the verdict, if proved, under the condition that symbols are the same throughout."""
     if verdict.outcome is not Outcome.PROVED or not kept:
         return verdict
-    variable = next(iter(integrals)).variable
+    variable = next(part.variable for side in sides for part in side.walk() if isinstance(part, Integral))
     said_of = r" \text{ and } ".join(map(to_latex, kept))
     return Verdict(
         Outcome.CONDITIONAL,

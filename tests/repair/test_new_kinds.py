@@ -43,6 +43,10 @@ TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \en
             rf"{TURN} \begin{{bmatrix}} \cos\theta & \sin\theta \\ \sin\theta & \cos\theta \end{{bmatrix}} = \mathbf{{I}}",
             r"\cos \theta & \sin \theta \\ -\sin \theta & \cos \theta",
         ),
+        (r"\exp(\tilde{r})^T = \exp(\tilde{r})", r"= \exp\left(-\tilde{r}\right)"),
+        (r"\exp(m + \theta) = \exp m + \exp\theta", r"\left(\exp m\right) \exp \theta"),
+        (r"(\tilde{r} \tilde{g})^T = \tilde{g} \tilde{r} \tilde{g}", r"= \tilde{g} \tilde{r}"),
+        (r"2 \sin^2\theta = \cos(2 \theta)", r"= 1 - \cos"),
     ],
 )  # fmt: skip
 def test_damage_is_found(damaged: str, right: str) -> None:

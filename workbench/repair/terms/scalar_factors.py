@@ -114,7 +114,8 @@ def _table(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> 
     small = sorted((term for term in dict.fromkeys(scalars) if term not in whole), key=_size)
     for term in [t for t in small if _size(t) <= _LARGEST][:_MOST_TERMS]:
         table.add(term)
-    for term in list(table.terms.values()):
+    kept = [side for side in whole if side.type.kind == "scalar" and _size(side) <= _LARGEST]
+    for term in [*table.terms.values(), *kept]:
         for sign in (apply("neg", term), term):
             with suppress(IllFormed):
                 table.add(apply("add", number(1), sign))
@@ -135,9 +136,8 @@ def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> 
             continue
         change = tuple(pow(x, -1, PRIME) for x in ratio) if is_below else ratio
         new = table.terms.get(tuple(x * y % PRIME for x, y in zip(value, change, strict=True)))
-        if new is None or (
-            is_side and factor is addend and (_is_made_of_several(addend) or _is_made_of_several(new))
-        ):
+        several = new is not None and (_is_made_of_several(addend) or _is_made_of_several(new))
+        if new is None or (is_side and factor is addend and several and not _adds_to(new, addend)):
             continue  # a whole side is not rewritten
         try:
             if factor is None:
@@ -155,6 +155,13 @@ def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> 
 
 def _is_made_of_several(term: Term) -> bool:
     return isinstance(term, Apply) and term.head in ("add", "mul", "div", "neg")
+
+
+def _adds_to(new: Term, addend: Term) -> bool:
+    """True for 1 ± x, which keeps the x that is printed."""
+    return (
+        isinstance(new, Apply) and new.head == "add" and any(addend in part.walk() for part in new.arguments)
+    )
 
 
 def _multiplied(factor: Term, addend: Term) -> Term:

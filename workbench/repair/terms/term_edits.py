@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import overload
 
+from workbench.core.operations import OF_ANGLES
 from workbench.core.terms import (
     Apply,
     Block,
@@ -32,6 +33,10 @@ KINDS = (
     "sign", "coefficient", "operation", "tilde", "dots", "product", "swap", "transpose", "exponent", "index",
     "symbol", "mark", "bound", "addend dropped", "addend added",
 )  # fmt: skip
+
+
+#: Operations whose arguments have a sign of their own.
+_OWN_SIGNS = frozenset({"quaternion", "exp", "log", *OF_ANGLES})
 
 
 @dataclass(frozen=True)
@@ -83,8 +88,8 @@ def edits(
         is_addend = len(place) == _depth_of_sides(statement, place) or id(term) in of_sums
         if isinstance(term, Apply) and term.head == "add":
             of_sums.update(map(id, term.arguments))
-        if isinstance(term, Block) or (isinstance(term, Apply) and term.head == "quaternion"):
-            of_sums.update(map(id, term.children))  # an entry has its own sign
+        if isinstance(term, Block) or (isinstance(term, Apply) and term.head in _OWN_SIGNS):
+            of_sums.update(map(id, term.children))  # an entry and an argument have their own sign
         if place[: len(within)] != within:
             continue
         for kind, said, make in variants(term, is_addend, atoms):

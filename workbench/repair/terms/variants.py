@@ -134,6 +134,9 @@ def _sums(term: Apply) -> Iterator[Variant]:
     for index, addend in enumerate(term.arguments):
         rest = term.arguments[:index] + term.arguments[index + 1 :]
         yield "addend dropped", ("remove the addend {}", addend), partial(sum_of, rest)
+    if len(term.arguments) == 2 and SCALAR in (term.type, term.arguments[0].type):
+        said = ("multiply {} by {} instead of adding them", *term.arguments)
+        yield "product", said, partial(apply, "mul", *term.arguments)
 
 
 def _bounds(term: BigSum) -> Iterator[Variant]:
@@ -279,6 +282,11 @@ def _factors(term: Apply) -> Iterator[Variant]:
     *before, first, last = factors_of(term)
     if not before and isinstance(first, Number):
         yield "coefficient", ("remove the factor {} of {}", first.value, last), lambda: last
+    factors = [*before, first, last]
+    for place, factor in enumerate(factors):
+        if factor.type.is_square and not isinstance(factor, Number):
+            rest = factors[:place] + factors[place + 1 :]
+            yield "product", ("remove the factor {} of {}", factor, term), partial(product_of, rest)
     if "scalar" not in (first.type.kind, last.type.kind):
         said = ("{} and {} change places", first, last)
         yield "swap", said, partial(product_of, [*before, last, first])

@@ -10,7 +10,7 @@ from functools import cached_property
 
 from workbench.context.facts import Act
 from workbench.context.free_symbols import equations_of, free_in, terms_of
-from workbench.core.construct import number, symbol, zero
+from workbench.core.construct import apply, block, number, rebuild, symbol, zero
 from workbench.core.names import Name
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import (
@@ -149,7 +149,9 @@ class Subject:
         """The symbols that occur once in the statement and in no definition of its other symbols."""
         count: Counter[Symbol] = Counter()
         behind: Counter[Declaration] = Counter()
-        for term in terms_of(self.statement):
+        for term in (
+            part for side in sides_of(self.statement) for part in _without_zero_columns(side).walk()
+        ):
             if isinstance(term, Symbol):
                 count[term] += 1
                 with suppress(IllFormed):
@@ -242,6 +244,24 @@ class Subject:
             return dict(take_inventory(terms, self.definitions).orders)
         parts = (part for term in terms for part in self.definitions.reached(term))
         return {part: 0 for part in parts if isinstance(part, Symbol)}
+
+
+def _without_zero_columns(term: Term) -> Term:
+    """Returns the term without the rows of a matrix that a matrix before it multiplies by 0."""
+    if not any(isinstance(part, Zero) for part in term.walk()):
+        return term
+    made = rebuild(term, [_without_zero_columns(child) for child in term.children]) if term.children else term
+    match made:
+        case Apply(head="mul", arguments=(Block(entries=left), Block(entries=right))) if len(left[0]) == len(
+            right
+        ):
+            kept = [any(not isinstance(row[at], Zero) for row in left) for at in range(len(right))]
+            rows = [
+                row if keep else [zero(each.type) for each in row]
+                for row, keep in zip(right, kept, strict=True)
+            ]
+            return apply("mul", made.children[0], block(rows))
+    return made
 
 
 def derived(term: Term) -> tuple[Symbol | None, int]:

@@ -219,8 +219,9 @@ def _without_prefix(name: Name) -> Name:
 
 
 def _is_constant(function: Term) -> bool:
+    """True for a symbol that is a function of nothing: a constant, or the time."""
     own = _without_sup(function)
-    return isinstance(own, Symbol) and own.declaration.constant
+    return isinstance(own, Symbol) and (own.declaration.constant or own.declaration.clock)
 
 
 def _is_letter(part: Node) -> bool:

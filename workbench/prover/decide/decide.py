@@ -49,7 +49,11 @@ from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
 from workbench.prover.decide.linear_integrals import holds_integral, judge_integrals
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
 from workbench.prover.decide.matrix_exponentials import judge_matrix_exponentials
-from workbench.prover.decide.premise_consequences import equal_sines_and_cosines, with_premise_as_definition
+from workbench.prover.decide.premise_consequences import (
+    equal_sines_and_cosines,
+    is_constant,
+    with_premise_as_definition,
+)
 
 
 @dataclass(frozen=True)
@@ -367,7 +371,8 @@ class Judge(Setting):
         if verdict.outcome is not Outcome.REFUTED:
             return verdict
         try:
-            lasting = [r for each in premises for r in derivatives_of(each, claim, self.definitions)]
+            moving = [p for p in premises if not all(is_constant(s, self.definitions) for s in sides_of(p))]
+            lasting = [r for each in moving for r in derivatives_of(each, claim, self.definitions)]
             if not lasting:
                 return verdict
             again = self._judge(claim, (*assume, *premises, *lasting))

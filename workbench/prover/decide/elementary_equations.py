@@ -41,6 +41,7 @@ from workbench.prover.counterexamples.real_angles import (
 )
 from workbench.prover.decide.equation import IN_FORCE
 from workbench.prover.decide.law_statements import law_for
+from workbench.prover.decide.premise_consequences import with_premise_as_definition
 
 #: The method of the evidence that says where the functions are defined.
 _DOMAIN = "domain"
@@ -226,6 +227,10 @@ def refuted_at_real_point(
     found: Replaced, assume: Sequence[Statement], definitions: Lookup, laws: bool
 ) -> Verdict | None:
     """Returns the verdict at a real point where the sides differ; None if none is found."""
+    defining = with_premise_as_definition(found.relation, assume, definitions, ()) if assume else None
+    if defining is not None:
+        _, others, definitions = defining
+        return refuted_at_real_point(found, others, definitions, laws)
     apart = _apart(assume)
     if apart is None:
         return None

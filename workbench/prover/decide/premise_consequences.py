@@ -36,6 +36,8 @@ def with_premise_as_definition(
                 continue
             if own.type != value.type or not _is_total(value, definitions):
                 continue
+            if own.declaration.constant and not is_constant(value, definitions):
+                continue
             sides = [side for r in (claim, *others) for side in (r.left, r.right)]
             orders = take_inventory(sides, definitions).orders  # orders of the free symbols
             if orders.get(own) == 0 and own not in take_inventory([value], definitions).orders:
@@ -73,11 +75,18 @@ def _said(premise: Relation) -> Iterator[tuple[Term, Term]]:
 
 
 def _is_any(term: Term, bound: Collection[Name]) -> bool:
-    """True for a symbol without further properties."""
+    """True for a symbol without further properties, perhaps constant."""
     if not isinstance(term, Symbol):
         return False
     said = term.declaration
-    return said == Declaration(said.name, said.type, said.weight) and said.name not in bound
+    plain = Declaration(said.name, said.type, said.weight)
+    return said in (plain, plain.with_flags(constant=True)) and said.name not in bound
+
+
+def is_constant(value: Term, definitions: Lookup) -> bool:
+    """True if all undefined symbols of the value are constant."""
+    free = (part for part in reached(value, definitions) if isinstance(part, Symbol))
+    return all(part.declaration.constant or definitions.lookup(part) is not None for part in free)
 
 
 def _is_total(value: Term, definitions: Lookup) -> bool:

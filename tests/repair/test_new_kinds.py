@@ -47,6 +47,8 @@ TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \en
         (r"\exp(m + \theta) = \exp m + \exp\theta", r"\left(\exp m\right) \exp \theta"),
         (r"(\tilde{r} \tilde{g})^T = \tilde{g} \tilde{r} \tilde{g}", r"= \tilde{g} \tilde{r}"),
         (r"2 \sin^2\theta = \cos(2 \theta)", r"= 1 - \cos"),
+        (r"\frac{d}{dt} (-m \cos\theta) = m \dot{\theta} \theta", r"\dot{\theta} \sin \theta"),
+        (r"\|r \times g\| = \|r\| \|g\| \langle r, g \rangle", r"\sin \langle r, g \rangle"),
     ],
 )  # fmt: skip
 def test_damage_is_found(damaged: str, right: str) -> None:

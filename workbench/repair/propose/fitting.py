@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 
 from workbench.context.claims import Claim
 from workbench.core.codes.verdict_codes import VerdictCode
@@ -17,7 +18,7 @@ from workbench.language.grammar.syntax import Chain, Lines
 from workbench.repair.propose.chain_neighbours import Neighbours
 from workbench.repair.terms.changes import Candidate, Change
 from workbench.repair.trees.lost_marks import Mark, letter_marks, marked_lines
-from workbench.repair.trees.typed_marks import stray_relations, type_marks
+from workbench.repair.trees.typed_marks import lost_words, stray_relations, type_marks
 
 #: The verdict on a well-typed form that gives the value of a free symbol, and so cannot be tested further.
 FITS = Verdict(Outcome.UNCHECKED, reason=VerdictCode.FITS())
@@ -39,6 +40,14 @@ def fitting(claim: Claim, beside: Neighbours) -> Iterator[Candidate]:
         for mark in alternatives:
             if mark.kind == "mark":  # the letter in another font, or without an arrow
                 yield from _read(claim, mark, lines)
+
+
+def with_lost_words(claim: Claim) -> Iterator[Candidate]:
+    """Yields the formula with a sine or cosine before one of its factors."""
+    with suppress(Fault):
+        lines = parse(claim.printed.latex)
+        for mark in lost_words(lines):
+            yield from _read(claim, mark, lines)
 
 
 def _chains(lines: Lines, beside: Neighbours) -> Iterator[tuple[Lines, Chain]]:

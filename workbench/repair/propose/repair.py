@@ -24,7 +24,7 @@ from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.laws_of_motion import under_its_laws
 from workbench.repair.propose.candidate_judge import judging
 from workbench.repair.propose.chain_neighbours import ALONE, Neighbours
-from workbench.repair.propose.fitting import FITS, fitting, says_what
+from workbench.repair.propose.fitting import FITS, fitting, says_what, with_lost_words
 from workbench.repair.propose.lost_property import (
     HAS_PROPERTY,
     other_values,
@@ -131,6 +131,8 @@ class _Bench:
         elif printed is not None:
             if not self._offer(other_signs(printed)):
                 self._repair_false([Candidate(printed, ())])
+            if not self.found.proposals:
+                self._offer(with_lost_words(self.claim))
         else:
             self._repair_ill_formed()
         for unlikely in (self.apart, self.idle):
@@ -271,21 +273,22 @@ class _Bench:
                 self.proved.append(judged)
                 if len(proposals) >= self.limits.proposals:
                     break
-            elif verdict is not None and self._holds_where_printed_does(verdict, candidate.statement):
+            elif verdict is not None and self._holds_where_printed_does(verdict, candidate):
                 conditional.append(Proposal(self._latex(candidate), candidate.changes, verdict))
         if not proposals and conditional:
             least = min(len(each.changes) for each in conditional)
             likeliest = [each for each in conditional if len(each.changes) == least]
             proposals += likeliest[: self.limits.proposals]
 
-    def _holds_where_printed_does(self, verdict: Verdict, statement: Statement) -> bool:
+    def _holds_where_printed_does(self, verdict: Verdict, candidate: Candidate) -> bool:
         """True if the candidate holds unless a denominator vanishes, and all its denominators are printed.
 
-        The changes of an ill-typed formula introduce no denominators.
+        Changes of the printing introduce no denominators.
         """
         printed = self.claim.printed.statement
-        is_conditional = verdict.outcome is Outcome.CONDITIONAL
-        return is_conditional and (printed is None or divisors(statement) <= divisors(printed))
+        if verdict.outcome is not Outcome.CONDITIONAL or printed is None or candidate.latex is not None:
+            return verdict.outcome is Outcome.CONDITIONAL
+        return divisors(candidate.statement) <= divisors(printed)
 
     def _rank(self, candidate: Candidate) -> tuple:
         """Returns the sort key of a candidate: the number of changes, the likelihood of the misprint, the

@@ -180,6 +180,20 @@ def _missing_factors(part: Sum | Chain, letters: list[Node]) -> Iterator[Mark]:
                 yield Mark(addend, in_a_row(addend.at, row), 1, "factor", said)
 
 
+def lost_words(lines: Lines) -> Iterator[Mark]:
+    """Yields a sine or cosine before each letter or bracket of a product."""
+    for part in below(lines):
+        items = part.items if isinstance(part, Product) else ()
+        for place, item in enumerate(items):
+            if not isinstance(item, Bracket) and not _is_symbol(item):
+                continue
+            for word in ("sin", "cos"):
+                made = (*items[:place], Leaf(item.at, "FUNCTION", word, word), *items[place:])
+                yield Mark(
+                    part, Product(part.at, made), 1, "operation", f"insert {word} before ${latex_of(item)}$"
+                )
+
+
 def _rows_and_columns(matrix: Matrix) -> Iterator[Mark]:
     rows, width = matrix.rows, len(matrix.rows[0])
     shown = f"${latex_of(matrix)}$"

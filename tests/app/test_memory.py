@@ -18,6 +18,7 @@ from workbench.app.pipeline import result_proposals
 from workbench.app.pipeline.judge_claims import PaperJudge, judge_paper
 from workbench.app.pipeline.verdict_keys import Keys, Memory
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.papers import find_paper, installed_notation, load_installed, load_paper
 from workbench.repair.propose import parallel_repairs
@@ -141,7 +142,7 @@ def test_a_verdict_comes_back_as_it_was(outcome):
     evidence = (Evidence("m", "o", {"samples": 3, "bound": ["w_WB"], "scale": 0.1}),)
     against = Counterexample({"a": ("1", "1/2", "0")}, ("1",), ("2",))
     reason = VerdictCode.FOR(values="n = 1")
-    fields = {"read_back": "a", "reason": reason, "hypothesis": "h", "counterexample": against}
+    fields = {"read_back": "a", "reason": reason, "hypothesis": Hypothesis.of("h"), "counterexample": against}
     whole = planted(outcome, scope="all n", evidence=evidence, **fields)
     for verdict in (whole, planted(outcome)):
         assert Verdict.from_dict(verdict.to_dict(), verdict.proof) == verdict

@@ -196,7 +196,7 @@ def test_conditional_claim_is_proved_with_its_hypothesis(tmp_path: Path, number:
         *_, held = verdicts_on(tmp_path, [*more, *facts, claim], model_of())
         assert held.outcome is Outcome.CONDITIONAL and held.counterexample is not None
         flags, assumed = {}, []
-        for said in (held.hypothesis or "").split(", "):
+        for said in str(held.hypothesis or "").split(", "):
             word = next((each for each in DECLARED if each in said), None)
             if said.startswith(("as ", "beside ")):
                 continue  # why a convention is

@@ -21,7 +21,7 @@ REAL = read_definitions(PARTS["real"].definitions, SymbolTable.build(PARTS["real
 FORMULAS = [latex for part in PARTS.values() for _, latex in part.formulas]
 _PIECE = re.compile(r"\\[A-Za-z]+|\\.|[0-9]+|.", re.DOTALL)
 PIECES = sorted({piece for latex in FORMULAS for piece in _PIECE.findall(latex)})
-_QUIET = {"deadline": None, "suppress_health_check": list(HealthCheck)}
+_QUIET = {"suppress_health_check": list(HealthCheck)}
 
 
 @st.composite

@@ -50,7 +50,7 @@ def entries_of(source: str, results: Iterable[ClaimResult]) -> list[Entry]:
             "form": form,
             "outcome": str(verdict.outcome),
             "scope": verdict.scope,
-            "hypothesis": verdict.hypothesis,
+            "hypothesis": verdict.hypothesis and str(verdict.hypothesis),
             "reason": verdict.reason,
             "methods": [evidence.method for evidence in verdict.evidence],
             "counterexample": verdict.counterexample and dict(verdict.counterexample.values),

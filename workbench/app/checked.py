@@ -33,7 +33,7 @@ from workbench.papers.selection import select_claims
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.repair.propose.search_limits import STANDARD, Limits
 from workbench.report.counterexamples import told
-from workbench.report.mixed_prose import condition_as_prose, one_line
+from workbench.report.mixed_prose import one_line
 from workbench.report.shown_kinds import VERDICTS
 from workbench.runtime import Budget
 from workbench.runtime.store import Store, standard
@@ -93,7 +93,7 @@ class Checked:
         if verdict.reason:
             parts.append(_as_text(f"{verdict.reason}{suffix(verdict.reason)}"))
         if verdict.hypothesis:
-            parts.append(f"if {condition_as_prose(verdict.hypothesis)}")
+            parts.append(f"if {verdict.hypothesis.prose}")
         if verdict.read_back and one_line(verdict.read_back) != one_line(self.latex):
             parts.append(f"read as $ {verdict.read_back} $")
         if counterexample := verdict.counterexample:

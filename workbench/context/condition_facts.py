@@ -173,7 +173,7 @@ def conditions_of(
             found += told if is_near else []
     spans = [*leads, (begins, last)]
     for formula in (each for start, end in spans for each in spoken.before(path, end, start)):
-        if is_over(formula, display.start):
+        if is_over(formula, display.start) or not sections.holds(formula.start, display.start):
             continue
         for step in spoken.steps(formula, notation) if formula.rows else ():
             found += spoken.said(formula, step, notation, with_equations=True)

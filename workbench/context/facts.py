@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
+from math import cos, sin
 from typing import NamedTuple
 
 from workbench.context.index_values import Orders
+from workbench.core.hypotheses import Phrase
 from workbench.core.names import Name
 from workbench.core.terms import Definition, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Strength
@@ -53,15 +55,12 @@ class Origin:
     place: str = ""
 
     @property
-    def is_words(self) -> bool:
-        return self.provider in (Provider.SENTENCE, Provider.CONVENTION)
-
-    @property
-    def prose(self) -> str:
-        return self.text if self.is_words else f"${self.text}$"
+    def phrase(self) -> Phrase:
+        return Phrase(self.text, self.provider in (Provider.SENTENCE, Provider.CONVENTION))
 
     def __str__(self) -> str:
-        return f"{self.prose} ({self.place})" if self.place else self.prose
+        prose = self.phrase.prose
+        return f"{prose} ({self.place})" if self.place else prose
 
 
 @dataclass(frozen=True)
@@ -72,6 +71,11 @@ class Supposition:
     equations: tuple[Relation, ...] = ()
 
 
+_TURNS: dict[str, Callable[[Fraction], float]] = {"\\sin": sin, "\\cos": cos}
+#: A computed sine this close to a bound counts as one that does not satisfy it.
+_CLOSE = Fraction(1, 10**9)
+
+
 class Bound(NamedTuple):
     """A bound for the values of a symbol, as in x > 0."""
 
@@ -80,13 +84,23 @@ class Bound(NamedTuple):
     number: Fraction
 
     def allows(self, values: Mapping[str, tuple[str, ...]]) -> bool:
-        """True if the value of the symbol satisfies the bound, or if the symbol has no value."""
-        if self.symbol not in values:
+        """True if the value of the symbol satisfies the bound, or if the symbol has no value.
+
+        The symbol may be the sine or cosine of an angle that has a value.
+        """
+        head, _, angle = self.symbol.partition(" ")
+        turned = _TURNS.get(head) if self.symbol not in values else None
+        name = self.symbol if turned is None else angle
+        if name not in values:
             return True
         try:
-            value = Fraction(values[self.symbol][0])
+            value = Fraction(values[name][0])
         except ValueError:
             return False
+        if turned is not None:
+            value = Fraction(turned(value))
+            if abs(value - self.number) < _CLOSE:
+                return False
         return {
             "<": value < self.number,
             ">": value > self.number,

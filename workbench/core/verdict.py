@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, fields
 from enum import IntEnum, StrEnum
 from typing import Any, NoReturn, final
 
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.proof import Proof, Unproved, is_genuine
 from workbench.core.reasons import Code, Reason, code_of
 
@@ -130,7 +131,7 @@ class Verdict:
     scope: the n for which it is proved ("all n", "all n ≥ 1", "n = 1..8"); None if there is no n.
     read_back: canonical LaTeX of the judged term.
     reason: why, for ill-formed (with line and column), unchecked and conditional.
-    hypothesis: the condition, for conditional: LaTeX, or words of the text with formulas in dollar signs.
+    hypothesis: the condition, for conditional.
     no_motion: why the evidence contains no motion; None if it contains one.
     basis: the strength of the weakest fact that the verdict depends on.
     unless: the unconfirmed facts under which the verdict would be different.
@@ -143,7 +144,7 @@ class Verdict:
     read_back: str | None = None
     scope: str | None = None
     reason: Reason | None = None
-    hypothesis: str | None = None
+    hypothesis: Hypothesis | None = None
     counterexample: Counterexample | None = None
     evidence: tuple[Evidence, ...] = ()
     no_motion: Reason | None = None
@@ -183,6 +184,7 @@ class Verdict:
             own[name] = own[name].to_dict() if own[name] is not None else None
         own["unless"] = [doubt.to_dict() for doubt in self.unless]
         against = self.counterexample.to_dict() if self.counterexample else None
+        own["hypothesis"] = own["hypothesis"].to_list() if own["hypothesis"] is not None else None
         return own | {"counterexample": against, "evidence": [e.to_dict() for e in self.evidence]}
 
     @staticmethod
@@ -195,6 +197,7 @@ class Verdict:
                 **data,
                 "outcome": Outcome(data["outcome"]),
                 **reasons,
+                "hypothesis": data["hypothesis"] and Hypothesis.from_list(data["hypothesis"]),
                 "counterexample": Counterexample.from_dict(against) if against else None,
                 "evidence": tuple(Evidence.from_dict(entry) for entry in data["evidence"]),
                 "basis": Strength(data["basis"]),

@@ -18,7 +18,6 @@ from workbench.papers import Paper, PaperError
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.prover.results.claim_results import HOLDS, ClaimResult
 from workbench.report.counterexamples import told
-from workbench.report.mixed_prose import condition_as_prose
 from workbench.source.documents.source_edits import SourceEdit
 
 #: The severity levels of SARIF, editors and CI.
@@ -121,7 +120,7 @@ def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
     if verdict.unless:
         parts[0] += f", unless {'; '.join(verdict.unless)}"
     if verdict.hypothesis:
-        parts.append(f"holds if {condition_as_prose(verdict.hypothesis)}")
+        parts.append(f"holds if {verdict.hypothesis.prose}")
     if counterexample := verdict.counterexample:
         parts.append(str(told(counterexample, result.claim.shown or "")))
     if not result.passed and result.why_not and verdict.outcome in HOLDS | {result.expected}:

@@ -18,7 +18,7 @@ from workbench.report.erratum.equation_entries import Entry, Form
 from workbench.report.erratum.errata import Change
 from workbench.report.erratum.error_rows import ErrorRow
 from workbench.report.mathml import mathml
-from workbench.report.mixed_prose import Run, condition_as_prose, formula, minus, runs_of, text
+from workbench.report.mixed_prose import Run, formula, minus, runs_of, text
 from workbench.report.pictures import spark_line
 from workbench.source.typeset.excerpts import excerpts, in_one_line
 
@@ -125,7 +125,7 @@ def _corrected(form: Form) -> str:
 FILTERS: dict[str, Callable[..., Any]] = {
     "math": math,
     "runs": runs,
-    "condition": lambda hypothesis: runs(runs_of(condition_as_prose(hypothesis))),
+    "condition": lambda hypothesis: runs(runs_of(hypothesis.prose)),
     "minus": minus,
     "short_change": short_change,
     "evidence": evidence,

@@ -19,7 +19,6 @@ from workbench.report.anchors import display_name
 from workbench.report.counterexamples import Against, told
 from workbench.report.erratum.equation_groups import states_of
 from workbench.report.findings import place_of
-from workbench.report.mixed_prose import condition_as_prose
 from workbench.report.shown_kinds import Kind
 from workbench.source.documents.source_edits import SourceEdit
 from workbench.source.typeset.plain_text import in_plain_text
@@ -190,7 +189,7 @@ def _condition(results: Sequence[ClaimResult]) -> str:
     for result in results:
         if result.verdict.outcome is Outcome.CONDITIONAL:
             needed = result.verdict.hypothesis
-            told = f"if {condition_as_prose(needed)}" if needed else str(result.verdict.reason or "")
+            told = f"if {needed.prose}" if needed else str(result.verdict.reason or "")
             return in_plain_text(told)
     return next((f"for {result.verdict.scope}" for result in results if result.verdict.scope), "")
 
@@ -236,7 +235,7 @@ def _what(result: ClaimResult) -> str:
     """Returns what is wrong, if no correction is known."""
     verdict = result.verdict
     if verdict.outcome is Outcome.CONDITIONAL and verdict.hypothesis:
-        return f"holds only where {condition_as_prose(verdict.hypothesis)}; the text does not say so"
+        return f"holds only where {verdict.hypothesis.prose}; the text does not say so"
     if verdict.outcome is Outcome.ILL_FORMED:
         return f"the parts do not fit: {verdict.reason}"
     if verdict.outcome is Outcome.REFUTED:

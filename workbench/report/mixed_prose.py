@@ -38,11 +38,6 @@ def runs_of(prose: str) -> list[Run]:
     return _runs(_QUOTED.sub("“\\1”", prose), _MATH)
 
 
-def condition_as_prose(hypothesis: str) -> str:
-    """Returns the hypothesis of a verdict, LaTeX or words of the text, as prose with dollar signs."""
-    return hypothesis if "$" in hypothesis or "“" in hypothesis else f"${hypothesis}$"
-
-
 _GROUP = r"\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}"
 _SYMBOL = re.compile(
     rf"(?:\\[A-Za-z]+(?:{_GROUP})*|(?<![A-Za-z\\])[A-Za-z](?=[_^]))(?:[_^](?:{_GROUP}|[A-Za-z0-9]))*"

@@ -60,7 +60,7 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "mend": _mend(claim),
         "reading": _form(claim.reading, result.reading),
         "corrected": _form(claim.corrected, result.corrected),
-        "hypothesis": result.hypothesis,
+        "hypothesis": None if result.hypothesis is None else str(result.hypothesis),
         "assume": [formula.latex for formula in (*claim.assume, *claim.context.given)],
         "orders": str(claim.orders) if claim.orders else None,
         "counterexample": _values(against) if against else None,

@@ -10,6 +10,7 @@ import pickle
 import re
 import shutil
 import tempfile
+import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -19,20 +20,22 @@ from typing import Any
 
 from evaluator.mutations import mutated_once
 
-from workbench.app.pipeline.judge_claims import judge_claims
+from workbench.app.pipeline.judge_claims import ClaimJudge
 from workbench.context.claims import Claim, Formula
 from workbench.context.formula_acts import act_of
 from workbench.core.formula_errors import IllFormedAt
 from workbench.core.names import Name
-from workbench.core.paper_errors import PaperError
 from workbench.core.terms import IllFormed, Relation
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.papers.installed_papers import installed, installed_names
 from workbench.papers.load import load_paper
+from workbench.prover.results.claim_results import ClaimResult
 
 #: Its laws of celestial mechanics take minutes at the first attempt.
 SLOW = ("rotating_pulsating",)
+#: Time for the formulas of a text under one model.
+SECONDS = 600.0
 _TABLE = re.compile(r"^\[\[claim\]\].*?(?=^\[(?!claim)|^\[\[(?!claim)|\Z)", re.MULTILINE | re.DOTALL)
 _FLAG = re.compile(
     r",?\s*\b(?:unit|constant|rotation|positive|symmetric|skew|diagonal|small|independent)\s*=\s*true"
@@ -84,11 +87,23 @@ def claims_of(file: Path, change: Callable[[str], str]) -> tuple[Claim, ...]:
         return load_paper(changed, faults=[]).claims
 
 
+def judged(claims: Sequence[Claim], seconds: float = SECONDS) -> dict[str, ClaimResult]:
+    """Returns the results by identifier, of one process, until that much time is spent."""
+    end, judge, found = time.monotonic() + seconds, ClaimJudge(claims, motions=False), {}
+    for result in judge.results(claims, jobs=1):
+        found[result.claim.id] = result
+        if time.monotonic() > end:
+            print(f"  out of time: {len(claims) - len(found)} of {len(claims)} formulas are not judged")
+            break
+    judge.close()
+    return found
+
+
 def rows_of(file: Path, change: Callable[[str], str]) -> list[Row]:
     """Returns a row for each display whose truth the finished model says."""
-    finished = {r.claim.id: r for r in judge_claims(load_paper(file).claims, motions=False)}
+    finished = judged(load_paper(file).claims)
     rows = []
-    for result in judge_claims(claims_of(file, change), motions=False):
+    for result in judged(claims_of(file, change)).values():
         known = finished.get(result.claim.id)
         outcome = known.verdict.outcome if known is not None else Outcome.UNCHECKED
         if outcome in _TRUE or outcome in _FALSE:
@@ -99,7 +114,7 @@ def rows_of(file: Path, change: Callable[[str], str]) -> list[Row]:
 def mutants_of(file: Path, change: Callable[[str], str], seed: int) -> list[Row]:
     """Returns a row for one edit in each display that the finished model proves and that is not proved then."""
     random = Random(seed)
-    finished = {r.claim.id: r for r in judge_claims(load_paper(file).claims, motions=False)}
+    finished = judged(load_paper(file).claims)
     edited = []
     for claim in claims_of(file, change):
         known, said = finished.get(claim.id), claim.printed.statement
@@ -113,9 +128,9 @@ def mutants_of(file: Path, change: Callable[[str], str], seed: int) -> list[Row]
         act = act_of(printed, claim.notation)
         edited.append(replace(claim, printed=printed).with_context(act=act))
     bare = [c.with_context(alone=True, facts=(), given=(), guessed=()) for c in edited]
-    alone = {r.claim.id: r.verdict for r in judge_claims(bare, motions=False)}
-    found = judge_claims([c for c in edited if alone[c.id].outcome in _FALSE], motions=False)
-    return [Row(file.stem, r.claim.id, False, r.verdict) for r in found]
+    alone = {name: result.verdict for name, result in judged(bare).items()}
+    found = judged([c for c in edited if c.id in alone and alone[c.id].outcome in _FALSE])
+    return [Row(file.stem, name, False, result.verdict) for name, result in found.items()]
 
 
 class _Renamer(pickle.Pickler):
@@ -142,8 +157,8 @@ def renamed(claims: Sequence[Claim]) -> list[Claim]:
 def changed_by_renaming(file: Path, change: Callable[[str], str]) -> list[tuple[str, Verdict, Verdict]]:
     """Returns the claims of which renaming changes the outcome or the grade, with both verdicts."""
     claims = claims_of(file, change)
-    before, after = (judge_claims(each, motions=False) for each in (claims, renamed(claims)))
-    pairs = [(one.claim.id, one.verdict, two.verdict) for one, two in zip(before, after, strict=True)]
+    before, after = judged(claims), judged(renamed(claims))
+    pairs = [(name, before[name].verdict, after[name].verdict) for name in before.keys() & after.keys()]
     return [each for each in pairs if (each[1].outcome, each[1].grade) != (each[2].outcome, each[2].grade)]
 
 
@@ -153,14 +168,3 @@ def tally(rows: Iterable[Row]) -> dict[bool, Counter[str]]:
     for row in rows:
         counts[row.is_true][str(row.verdict.grade)] += 1
     return counts
-
-
-def usable(files: Iterable[Path], rows: Callable[[Path], list[Row]]) -> list[Row]:
-    """Returns the rows of all texts that can be read under the changed model."""
-    found: list[Row] = []
-    for file in files:
-        try:
-            found += rows(file)
-        except PaperError as error:
-            print(f"{file.stem}: {error}")
-    return found

@@ -21,7 +21,7 @@ def test_integral_of_a_product_by_a_definition() -> None:
     inertia = {"J": r"\int_B ((r \cdot r) \mathbf{I} - r r^T)\, dm"}
     true = check(r"J \omega = \int_B r \times (\omega \times r)\, dm", SYMBOLS, definitions=inertia)
     assert (true.outcome, true.verdict.code) == (Outcome.CONDITIONAL, VerdictCode.KEPT_IN_INTEGRAL)
-    assert true.verdict.hypothesis == r"\omega \text{ is the same for each } m"
+    assert str(true.verdict.hypothesis) == r"\omega \text{ is the same for each } m"
     false = check(r"J \omega = -\int_B r \times (\omega \times r)\, dm", SYMBOLS, definitions=inertia)
     assert false.outcome is Outcome.REFUTED
 

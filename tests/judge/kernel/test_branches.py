@@ -47,7 +47,7 @@ def test_it_holds_on_the_branch_and_the_witness_is_on_another(arc, factor):
     c, part = FACTORS[factor]
     verdict = judged(rf"\alpha = {factor.format(arc)}", [said.replace("(p)", rf"({part})") for said in known])
     assert verdict.outcome == Outcome.CONDITIONAL
-    assert verdict.hypothesis == branch.replace(" p ", f" {part} ").replace("leq p", rf"leq {part}")
+    assert str(verdict.hypothesis) == branch.replace(" p ", f" {part} ").replace("leq p", rf"leq {part}")
     witness = verdict.counterexample
     (value,) = witness.values[r"\alpha"]
     assert witness.left == (value,) and witness.right == (f"an angle with {verdict.hypothesis}",)

@@ -38,7 +38,7 @@ def test_premises_and_hypotheses_reach_each_member(latex):
     found = judged(latex, ["f = g"], **common)
     assert (found.outcome, found.scope) == (Outcome.PROVED, scope)
     found = judged(latex, hypothesis="f = g", **common)
-    assert (found.outcome, found.scope, found.hypothesis) == (Outcome.CONDITIONAL, scope, "f = g")
+    assert (found.outcome, found.scope, str(found.hypothesis)) == (Outcome.CONDITIONAL, scope, "f = g")
     assert found.counterexample is not None
     assert judged(latex, **common).outcome == Outcome.REFUTED
     assert judged(latex, ["f = g + 1"], **common).outcome == Outcome.REFUTED

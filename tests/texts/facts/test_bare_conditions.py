@@ -26,7 +26,7 @@ def test_formula_is_conditional_on_its_neighbour_by_each_door(
         found = by_each_door(latex, tmp_path, letters)
         assert [verdicts[0].outcome in wanted for verdicts in found] == [True] * 3, latex
     for found in by_each_door(renamed(gap % (under, condition), letters), tmp_path, letters):
-        assert (found[0].hypothesis or "").replace(" ", "") == renamed(condition, letters).replace(" ", "")
+        assert str(found[0].hypothesis or "").replace(" ", "") == renamed(condition, letters).replace(" ", "")
 
 
 @pytest.mark.parametrize("gap", GAPS)

@@ -142,5 +142,5 @@ def test_sentence_states_the_condition_of_its_display_only(tmp_path: Path, form:
             verdicts(tmp_path, text_of([text], form), model_of(letters, form), form) for text in texts
         )
         assert (holds.outcome, again.outcome) == (Outcome.CONDITIONAL, Outcome.REFUTED), said
-        assert (holds.hypothesis or "").replace(" ", "") == renamed(condition, letters).replace(" ", "")
+        assert str(holds.hypothesis or "").replace(" ", "") == renamed(condition, letters).replace(" ", "")
         assert fails.outcome is Outcome.REFUTED, said

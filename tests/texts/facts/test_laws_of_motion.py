@@ -95,7 +95,7 @@ def test_a_law_of_each_rate_is_the_last_one_before(tmp_path: Path) -> None:
     )
     assert of_the_second.outcome is of_both.outcome is Outcome.CONDITIONAL
     assert of_the_first.outcome is not Outcome.REFUTED
-    assert "-k x" not in of_both.hypothesis
+    assert "-k x" not in str(of_both.hypothesis)
 
 
 def test_a_law_that_inverts_a_matrix_follows_and_leads_nowhere(tmp_path: Path) -> None:
@@ -209,7 +209,7 @@ def test_the_law_of_a_positive_number_is_not_that_of_its_root(tmp_path: Path) ->
 def test_only_the_laws_that_it_takes_are_named(tmp_path: Path) -> None:
     laws = [r"\dot x = k y", r"\ddot y = c x \dot x", r"m \dot y = F - c y"]
     *_, found = judged(tmp_path, *laws, r"\frac{d}{dt} (x^2 y) = 2 k x y^2 + x^2 \dot y")
-    assert found.outcome is Outcome.CONDITIONAL and found.hypothesis == r"\dot{x} = k y"
+    assert found.outcome is Outcome.CONDITIONAL and str(found.hypothesis) == r"\dot{x} = k y"
 
 
 CART = r"""
@@ -249,7 +249,7 @@ def test_a_cart_and_its_pole(tmp_path: Path) -> None:
 def test_symbols_stated_constant_have_no_rate(tmp_path: Path, word: str) -> None:
     law, kept = r"\ddot y = k x \dot x", rf"\dot y - \frac{{k}}{{2}} x^2 {word}"
     _, found, steps, rest = judged(tmp_path, law, kept, rf"c + c = 2 c {word}")
-    assert (found.outcome, found.hypothesis) == (Outcome.CONDITIONAL, r"\ddot{y} = k x \dot{x}")
+    assert (found.outcome, str(found.hypothesis)) == (Outcome.CONDITIONAL, r"\ddot{y} = k x \dot{x}")
     assert found.read_back.endswith("= 0")
     assert steps.outcome is rest.outcome is Outcome.PROVED
     _, lost = judged(tmp_path, law, kept.replace("k", "2 k"))

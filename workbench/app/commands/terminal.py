@@ -116,7 +116,7 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
     if claim.reading is None or not claim.source.note:  # else the note explains the reading
         yield from _field("because", coded(verdict.reason))
     yield from _field("unless", in_plain_text("; ".join(verdict.unless)))
-    yield from _field("hypothesis", result.hypothesis)
+    yield from _field("hypothesis", str(result.hypothesis or ""))
     for form in (ClaimForm.READING, ClaimForm.CORRECTED):
         if own := result.verdicts.get(form):
             yield from _field(form, claim.forms[form].latex)

@@ -161,7 +161,6 @@ def _verdict_lines(checked: Checked, proposals: bool) -> Iterator[Text]:
 
 
 def _in_words(verdict: Verdict) -> str:
-    from workbench.report.mixed_prose import condition_as_prose
     from workbench.source.typeset.plain_text import in_plain_text
 
     reason = in_plain_text(str(verdict.reason or "")) + suffix(verdict.reason)
@@ -169,7 +168,7 @@ def _in_words(verdict: Verdict) -> str:
         case Outcome.PROVED:
             return f"holds for {verdict.scope}" if verdict.scope else "holds"
         case Outcome.CONDITIONAL if verdict.hypothesis:
-            return f"holds if {in_plain_text(condition_as_prose(verdict.hypothesis))}"
+            return f"holds if {in_plain_text(verdict.hypothesis.prose)}"
         case Outcome.REFUTED:
             return f"does not hold: {reason}" if reason else "does not hold"
         case Outcome.ILL_FORMED:

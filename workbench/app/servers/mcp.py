@@ -193,7 +193,7 @@ def _told(result: ClaimResult) -> dict[str, Any]:
         "basis": str(verdict.basis),
         "read_as": verdict.read_back,
         "counterexample": str(told(example, claim.printed.latex)) if example else None,
-        "holds_if": verdict.hypothesis,
+        "holds_if": None if verdict.hypothesis is None else str(verdict.hypothesis),
         "unless": list(verdict.unless),
         "settles": str(verdict.reason) if result.shown is Grade.NOT_JUDGED else None,
         "because": str(verdict.reason) if verdict.reason else None,

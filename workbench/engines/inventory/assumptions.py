@@ -7,7 +7,7 @@ assumed to vanish, too.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import partial
 
@@ -54,7 +54,8 @@ def derivatives_of(
     definitions of functions are exempt.
     """
     sides = list(sides_of(claim))
-    orders = take_inventory(sides, definitions).orders
+    has_rates = any(_takes_rate(part) for side in sides for part in reached(side, definitions))
+    orders = take_inventory(sides, definitions).orders if has_rates else {}  # they count slopes, too
     found = []
     for relation in _relations(premise):
         if relation.operator == "≠" or relation.left.type.kind == "operator":
@@ -112,18 +113,26 @@ def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> l
         }
     by |= {part.body for part in by if isinstance(part, Derivative)}  # ∂ḟ/∂q̇ = ∂f/∂q
     found, relations = [], [relation]
-    for _ in range(max((_depth(side, definitions) for side in sides), default=0)):
+    depths = _depths(sides, definitions)
+    own = _depths((relation.left, relation.right), definitions)
+    for _ in range(max((depths.get(symbol, 0) - depth for symbol, depth in own.items()), default=0)):
         relations = [_each_side(r, partial(_slope, x)) for r in relations for x in by]
         found += relations
     return found
 
 
-def _depth(term: Term, definitions: Lookup) -> int:
-    """Returns the nesting depth of partial derivatives in the term."""
-    body = definitions.lookup(term) if isinstance(term, Symbol) else None
-    inside = term.children if body is None else (body,)
-    is_slope = isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS
-    return is_slope + max((_depth(part, definitions) for part in inside), default=0)
+def _depths(terms: Iterable[Term], definitions: Lookup) -> dict[Symbol, int]:
+    """Returns the nesting depth of partial derivatives around each free symbol of the terms."""
+    found: dict[Symbol, int] = {}
+    for term in terms:
+        body = definitions.lookup(term) if isinstance(term, Symbol) else None
+        if isinstance(term, Symbol) and body is None:
+            found.setdefault(term, 0)
+            continue
+        is_slope = isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS
+        for each, depth in _depths(term.children if body is None else (body,), definitions).items():
+            found[each] = max(found.get(each, 0), depth + is_slope)
+    return found
 
 
 def _slope(by: Term, side: Term) -> Term:

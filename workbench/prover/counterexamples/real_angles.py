@@ -82,7 +82,7 @@ def _trial(
 ) -> Trial:
     balls = {p: arb(fmpq(v.numerator, v.denominator)) for p, v in point.items()}
     known = {p: v for p, v in balls.items() if p.part != "circle" and p.symbol not in functions}
-    known |= {p: arb.pi() for p in known if is_pi(p.symbol) and not p.order}
+    known |= {p: pi for p in known if not p.order and (pi := _part_of_pi(p.symbol)) is not None}
     waiting: list[tuple[Term, bool]] = [
         (angle, False) for angle in (*inventory.angles, *inventory.circles.values())
     ]
@@ -171,6 +171,14 @@ SERIES: Mapping[Head, Callable[..., arb_series]] = {
 
 def is_pi(term: Term) -> bool:
     return isinstance(term, Symbol) and term.declaration.name == PI.name
+
+
+def _part_of_pi(own: Term) -> arb | None:
+    """Returns the value of π, or of the part π/3 of which the angles of a claim are multiples; else None."""
+    whole = own.declaration.name.of if isinstance(own, Symbol) else ()
+    if is_pi(own):
+        return arb.pi()
+    return arb.pi() / whole[1] if whole and is_pi(whole[0]) else None
 
 
 def surely_positive(trial: Trial, term: Term) -> bool:

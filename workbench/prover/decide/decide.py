@@ -10,6 +10,7 @@ from typing import cast
 
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import relation as equated
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.terms import (
     Conjunction,
     Equivalence,
@@ -137,7 +138,7 @@ class Judge(Setting):
         return Verdict(
             Outcome.CONDITIONAL,
             reason=VerdictCode.UNDER_HYPOTHESIS(),
-            hypothesis=to_latex(hypothesis),
+            hypothesis=Hypothesis.of(to_latex(hypothesis)),
             counterexample=verdict.counterexample,
             evidence=(*under.evidence, witness),
             basis=Strength.HINTED,

@@ -19,6 +19,7 @@ from typing import NamedTuple
 from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, block, number, relation, symbol, zero
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.reasons import Reason
 from workbench.core.terms import Apply, Conjunction, Head, Number, Relation, Statement, Symbol, Term, heads_in
 from workbench.core.types import PI
@@ -88,7 +89,7 @@ def on_principal_branch(verdict: Verdict, branch: str, witness: Counterexample, 
         verdict,
         outcome=Outcome.CONDITIONAL,
         reason=VerdictCode.ON_PRINCIPAL_BRANCH(),
-        hypothesis=branch,
+        hypothesis=Hypothesis.of(branch),
         counterexample=witness,
         evidence=(*verdict.evidence, Evidence("branch", f"{elsewhere} lies on another one")),
         basis=Strength.HINTED,

@@ -14,6 +14,7 @@ from dataclasses import replace
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, relation, with_children, zero
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.operations import LINEAR
 from workbench.core.terms import Apply, Block, Integral, Relation, Statement, Symbol, Term, Zero
 from workbench.core.types import PI
@@ -84,7 +85,7 @@ def _under_sameness(verdict: Verdict, kept: Sequence[Symbol], sides: Sequence[Te
     return Verdict(
         Outcome.CONDITIONAL,
         reason=VerdictCode.KEPT_IN_INTEGRAL(),
-        hypothesis=rf"{said_of} \text{{ is the same for each }} {variable}",
+        hypothesis=Hypothesis.of(rf"{said_of} \text{{ is the same for each }} {variable}"),
         evidence=verdict.evidence,
         basis=Strength.HINTED,
     )

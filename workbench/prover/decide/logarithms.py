@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, relation, zero
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.terms import Apply, Number, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact, WithDefinitions, reached
@@ -95,7 +96,7 @@ def _as_exponential(said: Relation, values: LogarithmValues, judge: Judge) -> Ve
 def _on_branch(verdict: Verdict, values: LogarithmValues) -> Verdict:
     """Returns the verdict under the condition that the angles are below π."""
     if verdict.outcome is Outcome.CONDITIONAL and values.angles and not verdict.hypothesis:
-        return replace(verdict, hypothesis=values.branch())
+        return replace(verdict, hypothesis=Hypothesis.of(values.branch()))
     if verdict.outcome is not Outcome.PROVED or not values.angles:
         return verdict
     branch, free = values.branch(), [angle for angle in values.angles if isinstance(angle, Symbol)]

@@ -15,6 +15,7 @@ from workbench.context.formula_acts import act_of
 from workbench.context.read_formulas import read_statement
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.terms import Conjunction, Statement
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import NotExact
@@ -119,7 +120,7 @@ def _conditional(verdict: Verdict, conditions: Sequence[Formula], bare: Verdict)
     latex = [formula.latex for formula in conditions]
     reason = VerdictCode.HOLDS_WITH_NEIGHBOUR(formulas=", ".join(latex))
     witness = Evidence("witness against the bare statement", "a point where it fails")
-    found = conditional(verdict, latex, reason, bare)
+    found = conditional(verdict, Hypothesis.of(*latex), reason, bare)
     return replace(found, evidence=(*found.evidence, witness))
 
 

@@ -11,6 +11,7 @@ from workbench.context.claims import Claim, Notation
 from workbench.context.facts import Duration, Fact, Provider, Supposition
 from workbench.core.codes.verdict_codes import UNLESS_IT_LASTS, VerdictCode
 from workbench.core.construct import relation
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.names import Name
 from workbench.core.reasons import Reason, reason_of
 from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
@@ -251,12 +252,12 @@ def minimise(facts: Sequence[Fact], holds: Callable[[Sequence[Fact]], bool]) -> 
     return needed
 
 
-def conditional(under: Verdict, hypotheses: Sequence[str], reason: Reason, bare: Verdict) -> Verdict:
-    """Returns the verdict on a claim that is proved under hypotheses and refuted without them."""
+def conditional(under: Verdict, hypothesis: Hypothesis, reason: Reason, bare: Verdict) -> Verdict:
+    """Returns the verdict on a claim that is proved under a hypothesis and refuted without them."""
     return replace(
         under,
         outcome=Outcome.CONDITIONAL,
-        hypothesis=", ".join(dict.fromkeys(hypotheses)),
+        hypothesis=hypothesis,
         reason=reason,
         counterexample=bare.counterexample,
         basis=Strength.STATED,

@@ -8,6 +8,7 @@ from workbench.context.claims import Claim
 from workbench.context.facts import Fact, Provider
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.verdict import Outcome, Verdict
 from workbench.prover.explain.decide_under_facts import Decider, conditional, minimise
 
@@ -29,5 +30,5 @@ def without_poles(claim: Claim, base: Verdict, decider: Decider) -> Verdict:
         return base
     core = minimise(said, is_proved)
     words = "; ".join(dict.fromkeys(map(str, core)))
-    texts = [fact.origin.text for fact in core]
-    return conditional(decider.decide(core), texts, ContextCode.HOLDS_BY(facts=words), base)
+    hypothesis = Hypothesis.together((), *(fact.origin.phrase for fact in core))
+    return conditional(decider.decide(core), hypothesis, ContextCode.HOLDS_BY(facts=words), base)

@@ -41,7 +41,7 @@ from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
 from workbench.prover.explain.laws_of_motion import is_all_given, is_law, rates_a_definition
 from workbench.prover.explain.near_identities import is_near_identity
-from workbench.prover.explain.other_readings import is_rounded, other_reading
+from workbench.prover.explain.other_readings import is_rounded, other_reading, without_free_pi
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.prover.explain.verdicts_under_facts import (
     is_met,
@@ -102,8 +102,8 @@ class Explainer:
         decider = Decider(claim, self._judge_of, self._second_engine)
         explanation = _Explanation(claim, subject_of(claim), base, decider, act, own)
         with within(self._seconds), suppress(OutOfDecisions):
-            return explanation.verdict()
-        return explanation.unfinished()
+            return without_free_pi(claim, explanation.verdict())
+        return without_free_pi(claim, explanation.unfinished())
 
 
 @dataclass

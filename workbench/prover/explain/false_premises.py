@@ -8,6 +8,7 @@ from dataclasses import replace
 from workbench.context.claims import Claim, Formula
 from workbench.context.formula_acts import act_of, constrains, says_of_defined
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.hypotheses import Hypothesis, Phrase
 from workbench.core.terms import Implication, Statement
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -31,10 +32,10 @@ def under_premises(
         if judged.outcome is Outcome.REFUTED and not contradicts:
             judged = explained(alone, judged)
         if judged.outcome is Outcome.REFUTED:
-            hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
+            hypothesis = Hypothesis.together([proved.hypothesis], Phrase(formula.latex))
             given = VerdictCode.GIVEN_IS_FALSE(formula=formula.latex)
             why = VerdictCode.CONTRADICTS_DEFINITIONS() if contradicts else given
-            return conditional(proved, hypotheses, why, judged)
+            return conditional(proved, hypothesis, why, judged)
     return proved
 
 

@@ -8,6 +8,7 @@ from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
 from workbench.context.index_values import Orders
 from workbench.core.codes.context_codes import ContextCode
+from workbench.core.hypotheses import Hypothesis, Phrase
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import Symbol, sides_of
 from workbench.core.verdict import Outcome, Strength, Verdict
@@ -27,7 +28,7 @@ def for_known_members(claim: Claim, refuted: Verdict, judge_of: JudgeOf) -> Verd
         return None
     held = conditional(
         found,
-        [*filter(None, [found.hypothesis]), str(known)],
+        Hypothesis.together([found.hypothesis], Phrase(str(known))),
         ContextCode.FOR_KNOWN_MEMBERS(orders=known),
         refuted,
     )

@@ -19,7 +19,7 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR
 from workbench.core.reasons import Reason
 from workbench.core.terms import Apply, Definition, Power, Relation, Symbol, Term, sides_of
-from workbench.core.verdict import Counterexample, Verdict
+from workbench.core.verdict import Counterexample, Outcome, Verdict
 from workbench.engines.inventory.angle_combinations import sum_of_products
 from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.naming.reading_conventions import Relaxation
@@ -41,15 +41,19 @@ def other_reading(claim: Claim, refuted: Verdict, decider: Decider) -> Reason | 
         return VerdictCode.EQUAL_IN_PLACES()
     if (name := _of_two_indices(claim)) is not None:
         return ContextCode.TWO_INDICES(symbol=name)
-    if not _has_the_number_pi(refuted) and _is_of_pi(claim):
-        return ContextCode.OF_PI()
     if _holds_nearby(claim, decider):
         return ContextCode.REACH()
     return ContextCode.OF_QUATERNIONS() if _holds_for_quaternions(claim, decider) else None
 
 
-def _has_the_number_pi(refuted: Verdict) -> bool:
-    return is_of_numbers(refuted) or any(each.method == AT_REAL_POINT for each in refuted.evidence)
+def without_free_pi(claim: Claim, verdict: Verdict) -> Verdict:
+    """Returns the verdict without a counterexample that gives π a value; `unchecked` if it rests on one."""
+    has_number = is_of_numbers(verdict) or any(each.method == AT_REAL_POINT for each in verdict.evidence)
+    if verdict.counterexample is None or has_number or not _is_of_pi(claim):
+        return verdict
+    if verdict.outcome is not Outcome.REFUTED:
+        return replace(verdict, counterexample=None)
+    return Verdict(Outcome.UNCHECKED, reason=ContextCode.OF_PI(), read_back=verdict.read_back)
 
 
 def is_rounded(latex: str, against: Counterexample) -> bool:
@@ -90,12 +94,14 @@ def _is_of_pi(claim: Claim) -> bool:
     """True if π occurs where only the cosine and sine of its half are known."""
     definitions = claim.notation.definitions
     assert claim.printed.statement is not None
-    bodies = [fact.content.body for fact in claim.context.facts if isinstance(fact.content, Definition)]
-    said = [*sides_of(claim.printed.statement), *bodies]
-    reached = (part for term in said for part in definitions.reached(term) if isinstance(part, Symbol))
-    if not any(definitions.is_pi(part.declaration) for part in reached):
+    facts = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
+    said = [side for each in (claim.printed.statement, *claim.supposed) for side in sides_of(each)]
+    reached = (part for term in (*said, *(fact.body for fact in facts)) for part in definitions.reached(term))
+    if not any(isinstance(part, Symbol) and definitions.is_pi(part.declaration) for part in reached):
         return False
-    return not all(_has_known_turns(expand(term, definitions), definitions) for term in said)
+    own = {each.declaration.name for each in definitions}
+    known = Definitions([*definitions, *(each for each in facts if each.declaration.name not in own)])
+    return not all(_has_known_turns(expand(term, known), known) for term in said)
 
 
 def _has_known_turns(term: Term, definitions: Definitions) -> bool:

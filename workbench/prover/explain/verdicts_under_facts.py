@@ -9,6 +9,7 @@ from workbench.context.facts import Act, Fact, Provider, Strength, Supposition
 from workbench.context.free_symbols import names_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.reasons import Reason
 from workbench.core.terms import Definition, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Outcome, Verdict
@@ -21,12 +22,10 @@ _NONE_FOUND = frozenset({VerdictCode.NO_COUNTEREXAMPLE, VerdictCode.NOT_FROM_FUN
 def under(found: Verdict, core: Sequence[Fact], base: Verdict) -> Verdict:
     """Returns the verdict on a claim that is proved under facts and refuted without them."""
     said = "; ".join(dict.fromkeys(map(str, core)))
-    has_words = any(fact.origin.is_words for fact in core)
-    words = (fact.origin.prose if has_words else fact.origin.text for fact in core)
     return replace(
         found,
         outcome=Outcome.CONDITIONAL,
-        hypothesis=", ".join(dict.fromkeys(words)),
+        hypothesis=Hypothesis.together((), *(fact.origin.phrase for fact in core)),
         reason=ContextCode.HOLDS_BY(facts=said),
         counterexample=base.counterexample,
         basis=min(fact.strength for fact in core),

@@ -9,6 +9,7 @@ from functools import cached_property, reduce
 from workbench.context.claim_parts import ClaimForm
 from workbench.context.claims import Claim, Formula
 from workbench.core.codes.verdict_codes import ResultCode, VerdictCode
+from workbench.core.hypotheses import Hypothesis
 from workbench.core.reasons import Reason
 from workbench.core.verdict import Counterexample, Grade, Outcome, Verdict
 from workbench.prover.results.motion_summary import Witnessed, witnessed
@@ -108,13 +109,10 @@ class ClaimResult:
         return self.claim.corrected or self.claim.reading
 
     @property
-    def hypothesis(self) -> str | None:
+    def hypothesis(self) -> Hypothesis | None:
         """The condition that the text does not state."""
-        return (
-            self.claim.correction.hypothesis.latex
-            if self.claim.correction.hypothesis
-            else self.verdict.hypothesis
-        )
+        own = self.claim.correction.hypothesis
+        return self.verdict.hypothesis if own is None else Hypothesis.of(own.latex)
 
     @property
     def counterexample(self) -> Counterexample | None:

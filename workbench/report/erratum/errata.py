@@ -17,7 +17,6 @@ from workbench.report.claim_states import fault_of
 from workbench.report.counterexamples import Against, against
 from workbench.report.mixed_prose import (
     Run,
-    condition_as_prose,
     formula,
     power_of_ten,
     runs_of,
@@ -182,7 +181,7 @@ def _correction(
         cause=mend.cause,
         changes=tuple(_changes(result)),
         said=tuple(_said(result)),
-        add=tuple(runs_of(mend.add or (condition_as_prose(result.hypothesis) if result.hypothesis else ""))),
+        add=tuple(runs_of(mend.add or (result.hypothesis.prose if result.hypothesis else ""))),
         why=tuple(_why(result, places)),
         example=tuple(runs_of(mend.example or "")),
         counterexample=against(result),

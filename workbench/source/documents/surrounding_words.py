@@ -26,6 +26,9 @@ _HEADING = re.compile(
     r"|^(?P<title>[^\s|][^\n]*)\n(?P<line>[=\-~^\"'+*#])(?P=line){2,}[ \t]*$",
     re.MULTILINE | re.DOTALL | re.IGNORECASE,
 )
+_CAPTION = re.compile(
+    r"(?P<tex>\\(?:sub)?caption(?:of\s*\{[^}]*\})?\*?\s*(?:\[[^\]]*\]\s*)?\{)|!\[[^\]\n]*\]\([^)\n]*\)"
+)
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$\\*`(])")
 _ITEM = re.compile(f"{ITEM.pattern}|(?P<end>{LIST_END.pattern})")
 _STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$)?$")
@@ -135,13 +138,16 @@ def headings(text: str) -> tuple[tuple[int, int], ...]:
 
 @dataclass(frozen=True)
 class Sections:
-    """The sections of a text. starts: the offsets of the headings.   ends: the ends of the sections."""
+    """The sections of a text. starts: the offsets of the headings.   ends: the ends of the sections.
+
+    captions: the starts and ends of the captions, which speak of their pictures."""
 
     starts: tuple[int, ...]
     ends: tuple[float, ...]
+    captions: tuple[tuple[int, int], ...] = ()
 
     @staticmethod
-    def of(headings: Sequence[tuple[int, int]]) -> Sections:
+    def of(headings: Sequence[tuple[int, int]], captions: Sequence[tuple[int, int]] = ()) -> Sections:
         """Returns the sections for headings with their levels, in order."""
         ends: list[float] = [inf] * len(headings)
         opened: list[int] = []
@@ -149,20 +155,36 @@ class Sections:
             while opened and headings[opened[-1]][1] >= level:
                 ends[opened.pop()] = start
             opened.append(at)
-        return Sections(tuple(start for start, _ in headings), tuple(ends))
+        return Sections(tuple(start for start, _ in headings), tuple(ends), tuple(captions))
 
     def holds(self, said: int, place: int) -> bool:
         """True if the offset `place` is in the section of the offset `said`, or in one of its subsections.
 
-        A statement before the first heading covers every offset.
+        A statement before the first heading covers every offset; one in a caption covers the caption.
         """
+        if any(start <= said < end and not start <= place < end for start, end in self.captions):
+            return False
         at = bisect_right(self.starts, said) - 1
         return at < 0 or self.starts[at] <= place < self.ends[at]
 
 
 @lru_cache(maxsize=8)
 def sections_of(text: str) -> Sections:
-    return Sections.of(headings(text))
+    return Sections.of(headings(text), [*_captions(text)])
+
+
+def _captions(text: str) -> Iterator[tuple[int, int]]:
+    for caption in _CAPTION.finditer(text):
+        yield caption.start(), group_end(text, caption.end()) if caption["tex"] else caption.end()
+
+
+def group_end(text: str, start: int) -> int:
+    """Returns the offset behind the brace that closes the group whose contents begin at `start`."""
+    depth, at = 1, start
+    while at < len(text) and depth:
+        depth += (text[at] == "{") - (text[at] == "}")
+        at += 1 + (text[at] == "\\")
+    return at
 
 
 def supposed_before(text: str, first: int) -> str:

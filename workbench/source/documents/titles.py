@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from workbench.source.documents.surrounding_words import group_end
 from workbench.source.documents.tex.tex_tokens import COMMENT
 
 if TYPE_CHECKING:
@@ -49,11 +50,7 @@ def own_title(text: Text) -> str | None:
 
 def _group(text: str, start: int) -> str:
     """Returns the text up to the closing brace."""
-    depth, at = 1, start
-    while at < len(text) and depth:
-        depth += (text[at] == "{") - (text[at] == "}")
-        at += 1 + (text[at] == "\\")
-    return COMMENT.sub("", text[start : at - 1])
+    return COMMENT.sub("", text[start : group_end(text, start) - 1])
 
 
 def _plain(latex: str) -> str:

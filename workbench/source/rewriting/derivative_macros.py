@@ -5,7 +5,8 @@ from __future__ import annotations
 from workbench.source.documents import Token
 from workbench.source.rewriting.token_groups import braced, group, is_one_symbol, past, printed
 
-_BY_NAME = dict.fromkeys((r"\dv", r"\od", r"\odv"), "d") | dict.fromkeys((r"\pdv", r"\pd"), r"\partial")
+_BY_NAME = dict.fromkeys((r"\dv", r"\od", r"\odv", r"\derivative"), "d")
+_BY_NAME |= dict.fromkeys((r"\pdv", r"\pd", r"\partialderivative"), r"\partial")
 #: Opening before the quotient → closing after it, before the subscript that names the frame.
 _AROUND = {
     ("\\left", "."): ["\\right", "|"],
@@ -19,25 +20,33 @@ _OF_TIME = (["d", "t", "^"], ["(", "d", "t", "^"])
 
 
 def derivative_by_name(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """Rewrites \\dv[2]{x}{t} to \\frac{d^2 x}{d t^2}."""
+    """Rewrites \\dv[2]{x}{t} to \\frac{d^2 x}{d t^2}, and \\pdv{x}{s}{t} to the mixed derivative."""
     head = tokens[place]
     if head.text not in _BY_NAME:
         return None
     order: list[Token] = []
     position = past(tokens, place + 1)
+    if position < len(tokens) and tokens[position].text == "*":
+        position = past(tokens, position + 1)
     if position < len(tokens) and tokens[position].text == "[":
         end = next((i for i in range(position, len(tokens)) if tokens[i].text == "]"), len(tokens))
         order = [head.standing_for("^"), *braced(head, tokens[position + 1 : end])]
         position = past(tokens, end + 1)
     groups: list[list[Token]] = []
-    while len(groups) < 2 and position < len(tokens) and tokens[position].text == "{":
+    most = 3 if _BY_NAME[head.text] != "d" and not order else 2
+    while len(groups) < most and position < len(tokens) and tokens[position].text == "{":
         inside, position = group(tokens, position)
         groups.append(inside)
     if not groups:
         return None
     d, space = head.standing_for(_BY_NAME[head.text]), head.standing_for(" ")
-    above = [d, *order, space, *(groups[0] if len(groups) == 2 else [])]
-    below = [d, space, *groups[-1], *order]
+    if len(groups) == 3:
+        order = [head.standing_for(text) for text in "^2"]
+        above = [d, *order, space, *groups[0]]
+        below = [d, space, *groups[1], space, d, space, *groups[2]]
+    else:
+        above = [d, *order, space, *(groups[0] if len(groups) == 2 else [])]
+        below = [d, space, *groups[-1], *order]
     return [head.standing_for("\\frac"), *braced(head, above), *braced(head, below)], position
 
 

@@ -14,13 +14,16 @@ from workbench.source.documents import Token
 from workbench.source.rewriting.author_habits import as_read, everywhere
 from workbench.source.rewriting.column_separators import bar_of_a_set
 from workbench.source.rewriting.plain_tex import with_nuclei, with_typefaces, without_kerns
-from workbench.source.rewriting.token_groups import closing
+from workbench.source.rewriting.token_groups import braced, closing
+from workbench.source.rewriting.wrappers import MATH_SHIFTS, OF_WORDS, WRAPPERS
 
 _DROPPED = frozenset((
     "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut", "nobreak",
     "allowbreak", "noindent", "centering", "smallskip", "medskip", "bigskip", "par", "space", "left.",
     "right.", "null", "middle", "kern-", "protect", "relax", "linebreak", "nonumber", "notag", "normalsize",
-    "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath", "unboldmath",
+    "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath", "unboldmath", "qedhere",
+    "IEEEeqnarraynumspace", "IEEEyesnumber", "IEEEnonumber", "IEEEyessubnumber", "IEEEnosubnumber",
+    "medspace", "thickspace", "negthinspace", "negmedspace", "negthickspace",
 ))  # fmt: skip
 _DROPPED_WITH_ARGUMENT = frozenset(
     ["hspace", "vspace", "vphantom", "color", "label", "hskip", "mspace", "require"]
@@ -29,9 +32,8 @@ _DROPPED_WITH_ARGUMENT = frozenset(
 _WIDE = frozenset({"hfill", "hfil", "therefore", "because"})
 _WIDE_WITH_ARGUMENT = frozenset({"phantom", "hphantom"})
 _UNWRAPPED = frozenset((
-    "mathclap", "mathrlap", "mathllap", "mathord", "mathrel", "mathbin", "mathop", "mathopen",
-    "mathclose", "mathinner", "boxed", "fbox", "underbrace", "overbrace", "smash", "cancel",
-    "Aboxed", "bbox", "substack", "displaylines",
+    "mathclap", "mathrlap", "mathllap", "mathop", "mathopen", "mathclose", "mathinner", "underbrace",
+    "overbrace", "underbracket", "overbracket", "cancel", "substack", "displaylines", *WRAPPERS,
 ))  # fmt: skip
 #: Commands of packages (physics, mathtools' usual names) that put their argument between two signs.
 _DELIMITED = {"norm": "\\|", "abs": "|"}
@@ -39,8 +41,9 @@ _DELIMITED = {"norm": "\\|", "abs": "|"}
 _STARRED = frozenset({"vb", "va", "vu"})
 #: Functions with a command in the package physics.
 _FUNCTIONS = frozenset({"tr", "Tr"})
-_UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
-_LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
+_BIG = frozenset({"big", "Big", "bigg", "Bigg"})
+_ROUND = (("\\left", "("), ("\\right", ")"))
+_LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace", "underbracket", "overbracket"})
 _OPERATORS = frozenset({"operatorname", "symup"})
 _TEXTS = frozenset({"mbox", "text", "hbox", "textrm"})
 _GROUPS = frozenset({"SO", "SE", "so", "se"})
@@ -229,13 +232,18 @@ def _unwrapped(tokens: Sequence[Token], place: int) -> _Made | None:
         return [token.standing_for("d")], differential
     if word in _DELIMITED:
         return _delimited(tokens, place)
-    if word not in _UNWRAPPED | _UNWRAPPED_SECOND:
+    if word == "qty" and (bracketed := _in_brackets(tokens, place)) is not None:
+        return bracketed
+    if word not in _UNWRAPPED:
         return None
-    if word == "bbox" and _opens(tokens, place):
-        place = next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), place)
-    if word in _UNWRAPPED_SECOND:
-        _, place = argument(tokens, place)
+    for _ in range(WRAPPERS.get(word, 0)):
+        _, place = argument(tokens, _past_option(tokens, place))
+    if word in WRAPPERS:
+        place = _past_option(tokens, place)
     inner, place = argument(tokens, place)
+    if word in OF_WORDS and not any(each.text in MATH_SHIFTS for each in inner):
+        return [token.standing_for("\\text"), *braced(token, inner)], place
+    inner = [each for each in inner if each.text not in MATH_SHIFTS]
     return list(_respelled(inner)), _past_script(tokens, place) if word in _LIMITS_ARE_NOTES else place
 
 
@@ -252,13 +260,28 @@ def _delimited(tokens: Sequence[Token], place: int) -> _Made | None:
     return [*first, *_respelled(inner), *last], behind
 
 
+def _in_brackets(tokens: Sequence[Token], place: int) -> _Made | None:
+    """What \\qty{x} and \\qty\\big(x) of the package physics print; None for a quantity with its unit."""
+    while place < len(tokens) and (tokens[place].text == " " or tokens[place].word in _BIG):
+        place += 1
+    if _opens(tokens, place):
+        return [], place
+    if [token.text for token in tokens[place : place + 1]] != ["{"]:
+        return None
+    inner, behind = argument(tokens, place)
+    is_of_unit = [token.text for token in tokens[behind : behind + 1]] == ["{"]
+    token = tokens[place]
+    first, last = ([token.standing_for(text) for text in (side, sign)] for side, sign in _ROUND)
+    return None if is_of_unit else ([*first, *_respelled(inner), *last], behind)
+
+
 def _renamed(tokens: Sequence[Token], place: int) -> _Made:
     """Returns the spelling used here for any other command before `place`; empty if it prints nothing."""
     token = tokens[place - 1]
     word = token.word or ""
     if word in _STARRED:
         place = _past(tokens, place, "*")
-    if word in _DROPPED or (word == "qty" and _opens(tokens, place)):
+    if word in _DROPPED:
         return [], place
     if word in _WIDE:
         return [token.standing_for("\\quad")], place
@@ -354,6 +377,14 @@ def _past(tokens: Sequence[Token], place: int, text: str) -> int:
     while place < len(tokens) and tokens[place].text == text:
         place += 1
     return place
+
+
+def _past_option(tokens: Sequence[Token], place: int) -> int:
+    """Returns the index after the star and the option of a command: \\resizebox*, \\bbox[red]."""
+    place = _past(tokens, place, "*")
+    if [token.text for token in tokens[place : place + 1]] != ["["]:
+        return place
+    return next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), place)
 
 
 def _past_script(tokens: Sequence[Token], place: int) -> int:

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 
 from workbench.source.documents import Token, joined
+from workbench.source.rewriting.wrappers import MATH_SHIFTS, OF_WORDS
 from workbench.source.rows.display_vocabulary import (
     ANNOTATED,
     BRACES,
     CANCELS,
     GAPS,
+    KERNS,
     KINDS,
+    LENGTH,
     NOTHING_WITH_ARGUMENT,
     TERMS,
     TYPED,
@@ -21,12 +25,13 @@ from workbench.source.rows.display_vocabulary import (
     WIDE_WITH_ARGUMENT,
     WITH_ARGUMENT,
     WORD_COMMANDS,
-    WRAPPERS,
+    WRAPPED,
     Kind,
 )
 
 #: Limit on nested groups; deeper groups stay rows of single tokens.
 _MOST_DEPTH = 60
+_LONGEST_LENGTH = 16
 _LENGTHS = ("pt", "ex", "em", "mm", "cm", "in")
 _BLANK = frozenset({Kind.GAP, Kind.NOTHING, Kind.MARK, Kind.BREAK})
 
@@ -56,6 +61,11 @@ class Node:
     def is_blank(self) -> bool:
         """True if the node prints nothing."""
         return self.kind in _BLANK
+
+    @property
+    def is_empty(self) -> bool:
+        """True for an empty group, which gives a sign the space of an operator."""
+        return self.kind is Kind.GROUP and self.name == "{" and all(node.is_blank for node in self.inside)
 
 
 #: The nodes between two alignment marks.
@@ -116,7 +126,7 @@ class _Parser:
 
     def _nested(self) -> Iterator[Node]:
         start, text = self._at, self._next
-        if text in WRAPPERS:
+        if text in WRAPPED:
             yield from self._wrapped(text)
         elif text in ANNOTATED:
             yield self._annotated(text)
@@ -151,15 +161,19 @@ class _Parser:
             self._take()
             self._argument()
             kind = Kind.WORDS if text in WORD_COMMANDS else Kind.NOTHING
-        elif text == "\\displaylines":
+        elif text in ("\\displaylines", "\\substack"):
             self._take()
             inside = self._argument()
             whole = self._tokens[start : self._at]
             return Node(Kind.ENVIRONMENT, whole, inside, name="gathered", rows=rows_of(inside))
         elif text in WIDE_WITH_ARGUMENT:
             self._take(1 + (self._peek(1) == "*"))
-            self._argument()
+            self._pass_length() or self._argument()
             kind = Kind.WIDE
+        elif text in KERNS:
+            self._take()
+            self._pass_length()
+            kind = Kind.GAP
         else:
             return None
         return Node(kind, self._tokens[start : self._at], inside or [], name=text)
@@ -178,13 +192,19 @@ class _Parser:
         """Yields a node for \\boxed or the like, then the nodes inside it."""
         start = self._at
         self._take()
-        self._optional() if text == "\\bbox" else None
-        for _ in range(WRAPPERS[text]):
+        self._take(self._next == "*")
+        self._optional()
+        for _ in range(WRAPPED[text]):
             self._argument()
+            self._optional()
         inside = self._argument()
-        held = {id(token) for node in inside for token in node.tokens}
+        shown = next((node.text for node in inside if not node.is_blank), "")
+        if text[1:] in OF_WORDS and shown not in MATH_SHIFTS:
+            yield Node(Kind.WORDS, self._tokens[start : self._at], name=text)
+            return
+        held = {id(token) for node in inside for token in node.tokens if node.text not in MATH_SHIFTS}
         yield Node(Kind.NOTHING, [t for t in self._tokens[start : self._at] if id(t) not in held], name=text)
-        yield from inside
+        yield from (node for node in inside if node.text not in MATH_SHIFTS)
 
     def _term(self, text: str) -> Node:
         start = self._at
@@ -270,6 +290,15 @@ class _Parser:
         is_there = self._next not in ("", "}", "&", "\\\\") and not self._next.startswith("\\end{")
         return list(self._node()) if is_there else []
 
+    def _pass_length(self) -> bool:
+        """Moves past a length without braces, as in \\hskip 1em; True if there is one."""
+        ahead = self._tokens[self._at : self._at + _LONGEST_LENGTH]
+        found = LENGTH.match(joined(ahead))
+        if found is not None:
+            ends = accumulate(len(token.text) for token in ahead)
+            self._take(sum(end <= found.end() for end in ends))
+        return found is not None
+
     def _optional(self) -> None:
         if self._next == "[" and "]" in (t.text for t in self._tokens[self._at : self._at + 40]):
             while self._take()[0].text != "]":
@@ -335,18 +364,25 @@ def relation_places(nodes: Sequence[Node]) -> list[int]:
 def trim(nodes: Sequence[Node]) -> tuple[list[Node], list[Node]]:
     """Returns the nodes without surrounding blanks and final punctuation; and the removed nodes."""
     first, last = 0, len(nodes)
-    while first < last and (nodes[first].is_blank or nodes[first].kind in (Kind.WIDE, Kind.COMMA)):
+    while first < last and (_begins(nodes, first) or nodes[first].kind in (Kind.WIDE, Kind.COMMA)):
         first += 1
     while first < last and _ends(nodes, last):
         last -= 1
     return list(nodes[first:last]), [*nodes[:first], *nodes[last:]]
 
 
+def _begins(nodes: Sequence[Node], first: int) -> bool:
+    """True if the node is a blank, or an empty group that carries no script: {}+ x, but not {}^A x."""
+    carries = first + 1 < len(nodes) and nodes[first + 1].kind is Kind.SCRIPT
+    return nodes[first].is_blank or (nodes[first].is_empty and not carries)
+
+
 def _ends(nodes: Sequence[Node], last: int) -> bool:
     """True if the node before `last` is a blank or punctuation, but not the last stop of an ellipsis."""
     node = nodes[last - 1]
     is_ellipsis = node.kind is Kind.STOP and last > 1 and nodes[last - 2].kind is Kind.STOP
-    return node.is_blank or (node.kind in (Kind.WIDE, Kind.COMMA, Kind.STOP) and not is_ellipsis)
+    is_mark = node.kind in (Kind.WIDE, Kind.COMMA, Kind.STOP)
+    return node.is_blank or node.is_empty or (is_mark and not is_ellipsis)
 
 
 def trimmed(nodes: Sequence[Node]) -> list[Node]:

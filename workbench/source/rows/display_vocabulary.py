@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from enum import Enum, auto
 
 from workbench.language.grammar.vocabulary import spellings
+from workbench.source.rewriting.wrappers import WRAPPERS
 
 
 class Kind(Enum):
@@ -65,12 +67,14 @@ SIDE_RELATIONS = frozenset({"<", ">"}) | _commands(
 RANGE_RELATIONS = SIDE_RELATIONS - _commands("neq ne perp parallel")
 
 GAPS = frozenset([" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>"]) | _commands(
-    "par enspace enskip thinspace space"
+    "par enspace enskip thinspace medspace thickspace negthinspace negmedspace negthickspace space"
 )
 #: Narrow spaces that authors write intentionally.
 VISIBLE_GAPS = frozenset({"\\ ", "\\\n", "~", "\\;"})
 WIDE = _commands("quad qquad hfill hfil therefore because")
 WIDE_WITH_ARGUMENT = _commands("hspace hskip mspace phantom hphantom")
+KERNS = _commands("kern mkern mskip")
+LENGTH = re.compile(r"\s*[+-]?\s*\d*\.?\d+\s*(?:mu|pt|em|ex|mm|cm|in|bp|sp|pc)")
 ELLIPSES = _commands("dots ldots cdots vdots ddots dotsb dotsc")
 
 INTERTEXTS = _commands("intertext shortintertext")
@@ -79,11 +83,13 @@ WORD_COMMANDS = _commands("text mbox hbox textrm textit textbf textnormal textsf
 UPRIGHT_WORDS = frozenset({"and", "or", "if", "where"})
 UPRIGHT_FACES = _commands("mathrm operatorname mathit")
 
-#: Commands that colour, frame or space their argument: the number of arguments before it.
-WRAPPERS = dict.fromkeys(_commands("boxed fbox Aboxed mathrel mathbin mathord smash bbox"), 0)
-WRAPPERS |= dict.fromkeys(_commands("textcolor colorbox"), 1)
+#: Commands that print their last argument: the number of arguments before it.
+WRAPPED = {f"\\{name}": count for name, count in WRAPPERS.items()}
 NOTHING_WITH_ARGUMENT = _commands("color vspace label vphantom require")
-NOTHING = _commands("displaystyle textstyle nonumber notag nobreak allowbreak limits nolimits")
+NOTHING = _commands(
+    "displaystyle textstyle nonumber notag nobreak allowbreak limits nolimits null relax strut mathstrut"
+    " qedhere IEEEeqnarraynumspace IEEEyesnumber IEEEnonumber IEEEyessubnumber IEEEnosubnumber"
+)
 #: Commands with arguments that form one symbol or term: the number of arguments.
 TERMS = dict.fromkeys(_commands("frac dfrac tfrac cfrac binom"), 2)
 TERMS |= dict.fromkeys(
@@ -94,7 +100,7 @@ TERMS |= dict.fromkeys(
     1,
 )
 ANNOTATED = _commands("stackrel overset underset xrightarrow xlongequal")
-BRACES = _commands("underbrace overbrace")
+BRACES = _commands("underbrace overbrace underbracket overbracket")
 CANCELS = _commands("cancel bcancel xcancel cancelto")
 #: Two characters that form one sign.
 TYPED = {(":", "="): ":=", ("=", ":"): "=", ("=", ">"): "\\Rightarrow"}

@@ -57,7 +57,19 @@ class RowReader(RowStatements):
         return self._here is None or bool(piece.apart & {Separator.WIDE, Separator.COMMA, Separator.WORDS})
 
     def stands_behind(self, statements: Sequence[Statement]) -> None:
-        """Sets the lines of a system that the following pieces apply to."""
+        """Sets the lines of a system that the following pieces apply to.
+
+        Behind a statement they may be its conditions; behind words such as "with" they are.
+        """
+        served = self._served()
+        for line in statements if served else ():
+            for target in served:
+                target.beside.append(Beside(self._pending or Role.PERHAPS, list(line.nodes)))
+            line.serves = served
+        if served and self._pending is not None:
+            self._state.cut.statements = self._state.cut.statements[: -len(statements) or None]
+            self._pending = None
+            return
         self._take_waiting(statements)
         self._shared, self._here = statements, statements[-1] if statements else None
         self._made += statements
@@ -212,7 +224,7 @@ class RowReader(RowStatements):
 
         Without its own mark it does not end the statement at the mark, which the next row continues.
         """
-        served = tuple(dict.fromkeys([*self._made, *([self._here] if self._here else [])]))
+        served = self._served()
         at_mark = self._state.columns.get(self._column)
         statement = self._begin(piece)
         is_marked = Separator.MARK in piece.apart or _has_mark(piece.nodes)
@@ -222,6 +234,10 @@ class RowReader(RowStatements):
             target.beside.append(Beside(role, list(piece.kept)))
         statement.serves = served
         return statement
+
+    def _served(self) -> tuple[Statement, ...]:
+        """Returns the statements of the row so far, whose conditions may follow."""
+        return tuple(dict.fromkeys([*self._made, *([self._here] if self._here else [])]))
 
     def _ends_a_sentence(self, piece: Piece, rest: Sequence[Piece]) -> bool:
         """True if the piece is the statement in “if a = 0, b = c”, which has no other."""

@@ -40,6 +40,14 @@ _JOINS = (
     "and|so|so that|thus|hence|therefore|and therefore|then|i e|that is|which gives|or equivalently"
     r"|also|but|yields|gives|we have|we get|so we have|&|\\&|"
 )
+#: A verb and its particle, before what is found, written or left.
+_PRESENTS = (
+    r"(?:arriv\w+|gets?|getting|got) at|(?:ends?|ended|ending|comes?|came|coming|winds?) up with"
+    r"|(?:left|leaves us|concludes?|finish\w*|begins?|starts?|beginning|starting|proceeds?|deals?) with"
+    r"|(?:written|rewritten|recast|reformulated|reads?|expressed|stated|restated|known|formulated"
+    r"|summari[sz]ed|posed|represented|described|denoted|identified|obtained|presented|such|same|well) as"
+    r"|(?:given|described|expressed|governed|represented|determined|ruled|followed|replaced) by"
+)
 _DENIALS = (
     r"(?:.*\b)?(?:wrong|false|untrue|invalid|incorrect|erroneous|mistaken)(?:ly)?\b"
     r"|(?:.*\b)?(?:not|never|no longer)\b(?: be| generally| in general)? ?(?:true|valid|correct|right|hold)"
@@ -53,6 +61,7 @@ _CONNECTIONS = re.compile(
 _ROLES = (
     (WordRole.DENIAL, re.compile(_DENIALS)),
     (WordRole.CONNECTION, _CONNECTIONS),
+    (WordRole.JOIN, re.compile(rf"(?:.*\b)?(?:{_PRESENTS})$")),
     (WordRole.CONDITION, re.compile(rf"(?:.*\b)?(?:{_CONDITIONS})\b[^a-z]*$")),
     (WordRole.REASON, re.compile(rf"(?:.*\b)?(?:{_REASONS})\b[^a-z]*$")),
     (WordRole.JOIN, re.compile(rf"(?:{_JOINS})$")),

@@ -18,7 +18,7 @@ from workbench.report.counterexamples import Against
 from workbench.report.findings import findings, place_of
 from workbench.report.html_page import math, runs
 from workbench.report.listing import Item, Row, listing
-from workbench.report.mixed_prose import condition_as_prose, runs_with_symbols
+from workbench.report.mixed_prose import runs_with_symbols
 from workbench.source.documents.source_edits import SourceEdit
 
 if TYPE_CHECKING:
@@ -149,7 +149,7 @@ def _details(result: ClaimResult) -> dict[str, Any]:
         "verdict": str(verdict.outcome) + (f" ({verdict.scope})" if verdict.scope else ""),
         "basis": str(verdict.basis),
         "read": _math(read) if read else None,
-        "holds_if": _prose(condition_as_prose(verdict.hypothesis)) if verdict.hypothesis else None,
+        "holds_if": _prose(verdict.hypothesis.prose) if verdict.hypothesis else None,
         "because": _prose(str(verdict.reason)) if verdict.reason else None,
         "code": verdict.code.slug if verdict.code and result.shown is not Grade.OK else None,
         "evidence": [f"{each.method}: {each.outcome}" for each in verdict.evidence]

@@ -177,6 +177,8 @@ def parameters_of(spec: Sequence[Token]) -> tuple[Parameter, ...] | None:
                 made.append(Parameter("optional", ("[", "]"), missing))
             case "O":
                 made.append(Parameter("optional", ("[", "]"), group()))
+            case "g":
+                made.append(Parameter("optional", ("{", "}"), missing))
             case "d" | "D" | "r" | "R":
                 marks = tuple(joined(group()) for _ in range(2))
                 default = group() if kind.text in "DR" else missing
@@ -219,6 +221,11 @@ def _flag(expander: State, token: Token) -> None:
     name = _name(expander) or ""
     if name.startswith("if"):
         expander.assign(expander.names.flags, name[2:], False)
+
+
+def declared_by(latex: str, token: Token) -> list[Token]:
+    """Returns the tokens of a package's declarations, with the position of the command that loads it."""
+    return _made(latex, token)
 
 
 def _made(latex: str, token: Token) -> list[Token]:

@@ -10,6 +10,8 @@ from workbench.core.paper_errors import PaperError
 from workbench.source.documents.source_view import Source
 from workbench.source.documents.tex.displays import DisplayReader
 from workbench.source.documents.tex.expander_state import Names
+from workbench.source.documents.tex.macros import declared_by
+from workbench.source.documents.tex.package_macros import PACKAGES
 from workbench.source.documents.tex.tex_tokens import Lexer, Token, joined
 from workbench.source.toml.file_bytes import may_be_read
 
@@ -97,6 +99,11 @@ class FileReader(DisplayReader):
             path = self._find(name, (".sty", ".cls"))
             if path is None and "/" in name:
                 self.warn(token, f"no style or class {name!r} beside this one")
+            if path is None and name in PACKAGES:
+                outer, self.waiting = self.waiting, []
+                self.push(declared_by(PACKAGES[name], token))
+                self.run()
+                self.waiting = outer
             if path is not None:
                 self._tell_outside(token, name, path)
                 outer, self.waiting = self.waiting, []  # its open groups end with it

@@ -115,8 +115,6 @@ class Judge(Setting):
         """Returns the verdict if the positive variables of derivatives may be negative, too."""
         judge = replace(self, definitions=WithoutDefinitions(self.definitions, coordinates))
         verdict = judge.judge_instance(statement, assume, hypothesis)
-        if verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
-            return verdict
         values = {} if verdict.counterexample is None else verdict.counterexample.values
         for name in map(to_latex, coordinates):
             if name in values and Fraction(*values[name]) <= 0:

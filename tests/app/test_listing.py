@@ -59,7 +59,7 @@ def test_edits_of_the_author_give_a_proved_text(tmp_path: Path, printed: str, ri
     before, after = ("".join(latex.split()) for latex in (result.claim.printed.latex, edited))
     steps = SequenceMatcher(None, before, after, autojunk=False).get_opcodes()
     changed = sum(b - a + d - c for tag, a, b, c, d in steps if tag != "equal")
-    assert changed == sum(len(each.old) + len(each.new) for each in edits), edited
+    assert changed == sum(len("".join((each.old + each.new).split())) for each in edits), edited
     path.write_text(applied(path.read_text(encoding="utf-8"), edits), encoding="utf-8")
     (again,) = judge_paper(load_paper(path, faults=[]), (), motions=False)
     assert again.verdict.outcome == "proved", path.read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from workbench.context.facts import Act
-from workbench.context.free_symbols import equations_of, free_in, terms_of
+from workbench.context.free_symbols import equations_of, free_in, parts_as_written, terms_of
 from workbench.core.construct import apply, block, number, rebuild, symbol, zero
 from workbench.core.names import Name
 from workbench.core.operations import PARTIALS
@@ -149,9 +149,8 @@ class Subject:
         """The symbols that occur once in the statement and in no definition of its other symbols."""
         count: Counter[Symbol] = Counter()
         behind: Counter[Declaration] = Counter()
-        for term in (
-            part for side in sides_of(self.statement) for part in _without_zero_columns(side).walk()
-        ):
+        sides = map(_without_zero_columns, sides_of(self.statement))
+        for term in (part for side in sides for part in parts_as_written(side)):
             if isinstance(term, Symbol):
                 count[term] += 1
                 with suppress(IllFormed):

@@ -22,10 +22,10 @@ from workbench.language.definitions import Definitions
 def terms_of(statement: Statement) -> Iterator[Term]:
     """Yields the terms of a statement, each as often as it is written."""
     for side in sides_of(statement):
-        yield from _written(side)
+        yield from parts_as_written(side)
 
 
-def _written(term: Term) -> Iterator[Term]:
+def parts_as_written(term: Term) -> Iterator[Term]:
     """Yields the term and its parts; the x of tan x = sin x / cos x once."""
     yield term
     children = term.children
@@ -34,7 +34,7 @@ def _written(term: Term) -> Iterator[Term]:
             if {one, other} == {"sin", "cos"} and x == y:
                 children = children[:1]
     for child in children:
-        yield from _written(child)
+        yield from parts_as_written(child)
 
 
 def equations_of(statement: Statement) -> Iterator[Relation]:

@@ -82,7 +82,6 @@ FREE = {"kind": "scalar"}
         ("x = y", "z = 1", {}),
         (r"x \neq y", "x = z", {}),
         ("n = R n", "n = a", {}),
-        ("x = y", "x = z", {name: {**FREE, "constant": True} for name in "xy"}),
         ("x = y", "x = z", {name: {**FREE, "uniform": True} for name in "xy"}),
         ("x_1 = x_2", "x_1 = z", {"x_k": FREE, "x": {"kind": "vector"}}),
         (r"\underline{x} = y", r"\underline{x} = z", {r"\underline{x}": {"kind": "dual scalar"}, "y": {**FREE, "constant": True}}),

@@ -48,7 +48,8 @@ DENY_WHAT_PRECEDES = (
 )
 #: What was supposed before does not reach the statement behind these words.
 ENDS_CASE = (
-    r"otherwise|(?:contrary|opposite|other|general|remaining) case|in contrast|on the contrary"
+    r"otherwise|(?:contrary|opposite|other|another|different|second|general|remaining)"
+    r" (?:(?:special|limiting|particular) )?case|in contrast|on the contrary"
     r"|(?:without|dropping|lifting|removing|relaxing) (?:this|that|the|any|these|such)"
     r" (?:further |other )?(?:assumption|condition|restriction|constraint|hypothesis)s?"
 )

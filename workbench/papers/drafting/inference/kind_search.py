@@ -43,8 +43,8 @@ class Formula:
         return tuple(sorted({name for tree in self.trees for name in tree.names}))
 
     @property
-    def is_equation(self) -> bool:
-        return any(tree.op == "equal" and len(tree.names) > 1 for tree in self.trees)
+    def is_spoken_equation(self) -> bool:
+        return self.inline and any(tree.op == "equal" and len(tree.names) > 1 for tree in self.trees)
 
 
 Change = Mapping[str, Kind]
@@ -95,9 +95,7 @@ class Search:
             stop_if_asked()
             formula, kinds = self.formulas[place], dict(zip(names, own, strict=True))
             total = sum(self.costs.least(tree, kinds) for tree in formula.trees)
-            known = self._known[key] = (
-                total * _INLINE // 10 if formula.inline and not formula.is_equation else total
-            )
+            known = self._known[key] = total * _INLINE // 10 if formula.inline else total
         return known
 
     def own(self, names: Collection[str], change: Change) -> int:
@@ -370,12 +368,15 @@ class Search:
         return own[self.kinds[name]] == min(own.values()) and (face(name) in _OF_MARKS or name in self.said)
 
     def needed_once(self) -> Iterator[tuple[str, int, Kind]]:
-        """Yields symbols whose kind rests on one display only, its index, and the kind without it."""
+        """Yields symbols whose kind rests on one display, and on no equation in a sentence: the name, index
+        of the display, and the kind without it."""
         for name, places in self.users.items():
             for kind in list(self.prior[name])[:_MOST_OPTIONS]:
                 change = {name: kind}
                 dearer = {p: self._cost(p, change) - self._now[p] for p in places}
                 more = self.own(change, change) - self.own(change, {}) + sum(dearer.values())
+                spoken = sum(max(dearer[p], 0) for p in places if self.formulas[p].is_spoken_equation)
+                more += spoken * 10 // _INLINE - spoken
                 alone = (p for p, own in dearer.items() if own > more and not self.formulas[p].inline)
                 if kind != self.kinds[name] and (place := next(alone, None)) is not None:
                     yield name, place, kind

@@ -16,7 +16,7 @@ from workbench.context.free_symbols import terms_of
 from workbench.context.property_statements import having
 from workbench.context.unread_facts import is_turned
 from workbench.core.brackets import outside
-from workbench.core.construct import apply, relation, symbol, zero
+from workbench.core.construct import apply, number, relation, symbol, zero
 from workbench.core.names import Name
 from workbench.core.terms import (
     Apply,
@@ -47,6 +47,8 @@ _RELATIONS = ORDERS.keys() | UNEQUAL | {"=", ":=", "\\in"}
 _OPENING, _CLOSING = ("(", "[", "{", "\\{"), (")", "]", "}", "\\}")
 _SIZES = ("\\left", "\\right", "\\,", "\\;", "~", " ")
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
+#: The greatest denominator of the fraction that stands for a multiple of π.
+_DIGITS = 10**9
 #: Rounding errors of the bounds of an angle.
 _CLOSE = 1e-9
 
@@ -119,7 +121,8 @@ def bounds_of(
         yield fact(Relation("≠", left, right), bound=bound)
     if isinstance(left, Apply) and left.head == "norm" and isinstance(right, Zero) and order in ">≥":
         return
-    if _number(left, pi) is not None or (isinstance(right, Symbol) and not isinstance(left, Symbol)):
+    is_turned_round = isinstance(right, Symbol) and not isinstance(left, Symbol) and right.declaration != pi
+    if _number(left, pi) is not None or is_turned_round:
         left, right, order = right, left, order.translate(_TURNED)
     value = _number(right, pi)
     if left.type != SCALAR or (pi is not None and value is None):
@@ -130,8 +133,9 @@ def bounds_of(
     is_positive = value is not None and ((order == ">" and value >= 0) or (order == "≥" and value > 0))
     if isinstance(left, Symbol) and is_positive:
         yield from [] if left.declaration.positive else [fact(having("positive", [left]))]
-    elif pi is None:
-        yield fact(_assumed(left, right, order))
+    else:
+        end = right if pi is None or value is None else number(value.limit_denominator(_DIGITS))
+        yield fact(_assumed(left, end, order))
 
 
 def with_signs_of_functions(facts: Sequence[Fact], statement: Statement, notation: Notation) -> list[Fact]:
@@ -197,8 +201,8 @@ def _number(term: Term, pi: Declaration | None) -> Fraction | None:
         case Symbol(declaration=declaration) if declaration == pi:
             return Fraction(math.pi)
         case Apply(head="neg", arguments=(inner,)):
-            number = _number(inner, pi)
-            return None if number is None else -number
+            inside = _number(inner, pi)
+            return None if inside is None else -inside
         case Apply(head="mul" | "div" as head, arguments=(one, other)):
             left, right = _number(one, pi), _number(other, pi)
             if left is None or not right:

@@ -31,6 +31,8 @@ _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
 #: The indices of a component of a vector, a matrix or a quaternion.
 COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 _CONSTANT = re.compile(r"(?:\\(?:text|mathrm|mbox|textrm|rm|operatorname))?\.?const(?:ant)?")
+#: The sign of a bound behind an equation, as in x = y < 1: stated bounds are facts of their own.
+_BOUND = re.compile(r"\\(?:in|lt|gt|leq?|geq?|leqslant|geqslant)(?![A-Za-z])|[<>]")
 _WHOLE = re.compile(r"[+-]?\d+")
 _RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
 _COSINES = (1, 0, -1, 0)
@@ -95,6 +97,7 @@ def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[s
     found: dict[str, list[Unread]] = {}
     for latex, line, file, formula in said:
         left, equals, right = latex.partition("=")
+        right = _BOUND.split(right, maxsplit=1)[0]
         if equals:
             name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
             found.setdefault(name, []).append(Unread(left, right, line, file, formula))

@@ -42,7 +42,8 @@ _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORE
 _OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
 #: The words before an equation that the text solves.
 _TO_SOLVE = re.compile(
-    r"\bsolv(?:e|es|ed|ing)\b[^.;,$]*\b(?:equations?|systems?|problems?)\s*:?\s*$", re.IGNORECASE
+    r"\bsolv(?:e|es|ed|ing)\b(?:(?!giv|yield|obtain|find|lead)[^.;,$])*\b(?:equations?|systems?|problems?)\s*:?\s*$",
+    re.IGNORECASE,
 )
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3

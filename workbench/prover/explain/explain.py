@@ -44,14 +44,13 @@ from workbench.prover.explain.near_identities import is_near_identity
 from workbench.prover.explain.other_readings import is_rounded, other_reading, without_free_pi
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.prover.explain.verdicts_under_facts import (
-    is_met,
     is_small,
     only_said,
     says_what_is,
     terms_said,
     under,
     unmet_bounds,
-    words_of,
+    unmet_statements,
 )
 from workbench.runtime.limits import within
 
@@ -339,8 +338,9 @@ class _Explanation:
         if bounds := unmet_bounds(self.known, self.pending, self.decider.decide):
             return Verdict(Outcome.UNCHECKED, reason=bounds, read_back=self.base.read_back)
         unless = [*self._rescuing(context), *self.doubts]
-        met = {words_of(fact) for fact in self.known}
-        unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in context.opaque if not is_met(fact, met)]
+        decide, notation = self.decider.decide, self.claim.notation
+        more = unmet_statements(context.opaque, self.known, notation, decide)
+        unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in more]
         values = shown.values if shown else {}
         pending = [each for each in self.pending if not (each.bound and each.bound.allows(values))]
         pending += self._undecided(context)

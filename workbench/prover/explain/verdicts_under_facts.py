@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence, Set
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
+from workbench.context.claims import Notation
 from workbench.context.facts import Act, Fact, Provider, Strength, Supposition
 from workbench.context.free_symbols import names_in
+from workbench.context.read_formulas import read_statement
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.hypotheses import Hypothesis
 from workbench.core.reasons import Reason
 from workbench.core.terms import Definition, Relation, Symbol, Term, sides_of
@@ -71,14 +75,31 @@ def is_small(facts: Sequence[Fact]) -> bool:
     return any(isinstance(term, Symbol) and term.declaration.small for term in terms)
 
 
-def words_of(fact: Fact) -> tuple[str, str]:
+def _words_of(fact: Fact) -> tuple[str, str]:
     """Returns the words of a fact without blanks, and its place."""
     return "".join(fact.origin.text.split()), fact.origin.place
 
 
-def is_met(fact: Fact, met: Set[tuple[str, str]]) -> bool:
-    """True if an equation that is not read in its place is a fact that the refutation meets."""
-    return fact.origin.provider is Provider.UNREAD and words_of(fact) in met
+def unmet_statements(
+    opaque: Sequence[Fact],
+    known: Sequence[Fact],
+    notation: Notation,
+    decide: Callable[[Sequence[Fact]], Verdict],
+) -> list[Fact]:
+    """Returns the statements of the text that a refutation does not meet: an equation in another place is met
+    if the claim is refuted with it, too."""
+    met = {_words_of(fact) for fact in known}
+    found = []
+    for fact in opaque:
+        if fact.origin.provider is Provider.UNREAD:
+            if _words_of(fact) in met:
+                continue
+            with suppress(ReadError, IllFormedAt, ValueError):
+                said, ranges = read_statement(fact.origin.text, notation, None)
+                if not ranges and decide([*known, replace(fact, content=said)]).outcome is Outcome.REFUTED:
+                    continue
+        found.append(fact)
+    return found
 
 
 def terms_said(fact: Fact) -> Sequence[Term]:

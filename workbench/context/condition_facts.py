@@ -111,20 +111,29 @@ class InlineFormulas:
             denied = is_denied(formula)
             made = [] if denied else list(_condition(step.tokens, line, notation, with_equations))
             if is_exception(formula):
-                made = [fact for each in made if (fact := _denied(each)) is not None]
+                is_bound = any(token.text in ORDERS for token in step.tokens)
+                made = [fact for each in made if (fact := _denied(each, is_bound)) is not None]
             elif with_equations and is_let(formula):
                 made = list(map(_as_definition, made))
             self._read[key] = (notation, made)
         return self._read[key][1]
 
 
-def _denied(fact: Fact) -> Fact | None:
-    """Returns the fact that holds where the fact does not: f ≠ 0 of "unless f = 0"; None if none is known."""
+def _denied(fact: Fact, is_bound: bool) -> Fact | None:
+    """Returns the fact that holds where the fact does not: f ≠ 0 of "unless f = 0"; None if none is known.
+
+    is_bound: whether the fact is one of those of an inequality, of which only a ≥ b is denied, as b ≥ a.
+    """
     said = fact.content
     if not isinstance(said, Relation) or said.operator == "≈" or fact.bound is not None:
         return None
-    other = Relation("≠" if said.operator == "=" else "=", said.left, said.right)
-    sign = "\\neq" if other.operator == "≠" else "="
+    if is_bound != (said.operator == "≥"):
+        return None
+    if is_bound:
+        other, sign = Relation("≥", said.right, said.left), "\\leq"
+    else:
+        other = Relation("≠" if said.operator == "=" else "=", said.left, said.right)
+        sign = "\\neq" if other.operator == "≠" else "="
     words = f"{to_latex(said.left)} {sign} {to_latex(said.right)}"
     return replace(fact, content=other, origin=replace(fact.origin, text=words))
 

@@ -77,6 +77,8 @@ def written(text: str, ending: str) -> str:
         (r"With <<m \in (0, 1]>> it is [[\sqrt{m^2} = -m]]", "refuted"),
         (r"With <<\cos f > 0>> it is [[\sqrt{1 - \sin^2 f} = \cos f]]", "unchecked"),
         (r"With <<\cos f > 0>> it is [[\sqrt{1 - \sin^2 f} = -\cos f]]", "refuted"),
+        (r"Unless <<\cos f > 0>> it is [[\sqrt{1 - \sin^2 f} = -\cos f]]", "unchecked"),
+        (r"Unless <<\cos f > 0>> it is [[\sqrt{1 - \sin^2 f} = \cos f]]", "refuted"),
         (r"With <<0 < f < \pi>> it is [[\sqrt{1 - \cos^2 f} = \sin f]]", "unchecked"),
         (r"With <<f \in [0, \pi)>> it is [[\sqrt{1 - \cos^2 f} = \sin f]]", "unchecked"),
         (r"With <<f \in (0, \pi)>> it is [[\sqrt{1 - \cos^2 f} = -\sin f]]", "refuted"),

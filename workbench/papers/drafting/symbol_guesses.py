@@ -26,6 +26,8 @@ _BELOW = re.compile(
     r"(?P<base>(?:\\[A-Za-z]+\s*\{?\s*)*[A-Za-z]?|\\[A-Za-z]+)\s*\}*(?:'|\^\s*\{?[\d*+-]*\}?)?"
     r"\s*_\s*(?:\{(?P<long>[^{}]*)\}|(?P<short>[A-Za-z0-9]))"
 )
+_SUM = re.compile(r"\\(?:sum|prod)(?![A-Za-z])")
+_FLAT = re.compile(r"[\s{}]")
 _MACRO = re.compile(r"\\[A-Za-z]+")
 
 
@@ -83,7 +85,7 @@ def _why(name: str, found: Inferred) -> str:
 def labels_in(formulas: Iterable[str]) -> Iterator[Guess]:
     """Yields the letters that stand only as the whole subscript of symbols without other members.
 
-    So is the m of F_m and v_m, unless the text writes F_1, F_{m+1}, F_j or m = 1, 2, …
+    So is the m of F_m and v_m, unless the text writes F_1, F_{m+1}, F_j or m = 1, 2, …, or sums such symbols.
     """
     texts = [_IN_WORDS.sub(" ", latex) for latex in formulas]
     below: dict[str, set[str]] = {}
@@ -99,7 +101,8 @@ def labels_in(formulas: Iterable[str]) -> Iterator[Guess]:
         is_written = any(
             re.search(rf"(?<![A-Za-z]){letter}(?![A-Za-z])|{letter}\s*=", text) for text in alone
         )
-        if bases and not bases & {"\\sum", "\\prod", "\\int"} and not is_index and not is_written:
+        is_summed = any(_SUM.search(text) and f"_{letter}" in _FLAT.sub("", text) for text in texts)
+        if bases and not (is_index or is_written or is_summed):
             yield Guess(letter, "scalar", "a label of symbols, and no index")
 
 

@@ -23,6 +23,7 @@ from workbench.core.types import Declaration
 from workbench.core.verdict import Strength
 from workbench.language.definitions import expand
 from workbench.language.grammar.latex_keys import Ignored, latex_key
+from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import is_of_next_sentence, sections_of
 
@@ -96,12 +97,17 @@ def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[s
     said += [(each.latex, each.line, each.source.path, each) for each in inline]
     found: dict[str, list[Unread]] = {}
     for latex, line, file, formula in said:
-        left, equals, right = latex.partition("=")
-        right = _BOUND.split(right, maxsplit=1)[0]
+        left, equals, right = without_bound(latex).partition("=")
         if equals:
             name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
             found.setdefault(name, []).append(Unread(left, right, line, file, formula))
     return found
+
+
+def without_bound(latex: str) -> str:
+    """Returns the equation x = y of x = y > 0 and of x = y ∈ (0, 1); a formula of another form as it is."""
+    left, equals, right = latex.partition("=")
+    return left + equals + _BOUND.split(right, maxsplit=1)[0]
 
 
 def unread_facts(claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
@@ -121,6 +127,10 @@ def unread_facts(claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fac
 def _facts_about(declaration: Declaration, claim: Claim, said: Mapping[str, list[Unread]]) -> Iterator[Fact]:
     notation = claim.notation
     stated = list(_said_of(declaration, notation, said))
+    if declaration.indices:
+        own_symbols = (term for term in terms_of(claim.printed.parsed) if isinstance(term, Symbol))
+        members = {_flat(to_latex(each)) for each in own_symbols if each.declaration == declaration}
+        stated += [each for name in sorted(members) for each in said.get(name, ())]
     for unread in stated:
         is_before = is_before_scope([declaration.name], unread.file, unread.line, notation)
         formula = unread.inline

@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from workbench.context.unread_facts import without_bound
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.paper_errors import NoDisplay, PaperError
 from workbench.core.reasons import Reason
@@ -151,10 +152,11 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     in_displays = definitions_in(made)
     shown = set().union(*(formula.outcome.symbols for formula in made))
     own = {each.symbol for each in in_displays}
+    spoken_equations = ((each, without_bound(each.latex)) for each in inline)
     sentences = [
-        Formula(display, display.latex, reader.read(display.latex))
-        for display in inline
-        if display.latex.count("=") == 1 and not _opaque(display, display.latex)
+        Formula(display, latex, reader.read(latex))
+        for display, latex in spoken_equations
+        if latex.count("=") == 1 and not _opaque(display, latex)
     ]
     turning = list(spins_of_tensors([*made, *sentences], own))
     own |= {each.symbol for each in turning}

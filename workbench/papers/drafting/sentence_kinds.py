@@ -257,7 +257,9 @@ _RULES: tuple[Rule, ...] = (
         rf" (?P<names>{_LIST})",
         _listed("free"),
     ),
-    _rule(rf"\b{_UNIT_QUATERNION} (?:is |denoted |written |given |by |as )*{_mark('name')}", _quaternion),
+    _rule(
+        rf"\b{_UNIT_QUATERNION} (?:is |are |denoted |written |given |by |as )*{_mark('name')}", _quaternion
+    ),
     _rule(
         rf"{_mark('name')}(?: is| be| denotes?| represents?|,)(?: an?| the| some)? {_UNIT_QUATERNION}\b",
         _quaternion,

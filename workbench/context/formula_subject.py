@@ -10,7 +10,7 @@ from functools import cached_property
 
 from workbench.context.facts import Act
 from workbench.context.free_symbols import equations_of, free_in, parts_as_written, terms_of
-from workbench.core.construct import apply, block, number, rebuild, symbol, zero
+from workbench.core.construct import apply, block, number, symbol, with_children, zero
 from workbench.core.names import Name
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import (
@@ -249,7 +249,7 @@ def _without_zero_columns(term: Term) -> Term:
     """Returns the term without the rows of a matrix that a matrix before it multiplies by 0."""
     if not any(isinstance(part, Zero) for part in term.walk()):
         return term
-    made = rebuild(term, [_without_zero_columns(child) for child in term.children]) if term.children else term
+    made = with_children(term, _without_zero_columns)
     match made:
         case Apply(head="mul", arguments=(Block(entries=left), Block(entries=right))) if len(left[0]) == len(
             right

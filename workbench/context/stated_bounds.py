@@ -18,17 +18,7 @@ from workbench.context.unread_facts import is_turned
 from workbench.core.brackets import outside
 from workbench.core.construct import apply, number, relation, symbol, zero
 from workbench.core.names import Name
-from workbench.core.terms import (
-    Apply,
-    IllFormed,
-    Number,
-    Relation,
-    Statement,
-    Symbol,
-    Term,
-    Zero,
-    sides_of,
-)
+from workbench.core.terms import Apply, IllFormed, Number, Relation, Statement, Symbol, Term, Zero, sides_of
 from workbench.core.types import SCALAR, Declaration
 from workbench.core.verdict import Strength
 from workbench.language.definitions import expand

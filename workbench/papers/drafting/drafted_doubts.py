@@ -149,8 +149,7 @@ def other_meanings(claim: Claim, known: Definitions, guesses: Mapping[str, Guess
             yield DoubtCode.IMAGINARY_UNIT(name=guess.name)
     for term in terms_of(statement) if isinstance(statement, Relation) else ():
         if isinstance(term, Derivative) and isinstance(term.body, Symbol) and term.body.arguments:
-            parts = [part for argument in term.body.arguments for part in argument.walk()]
-            inside = [part.declaration for part in parts if isinstance(part, Symbol)]
+            inside = [part.declaration for each in term.body.arguments for part in each.symbols()]
             if all(each.name.letter in _TIMES and not each.clock for each in inside):
                 yield DoubtCode.RATE_AT_PLACE(term=to_latex(term.body))
     if own is None or own.arguments or not isinstance(statement, Relation):

@@ -9,16 +9,7 @@ from dataclasses import replace
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, derivative, power, relation, zero
 from workbench.core.operations import PARTIALS
-from workbench.core.terms import (
-    Apply,
-    Derivative,
-    Number,
-    Power,
-    Relation,
-    Statement,
-    Symbol,
-    Term,
-)
+from workbench.core.terms import Apply, Derivative, Number, Power, Relation, Statement, Symbol, Term
 from workbench.core.types import SCALAR
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact

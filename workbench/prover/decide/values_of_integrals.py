@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from math import factorial
 
-from workbench.core.construct import apply, block, number, power, rebuild, relation, zero
+from workbench.core.construct import apply, block, number, power, rebuild, relation, with_children, zero
 from workbench.core.operations import LINEAR
 from workbench.core.terms import (
     Apply,
@@ -39,8 +39,7 @@ Holds = Callable[[Relation], bool]
 
 def with_values(term: Term, holds: Holds) -> Term:
     """Returns the term with the value of each integral and limit that has one."""
-    children = [with_values(child, holds) for child in term.children]
-    made = rebuild(term, children) if children else term
+    made = with_children(term, lambda child: with_values(child, holds))
     if not isinstance(made, Integral) or len(made.place) < 2:
         return made
     variable, *bounds = made.place

@@ -10,13 +10,7 @@ from dataclasses import dataclass, replace
 from workbench.papers.drafting.inference.differential_letters import has_differentials
 from workbench.papers.drafting.inference.kind_operations import SYMBOL, Operation
 from workbench.papers.drafting.inference.kind_search import Formula, Search
-from workbench.papers.drafting.inference.kind_signatures import (
-    QUATERNION,
-    SCALAR,
-    TENSOR,
-    VECTOR,
-    Kind,
-)
+from workbench.papers.drafting.inference.kind_signatures import QUATERNION, SCALAR, TENSOR, VECTOR, Kind
 from workbench.papers.drafting.inference.notation_marks import (
     Rewriter,
     applied_letters,

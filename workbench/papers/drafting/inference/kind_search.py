@@ -192,8 +192,7 @@ class Search:
             names = self.names[place]
             strange = (self.prior[name][self.kinds[name]] - min(self.prior[name].values()) for name in names)
             is_wrong = self.cost(place) >= MISFIT * (_INLINE if self.formulas[place].inline else 10) // 20
-            is_suspect = is_wrong or max(strange, default=0) >= _STRANGE
-            if not is_suspect or self._is_late():
+            if not (is_wrong or max(strange, default=0) >= _STRANGE) or self._is_late():
                 continue
             state = tuple(self.kinds[name] for name in names)
             if self._hopeless.get(place) == state:

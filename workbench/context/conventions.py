@@ -33,6 +33,7 @@ class Convention:
         of_letters: Whether it depends on letters, accents or typefaces, so that renaming symbols may change
             it.
         duration: How long the facts hold.
+        of_text: Whether a text that needs the facts in several formulas means them in all.
     """
 
     name: str
@@ -40,6 +41,17 @@ class Convention:
     of_letters: bool
     make: Callable[[Subject], Iterator[Made]]
     duration: Duration = Duration.ALWAYS
+    of_text: bool = False
+
+    def facts(self, subject: Subject) -> Iterator[Fact]:
+        """Yields the facts that it suggests of the symbols of a claim."""
+        if self.of_letters and not subject.letters:
+            return
+        for words, own, content in self.make(subject):
+            if any(each.declaration.hidden or each.declaration.introduced for each in own):
+                continue  # a symbol that only frames and definitions introduce is not the author's
+            about = names_of([each.declaration for each in own])
+            yield Fact(content, about, Origin(Provider.CONVENTION, words), self.strength, self.duration)
 
 
 def conventional(subject: Subject) -> Context:
@@ -47,18 +59,16 @@ def conventional(subject: Subject) -> Context:
     hints: list[Fact] = []
     guesses: list[tuple[Fact, ...]] = []
     for row in CONVENTIONS:
-        if row.of_letters and not subject.letters:
-            continue
-        for words, own, content in row.make(subject):
-            if any(each.declaration.hidden or each.declaration.introduced for each in own):
-                continue  # a symbol that only frames and definitions introduce is not the author's
-            about = names_of([each.declaration for each in own])
-            fact = Fact(content, about, Origin(Provider.CONVENTION, words), row.strength, row.duration)
-            if row.strength is Strength.HINTED:
-                hints.append(fact)
-            else:
-                guesses.append((fact,))
+        if row.strength is Strength.HINTED:
+            hints += row.facts(subject)
+        else:
+            guesses += ((fact,) for fact in row.facts(subject))
     return Context(tuple(hints), tuple(guesses))
+
+
+def guesses_of_texts(subject: Subject) -> Iterator[Fact]:
+    """Yields the guesses for a claim that a text means everywhere if several formulas need them."""
+    return (fact for row in CONVENTIONS if row.of_text for fact in row.facts(subject))
 
 
 def _hats(subject: Subject) -> Iterator[Made]:
@@ -154,7 +164,7 @@ def _under_roots(subject: Subject) -> Iterator[Made]:
 
 
 def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
-    """Returns a maker that gives a property to all symbols that may have it, and then to each alone."""
+    """Returns a maker that gives a property to each symbol that may have it, and then to all of them."""
 
     def make(subject: Subject) -> Iterator[Made]:
         row = PROPERTIES[name]
@@ -162,7 +172,7 @@ def _flag(name: str) -> Callable[[Subject], Iterator[Made]]:
         may = [s for s in may if not (row.flag and getattr(s.declaration, row.flag))]
         if name == "skew":  # a symmetric skew matrix is zero
             may = [s for s in may if not (s.declaration.symmetric or s.declaration.diagonal)]
-        for own in [may] * (len(may) > 1) + [[each] for each in may]:
+        for own in [[each] for each in may] + [may] * (len(may) > 1):
             yield f"{named(own)}: {name}", own, having(name, own)
 
     return make
@@ -276,17 +286,17 @@ CONVENTIONS = (
     Convention("circle", Strength.HINTED, True, _circles),
     Convention("positive", Strength.HINTED, False, _under_roots),
     Convention("never moved", Strength.HINTED, False, _rests(under_rates=False)),
-    Convention("rotation", Strength.GUESSED, False, _flag("rotation")),
-    Convention("unit", Strength.GUESSED, False, _flag("unit")),
+    Convention("rotation", Strength.GUESSED, False, _flag("rotation"), of_text=True),
+    Convention("unit", Strength.GUESSED, False, _flag("unit"), of_text=True),
     Convention("rests", Strength.GUESSED, False, _rests(under_rates=True)),
-    Convention("symmetric", Strength.GUESSED, False, _flag("symmetric")),
-    Convention("skew", Strength.GUESSED, False, _flag("skew")),
-    Convention("orthogonal", Strength.GUESSED, False, _flag("orthogonal")),
+    Convention("symmetric", Strength.GUESSED, False, _flag("symmetric"), of_text=True),
+    Convention("skew", Strength.GUESSED, False, _flag("skew"), of_text=True),
+    Convention("orthogonal", Strength.GUESSED, False, _flag("orthogonal"), of_text=True),
     Convention("axes", Strength.GUESSED, True, vector_figures.axes),
     Convention("right angle", Strength.GUESSED, False, vector_figures.right_angles),
     Convention("coincident", Strength.GUESSED, False, vector_figures.coincident, Duration.INSTANT),
     Convention("turning", Strength.GUESSED, False, vector_figures.turning),
     Convention("spin", Strength.GUESSED, False, _spins),
-    Convention("length one", Strength.GUESSED, False, _of_length_one),
+    Convention("length one", Strength.GUESSED, False, _of_length_one, of_text=True),
     Convention("small", Strength.GUESSED, False, _small),
 )

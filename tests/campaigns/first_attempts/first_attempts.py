@@ -96,7 +96,7 @@ def judged(claims: Sequence[Claim], seconds: float = SECONDS) -> dict[str, Claim
             print(f"  out of time: {len(claims) - len(found)} of {len(claims)} formulas are not judged")
             break
     judge.close()
-    return found
+    return {result.claim.id: result for result in judge.on_shared_guesses([*found.values()])}
 
 
 def rows_of(file: Path, change: Callable[[str], str]) -> list[Row]:

@@ -53,7 +53,7 @@ SHOWN = [
     (r"\frac{d}{dt}(\frac{1}{2} x^2 - \frac{\mu}{r}) = x \dot{x} + \frac{\mu}{r^2} \dot{r}", r"\mu: constant",
      r"\frac{d}{dt}(\frac{1}{2} x^2 - \frac{\mu}{r}) = x \dot{x} - \frac{\mu}{r^2} \dot{r}"),
     (r"\dot{z} = A z \Rightarrow \ddot{z} = A^2 z", "A: constant", r"\dot{z} = A z \Rightarrow \ddot{z} = -A^2 z"),
-    (r"\mathbf{n} \cdot \mathbf{a} = 0 \Rightarrow \mathbf{n} \times (\mathbf{n} \times \mathbf{a}) = -\mathbf{a}", r"\mathbf{n}, \mathbf{a}: unit",
+    (r"\mathbf{n} \cdot \mathbf{a} = 0 \Rightarrow \mathbf{n} \times (\mathbf{n} \times \mathbf{a}) = -\mathbf{a}", r"\mathbf{n}: unit",
      r"\mathbf{n} \cdot \mathbf{a} = 0 \Rightarrow \mathbf{n} \times (\mathbf{n} \times \mathbf{a}) = 2 \mathbf{a}"),
 ]  # fmt: skip
 

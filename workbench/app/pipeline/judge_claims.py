@@ -30,6 +30,7 @@ from workbench.papers.selection import select_claims
 from workbench.prover.explain.ambiguous_displays import in_both_readings, served_by, with_what_stands_beside
 from workbench.prover.explain.decide_under_facts import judged_alone, judged_or_unchecked
 from workbench.prover.explain.explain import Explainer
+from workbench.prover.explain.shared_guesses import on_shared_guesses
 from workbench.prover.preload import load_engines
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.runtime import STANDARD, Budget, OutOfBudget, Workers
@@ -144,6 +145,25 @@ class ClaimJudge:
             verdicts.close()
             if workers is not self._workers:
                 workers.close()
+
+    def on_shared_guesses(self, results: Sequence[ClaimResult]) -> list[ClaimResult]:
+        """Returns the results of a text; a guess that several of its formulas need is a hint in them all."""
+        claims = on_shared_guesses(results)
+        if not claims:
+            return list(results)
+        again = ClaimJudge(
+            claims,
+            self._theorems,
+            self._second_engine,
+            self._witnesses is not None,
+            self.budget,
+            self._memory,
+        )
+        try:
+            own = {result.claim.id: result for result in again.results(claims, jobs=1)}
+        finally:
+            again.close()
+        return [own.get(result.claim.id, result) for result in results]
 
     def key(self, claim: Claim, form: str) -> str:
         """Returns the cache key of the verdict on a form: a digest of everything that it depends on."""
@@ -338,7 +358,7 @@ def _judged(
     jobs: int | None = None,
 ) -> list[ClaimResult]:
     try:
-        return in_order(judge.results(claims, jobs), claims, progress)
+        return judge.on_shared_guesses(in_order(judge.results(claims, jobs), claims, progress))
     finally:
         judge.close()
 

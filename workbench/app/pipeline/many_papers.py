@@ -66,6 +66,7 @@ def _collected(
     claims = loaded.paper.claims
     try:
         with progress(len(claims)) as advance:
-            return loaded.judged(in_order(results, claims, advance), budget, memory)
+            found = judge.on_shared_guesses(in_order(results, claims, advance))
+        return loaded.judged(found, budget, memory)
     finally:
         judge.close()

@@ -291,9 +291,8 @@ class _Explanation:
         if claim.context.span is None or claim.context.alone:
             return Context((*self.known, *others))
         said = self._definitions()
-        sentences = [
-            f for f in claim.context.facts if f.origin.provider is Provider.SENTENCE and not f.is_opaque
-        ]
+        hinted = (Provider.SENTENCE, Provider.CONVENTION)
+        sentences = [f for f in claim.context.facts if f.origin.provider in hinted and not f.is_opaque]
         context = conventional(subject_of(claim, said) if said else self.subject)
         facts = dict.fromkeys((*self.known, *sentences, *context.facts, *others))
         guessed = [fact for fact in claim.context.facts if fact.strength is Strength.GUESSED]

@@ -31,6 +31,12 @@ def rate_in(said: object, own: Symbol) -> tuple[int, Term] | None:
     return None
 
 
+def order_in(said: object, own: Symbol) -> int | None:
+    """Returns the order of the symbol's rate that an equation gives; None if it gives none."""
+    rate = rate_in(said, own)
+    return None if rate is None else rate[0]
+
+
 def is_given_by(law: Relation, own: Symbol, fact: Fact, definitions: Definitions) -> bool:
     """True if a fact gives a rate of the symbol from which the law follows, or gives the same rate otherwise.
 
@@ -42,6 +48,18 @@ def is_given_by(law: Relation, own: Symbol, fact: Fact, definitions: Definitions
         return there[0] > 0 or fact.act is Act.DEFINE
     both = Relation("=", there[1], here[1])
     return not free_in([there[1], here[1]], definitions) or not constrains(both, definitions)
+
+
+def given_by(law: Relation, own: Symbol, facts: Sequence[Fact], definitions: Definitions) -> list[Fact]:
+    """Returns the facts that give the symbol, or lower rates of all symbols in its definition, as of the
+    components of a quaternion."""
+    given = [fact for fact in facts if is_given_by(law, own, fact, definitions)]
+    body, here = body_of(own, definitions), order_in(law, own)
+    if given or body is None or here is None:
+        return given
+    parts = [part for part in body.symbols() if body_of(part, definitions) is None]
+    rates = [[f for f in facts if 0 < (order_in(f.content, part) or 0) < here] for part in parts]
+    return [fact for own_facts in rates for fact in own_facts] if all(rates) else []
 
 
 def is_repeated(claim: Claim, facts: Iterable[Fact]) -> bool:

@@ -16,13 +16,13 @@ from workbench.context.conventions import conventional
 from workbench.context.facts import Act, Context, Fact, Provider, Strength
 from workbench.context.formula_acts import act_by_sign, subject_of
 from workbench.context.formula_subject import Subject
-from workbench.context.free_symbols import free_in, names_in, terms_of
-from workbench.context.repeated_laws import GIVES, is_given_by, laws_in, rate_in
+from workbench.context.free_symbols import free_in, names_in
+from workbench.context.repeated_laws import GIVES, given_by, laws_in, order_in, rate_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.doubt_codes import DoubtCode, as_one_doubt
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.reasons import Reason
-from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol, sides_of
+from workbench.core.terms import Definition, Relation, Symbol, sides_of
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.prover.explain.decide_under_facts import (
@@ -33,7 +33,7 @@ from workbench.prover.explain.decide_under_facts import (
     minimise,
 )
 from workbench.prover.explain.excluded_poles import POLES, without_poles
-from workbench.prover.explain.fact_layers import layers_of, restricts
+from workbench.prover.explain.fact_layers import further_equations, layers_of, restricts
 from workbench.prover.explain.false_premises import under_premises
 from workbench.prover.explain.family_facts import for_members
 from workbench.prover.explain.field_alternatives import other_convention, with_other_gradient
@@ -44,10 +44,12 @@ from workbench.prover.explain.near_identities import is_near_identity
 from workbench.prover.explain.other_readings import is_rounded, other_reading, without_free_pi
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.prover.explain.verdicts_under_facts import (
+    holds_rate,
     is_small,
     only_said,
     says_what_is,
     terms_said,
+    undecided_guesses,
     under,
     unmet_bounds,
     unmet_statements,
@@ -196,18 +198,34 @@ class _Explanation:
         met: set[Fact] = set()
         for layer in layers:
             if self.decider.holds(layer):
-                core = minimise(layer, self.decider.holds)
-                found = self.decider.decide(core)
-                if found.outcome in _SURE:
-                    witness = self.base.counterexample or self.decider.witness()
-                    return under(found, core, replace(self.base, counterexample=witness))
+                if (held := self._under(layer)) is not None:
+                    return held
             elif self.decider.is_refuted(layer):
                 met.update(layer)
                 self.known = layer if len(layer) >= len(self.known) else self.known
         tried = dict.fromkeys(fact for layer in layers for fact in layer)
         self.pending = [f for f in tried if f not in met and restricts(f, self.subject, list(tried))]
         self.against = self.decider.decide(self.known) if self.known else self.base
+        if self.against.outcome is not Outcome.REFUTED:
+            return None
+        for fact in further_equations(self.claim, self.subject, self.known):
+            if self.decider.holds([*self.known, fact]):
+                return self._under([*self.known, fact])
+            found = self.decider.decide([*self.known, fact])
+            if found.outcome is Outcome.REFUTED:
+                self.known, self.against = [*self.known, fact], found
+            elif restricts(fact, self.subject, list(tried)):
+                self.pending.append(fact)
         return None
+
+    def _under(self, facts: Sequence[Fact]) -> Verdict | None:
+        """Returns the verdict under those of the facts that it needs, if both engines prove it."""
+        core = minimise(facts, self.decider.holds)
+        found = self.decider.decide(core)
+        if found.outcome not in _SURE:
+            return None
+        witness = self.base.counterexample or self.decider.witness()
+        return under(found, core, replace(self.base, counterexample=witness))
 
     def _count_again(self) -> None:
         """Determines the act again, with the definitions and laws expanded that the refutation includes.
@@ -223,11 +241,11 @@ class _Explanation:
         is_law = self.act is Act.POSTULATE or self.claim.context.repeats
         if own is None or not is_law or not isinstance(statement, Relation):
             return
-        given = [fact for fact in self.known if is_given_by(statement, own, fact, definitions)]
+        given = given_by(statement, own, self.known, definitions)
         if given and self.act is Act.POSTULATE:
             self.act = Act.ASSERT
-        order = _order(statement, own)
-        if given and all(_order(fact.content, own) == order for fact in given):
+        order = order_in(statement, own)
+        if given and all(order_in(fact.content, own) == order for fact in given):
             self.doubts.append(DoubtCode.OTHER_CASE(fact=given[0]))
 
     def _laws(self) -> tuple[Relation, ...]:
@@ -275,7 +293,7 @@ class _Explanation:
         beside = [each for each in self.known if each.origin.provider is Provider.CONDITION]
         said = [*self._beside, *(each.content for each in beside if isinstance(each.content, Relation))]
         names = {
-            name for each in said if each.operator == "=" and not _holds_rate(each) for name in names_in(each)
+            name for each in said if each.operator == "=" and not holds_rate(each) for name in names_in(each)
         }
         return {each.declaration.name for each in symbols} <= names
 
@@ -342,7 +360,7 @@ class _Explanation:
         unless += [DoubtCode.MORE_IS_SAID(fact=fact) for fact in more]
         values = shown.values if shown else {}
         pending = [each for each in self.pending if not (each.bound and each.bound.allows(values))]
-        pending += self._undecided(context)
+        pending += undecided_guesses(context, self.known, self.decider)
         unless += [DoubtCode.NOT_DECIDED_WITH(fact=fact) for fact in pending[:_NAMED]]
         if not meets:
             facts = ", ".join(map(str, self.hints or self.known))
@@ -353,18 +371,6 @@ class _Explanation:
         doubt = as_one_doubt(unless)  # the context counts once
         found = replace(self.base, counterexample=shown, basis=basis, unless=doubt)
         return found if doubt else replace(found, reason=self._given_otherwise() or found.reason)
-
-    def _undecided(self, context: Context) -> list[Fact]:
-        """Returns the guesses from other formulas under which no refutation meets the bounds of the text."""
-        bounds = [fact.bound for fact in context.facts if fact.bound is not None]
-        found: list[Fact] = []
-        for group in context.alternatives:
-            if all(fact.origin.provider is Provider.FORMULA for fact in group):
-                example = self.decider.decide([*self.known, *group]).counterexample
-                values = example.values if example is not None else None
-                if values is None or not all(bound.allows(values) for bound in bounds):
-                    found += group if self.decider.is_consistent([*self.known, *group]) else ()
-        return found
 
     def _given_otherwise(self) -> Reason | None:
         """Returns the reason that earlier formulas give the symbol of this one, and speak of its others."""
@@ -388,12 +394,3 @@ class _Explanation:
             return []
         other = other_convention(self.claim, self.decider, [*self.known, *self.hints])
         return [other] if other is not None else []
-
-
-def _order(said: object, own: Symbol) -> int | None:
-    rate = rate_in(said, own)
-    return None if rate is None else rate[0]
-
-
-def _holds_rate(statement: Statement) -> bool:
-    return any(isinstance(part, Derivative) for part in terms_of(statement))

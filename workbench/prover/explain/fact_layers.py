@@ -24,6 +24,8 @@ from workbench.prover.explain.laws_of_motion import is_all_given, laws_of
 
 #: Number of further equations that are assumed together.
 _MOST = 2
+#: Number of equations that are tried one by one.
+_MOST_FURTHER = 6
 _BESIDE = (Provider.CONDITION, Provider.UNREAD)
 
 
@@ -37,9 +39,7 @@ def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
         yield from filter(None, [beside])
         return
     formulas = [fact for fact in facts if fact.origin.provider is Provider.FORMULA]
-    definitions = _first(formulas)
-    others = [fact for fact in formulas if not isinstance(fact.content, Definition)]
-    others = [fact for fact in others if _is_reached(fact, subject)][-_MOST:]
+    definitions, others = _first(formulas), _equations(formulas, subject)[-_MOST:]
     own, more = (laws_of(claim, followed) for followed in (False, True))
     tried: list[list[Fact]] = [[]]
     for layer in (
@@ -55,6 +55,23 @@ def layers_of(claim: Claim, subject: Subject) -> Iterator[list[Fact]]:
         if (layer := list(dict.fromkeys(layer))) not in tried:
             tried.append(layer)
             yield layer
+
+
+def further_equations(claim: Claim, subject: Subject, known: Sequence[Fact]) -> list[Fact]:
+    """Returns the equations that are in no layer and not known, the nearest one first; no more than
+    `_MOST_FURTHER`."""
+    if is_all_given(claim):
+        return []
+    said = {fact.content for fact in known}
+    facts = (fact for fact in claim.context.facts if fact.strength > Strength.GUESSED)
+    formulas = [fact for fact in facts if fact.origin.provider is Provider.FORMULA]
+    further = [fact for fact in _equations(formulas, subject)[:-_MOST] if fact.content not in said]
+    return further[: -_MOST_FURTHER - 1 : -1]
+
+
+def _equations(formulas: Sequence[Fact], subject: Subject) -> list[Fact]:
+    others = (fact for fact in formulas if fact.content and not isinstance(fact.content, Definition))
+    return [fact for fact in others if _is_reached(fact, subject)]
 
 
 def restricts(fact: Fact, subject: Subject, facts: Sequence[Fact]) -> bool:

@@ -10,7 +10,7 @@ from workbench.context.claims import Claim, Formula
 from workbench.context.facts import Fact, Provider
 from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import body_of, free_in, terms_of
-from workbench.core.construct import derivative
+from workbench.core.integer_expressions import as_linear
 from workbench.core.terms import Apply, Derivative, IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.inventory import Inventory, take_inventory
@@ -131,8 +131,18 @@ def _is_named_rate(side: Term, definitions: Definitions) -> bool:
 
 
 def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:
-    """True if the rates in it, as written, have no factors except constants."""
-    written = [derivative(symbol, order) for symbol, order in rates.items()]
+    """True if the rates in it, as written, have no factors except constants.
+
+    The rate of a defined symbol, such as q = w + x i + y j + z k, is one of the symbols in its definition.
+    """
+    orders = {symbol.declaration: as_linear(order) for symbol, order in rates.items()}
+    written = [
+        part
+        for side in sides_of(law)
+        for part in side.walk()
+        if isinstance(part, Derivative)
+        and any(part.order == orders.get(each) for each in free_in([part.body], definitions))
+    ]
     return all(_is_alone(side, rate, definitions) for side in sides_of(law) for rate in written)
 
 

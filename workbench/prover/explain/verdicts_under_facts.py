@@ -7,17 +7,18 @@ from contextlib import suppress
 from dataclasses import replace
 
 from workbench.context.claims import Notation
-from workbench.context.facts import Act, Fact, Provider, Strength, Supposition
-from workbench.context.free_symbols import names_in
+from workbench.context.facts import Act, Context, Fact, Provider, Strength, Supposition
+from workbench.context.free_symbols import names_in, terms_of
 from workbench.context.read_formulas import read_statement
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.hypotheses import Hypothesis
 from workbench.core.reasons import Reason
-from workbench.core.terms import Definition, Relation, Symbol, Term, sides_of
+from workbench.core.terms import Definition, Derivative, Relation, Statement, Symbol, Term, sides_of
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.printing.printer import to_latex
+from workbench.prover.explain.decide_under_facts import Decider
 
 #: No point was found at which the sides of an equation differ.
 _NONE_FOUND = frozenset({VerdictCode.NO_COUNTEREXAMPLE, VerdictCode.NOT_FROM_FUNCTIONS})
@@ -60,12 +61,29 @@ def unmet_bounds(
     return ContextCode.NONE_WITHIN_BOUNDS(facts=", ".join(dict.fromkeys(map(str, bounds))))
 
 
+def undecided_guesses(context: Context, known: Sequence[Fact], decider: Decider) -> list[Fact]:
+    """Returns the guesses from other formulas under which no refutation meets the bounds of the text."""
+    bounds = [fact.bound for fact in context.facts if fact.bound is not None]
+    found: list[Fact] = []
+    for group in context.alternatives:
+        if all(fact.origin.provider is Provider.FORMULA for fact in group):
+            example = decider.decide([*known, *group]).counterexample
+            values = example.values if example is not None else None
+            if values is None or not all(bound.allows(values) for bound in bounds):
+                found += group if decider.is_consistent([*known, *group]) else ()
+    return found
+
+
 def says_what_is(own: Symbol, content: object) -> bool:
     """True if an equation has the symbol alone on a side, or contains no other symbol."""
     if not isinstance(content, Relation) or content.operator != "=":
         return False
     is_alone = (content.left == own) != (content.right == own)
     return is_alone or names_in(content) == {own.declaration.name}
+
+
+def holds_rate(statement: Statement) -> bool:
+    return any(isinstance(part, Derivative) for part in terms_of(statement))
 
 
 def is_small(facts: Sequence[Fact]) -> bool:

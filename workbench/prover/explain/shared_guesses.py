@@ -12,7 +12,9 @@ from workbench.context.claims import Claim
 from workbench.context.conventions import guesses_of_texts
 from workbench.context.facts import Fact, Strength
 from workbench.context.formula_acts import subject_of
+from workbench.context.free_symbols import terms_of
 from workbench.core.codes.doubt_codes import DoubtCode, single_doubts
+from workbench.core.terms import Apply, Symbol
 from workbench.core.verdict import Outcome
 from workbench.prover.results.claim_results import ClaimResult
 
@@ -39,9 +41,15 @@ def on_shared_guesses(results: Sequence[ClaimResult]) -> list[Claim]:
 
 
 def _needed(result: ClaimResult) -> Iterator[Fact]:
-    """Yields the guess under which a refuted claim of a text holds."""
-    if result.verdict.outcome is not Outcome.REFUTED or result.claim.context.span is None:
+    """Yields the guess under which a refuted claim of a text holds.
+
+    A formula that writes ‖n‖ does not mean a unit n.
+    """
+    statement = result.claim.printed.statement
+    if result.verdict.outcome is not Outcome.REFUTED or statement is None or not result.claim.context.span:
         return
+    norms = (part for part in terms_of(statement) if isinstance(part, Apply) and part.head == "norm")
+    sized = {inner.declaration.name for part in norms for inner in part.children if isinstance(inner, Symbol)}
     doubts = {
         doubt.arguments["facts"]
         for reason in result.verdict.unless
@@ -49,7 +57,8 @@ def _needed(result: ClaimResult) -> Iterator[Fact]:
         if doubt.code is DoubtCode.FACTS
     }
     if doubts:
-        yield from (fact for fact in guesses_of_texts(subject_of(result.claim)) if str(fact) in doubts)
+        guesses = guesses_of_texts(subject_of(result.claim))
+        yield from (each for each in guesses if str(each) in doubts and each.about.isdisjoint(sized))
 
 
 def _hint(guess: Fact) -> Fact:

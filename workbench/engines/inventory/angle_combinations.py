@@ -15,6 +15,7 @@ from typing import TypeGuard
 from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.construct import apply, number, symbol
 from workbench.core.names import Name
+from workbench.core.numeric_multiples import numeric_multiple
 from workbench.core.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
 from workbench.engines.inventory import Lookup, NotExact, WithDefinitions
 from workbench.engines.inventory.rodrigues import angle_and_axis, rotation_vector, twist_parts
@@ -158,20 +159,10 @@ def _reciprocal(term: Term, definitions: Lookup) -> Sum:
 
 def _scaled(term: Term, definitions: Lookup) -> tuple[Fraction, Term]:
     """Returns the numeric factor and the rest of a vector or scalar under a norm."""
-    match term:
-        case Symbol() if (body := definitions.lookup(term)) is not None:
-            size, rest = _scaled(body, definitions)
-            return (size, rest) if size != 1 else (size, term)
-        case Apply(head="neg", arguments=(inner,)):
-            size, rest = _scaled(inner, definitions)
-            return -size, rest
-        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))):
-            size, rest = _scaled(inner, definitions)
-            return value * size, rest
-        case Apply(head="div", arguments=(inner, Number(value=value))):
-            size, rest = _scaled(inner, definitions)
-            return size / value, rest
-    return Fraction(1), term
+    factor, inner = numeric_multiple(term)
+    body = definitions.lookup(inner) if isinstance(inner, Symbol) else None
+    size, rest = (Fraction(1), inner) if body is None else _scaled(body, definitions)
+    return (factor * size, rest) if size != 1 else (factor, inner)
 
 
 def _multiple(angle: Symbol, size: int) -> Term:

@@ -20,6 +20,7 @@ from workbench.core.codes.engine_codes import EngineCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, block, number, relation, symbol, zero
 from workbench.core.hypotheses import Hypothesis
+from workbench.core.numeric_multiples import numeric_multiple
 from workbench.core.reasons import Reason
 from workbench.core.terms import Apply, Conjunction, Head, Number, Relation, Statement, Symbol, Term, heads_in
 from workbench.core.types import PI
@@ -145,20 +146,12 @@ def _of_several(left: Term, right: Term, definitions: Lookup, judge: Judge) -> V
 
 
 def _addends(term: Term, factor: Fraction) -> Iterator[tuple[Fraction, Term]]:
-    match term:
-        case Apply(head="add", arguments=arguments):
-            for each in arguments:
-                yield from _addends(each, factor)
-        case Apply(head="neg", arguments=(inner,)):
-            yield from _addends(inner, -factor)
-        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))) if (
-            value
-        ):
-            yield from _addends(inner, factor * value)
-        case Apply(head="div", arguments=(inner, Number(value=value))):
-            yield from _addends(inner, factor / value)
-        case _:
-            yield factor, term
+    value, inner = numeric_multiple(term)
+    if isinstance(inner, Apply) and inner.head == "add":
+        for each in inner.arguments:
+            yield from _addends(each, factor * value)
+    else:
+        yield factor * value, inner
 
 
 def _normal(arc: Apply, several: bool) -> tuple[Fraction, Fraction, Term]:
@@ -223,18 +216,8 @@ def _divided(angle: Term, factor: Fraction) -> Term:
 
 
 def _arc(side: Term) -> _Arc | None:
-    match side:
-        case Apply(head=head, arguments=arguments) if head in ARCS:
-            return _Arc(Fraction(1), head, arguments)
-        case Apply(head="neg", arguments=(inner,)):
-            scaled, found = Fraction(-1), _arc(inner)
-        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))):
-            scaled, found = value, _arc(inner)
-        case Apply(head="div", arguments=(inner, Number(value=value))):
-            scaled, found = 1 / value, _arc(inner)
-        case _:
-            return None
-    return None if found is None or not scaled else found._replace(factor=scaled * found.factor)
+    factor, arc = numeric_multiple(side)
+    return _Arc(factor, arc.head, arc.arguments) if isinstance(arc, Apply) and arc.head in ARCS else None
 
 
 def _has_arc(term: Term) -> bool:

@@ -13,6 +13,7 @@ from fractions import Fraction
 from math import factorial
 
 from workbench.core.construct import apply, block, number, power, rebuild, relation, with_children, zero
+from workbench.core.numeric_multiples import numeric_multiple
 from workbench.core.operations import LINEAR
 from workbench.core.terms import (
     Apply,
@@ -20,7 +21,6 @@ from workbench.core.terms import (
     Derivative,
     Identity,
     Integral,
-    Number,
     Power,
     Relation,
     Symbol,
@@ -224,20 +224,10 @@ def _rebuilt(term: Term, children: list[Term]) -> Term:
 
 def _turns(angle: Term) -> Fraction | None:
     """Returns n for an angle n π."""
-    match angle:
-        case Zero():
-            return Fraction(0)
-        case Symbol() if angle.declaration.name == PI.name:
-            return Fraction(1)
-        case Apply(head="neg", arguments=(inner,)):
-            found, factor = _turns(inner), Fraction(-1)
-        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))):
-            found, factor = _turns(inner), value
-        case Apply(head="div", arguments=(inner, Number(value=value))):
-            found, factor = _turns(inner), 1 / value
-        case _:
-            return None
-    return None if found is None else factor * found
+    factor, inner = numeric_multiple(angle)
+    if isinstance(inner, Zero):
+        return Fraction(0)
+    return factor if isinstance(inner, Symbol) and inner.declaration.name == PI.name else None
 
 
 def _is_zero(term: Term, holds: Holds) -> bool:

@@ -1,4 +1,9 @@
-"""Campaigns of minutes run only with --slow, on other random cases each time; all else on the same ones."""
+"""The options of the tests.
+
+A run without paths takes one row in four of each table of tests, so that it ends in minutes; with --every, and of
+the files and folders that are named, it takes every row. Campaigns of minutes run only with --slow, on other random
+cases each time; all else runs on the same ones.
+"""
 
 import gc
 import os
@@ -18,6 +23,12 @@ HERE = Path(__file__).parent
 
 #: What is judged matters there, and not in which process: a fork takes several times as long as most judgements.
 JUDGED_HERE = {"context", "judge", "language", "regressions", "texts"}
+
+#: A run without paths takes one row in so many of a table, if that has as many.
+ROWS_APART = 4
+
+#: Tells the processes of a run that it takes a sample of the rows.
+SAMPLED = "WORKBENCH_TESTS_SAMPLED"
 
 #: Of processor time; no default test takes a tenth of it. What never ends, ends its process.
 SECONDS = 120
@@ -56,10 +67,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--shared-cache", metavar="DIR", help="let all tests share the verdicts kept in a folder"
     )
+    parser.addoption("--every", action="store_true", help="take every row of the tables of tests")
     parser.addoption("--backwards", action="store_true", help="run the last test first")
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    if not hasattr(config, "workerinput"):
+        is_whole = config.args_source is pytest.Config.ArgsSource.TESTPATHS
+        is_sampled = is_whole and not (config.getoption("--every") or config.getoption("--slow"))
+        os.environ[SAMPLED] = "1" * is_sampled
     if shared := config.getoption("--shared-cache"):
         os.environ["WORKBENCH_CACHE"] = str(Path(shared).absolute())
     else:  # tests judge anew: a file that cannot be is no cache
@@ -73,6 +89,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if os.environ.get(SAMPLED):
+        _take_a_sample(config, items)
     if config.getoption("--backwards"):
         items.reverse()
     if config.getoption("--slow"):
@@ -80,6 +98,17 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if item.get_closest_marker("slow"):
             item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
+
+
+def _take_a_sample(config: pytest.Config, items: list[pytest.Item]) -> None:
+    tables: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        tables.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    taken = {
+        item for rows in tables.values() for item in (rows[::ROWS_APART] if len(rows) >= ROWS_APART else rows)
+    }
+    config.hook.pytest_deselected(items=[item for item in items if item not in taken])
+    items[:] = [item for item in items if item in taken]
 
 
 def pytest_collection_finish() -> None:

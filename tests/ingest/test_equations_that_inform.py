@@ -91,3 +91,33 @@ def test_letter_that_fits_no_other_formula_either(tmp_path: Path) -> None:
 def test_equation_of_a_set(tmp_path: Path, words: str, grade: Grade) -> None:
     known = (*KNOWN, r"W = F \dot{x}", r"\dot{x} = u + v")
     assert grades(tmp_path, *known, words, r"(u + v)^2 = u^2 + v^2")[-1] is grade
+
+
+@pytest.mark.parametrize(
+    ("known", "formula", "grade"),
+    [
+        (("v = r f + u",), r"f = \frac{v - u}{r^2}", Grade.WARNING),  # solved for f, wrongly
+        (("q = u + w",), "p = 2 p + q", Grade.NOTE),
+        (
+            (r"F = \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}",),
+            r"X = F X + \begin{bmatrix} u \\ w \end{bmatrix}",
+            Grade.NOTE,
+        ),
+        (("q = u + w",), "2 p + w = 2 (p + w)", Grade.WARNING),
+    ],
+)
+def test_symbol_alone_on_the_left_and_on_the_right(
+    tmp_path: Path, known: tuple[str, ...], formula: str, grade: Grade
+) -> None:
+    assert grades(tmp_path, *KNOWN, *known, formula)[-1] is grade
+
+
+ANGLE = (r"A = \sqrt{x^2 + y^2}", r"p = \arctan\frac{y}{x}")
+
+
+@pytest.mark.parametrize(
+    ("formula", "grade"),
+    [(r"A \cos p = x", Grade.NOTE), (r"A \cos p = y", Grade.WARNING), ("A = x + y", Grade.WARNING)],
+)
+def test_equation_of_one_branch(tmp_path: Path, formula: str, grade: Grade) -> None:
+    assert grades(tmp_path, *KNOWN, *ANGLE, formula)[-1] is grade

@@ -37,7 +37,9 @@ def test_circle_of_stated_definitions_beside_pi(tmp_path: Path) -> None:
     claim = replace(
         claim, notation=replace(claim.notation, definitions=_only(claim.notation.definitions, "theta"))
     )
-    refuted = replace(last.verdict, outcome=Outcome.REFUTED, counterexample=Counterexample({}, ("0",), ("1",)))
+    refuted = replace(
+        last.verdict, outcome=Outcome.REFUTED, counterexample=Counterexample({}, ("0",), ("1",))
+    )
     assert without_free_pi(claim, refuted).outcome is Outcome.UNCHECKED
 
 

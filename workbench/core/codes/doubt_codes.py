@@ -35,6 +35,7 @@ class DoubtCode(Code):
     MAGNITUDES = "its letters are magnitudes of vectors"
     TO_SOLVE = "it is an equation to solve"
     OF_A_SET = "it selects the members of a set"
+    POSITIVE = "its symbols are positive"
     IMAGINARY_UNIT = "{name} is the imaginary unit"
     RATE_AT_PLACE = "its rate is that at the place of {term}"
     VALUE_IN_EXAMPLE = "{symbol} is its value in an example"

@@ -34,7 +34,7 @@ from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
-from workbench.prover.explain.informing_equations import says_what_is
+from workbench.prover.explain.informing_equations import is_of_positive_numbers, says_what_is
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import sections_of
@@ -136,6 +136,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     elif verdict.outcome is Outcome.REFUTED and len(unless) == 1 and not verdict.unless:
         is_new = partial(_is_new, draft, display)
         unless += says_what_is(claim, _definitions(claim), judge_of, is_new)
+        if is_of_positive_numbers(claim, _definitions(claim), judge_of):
+            unless.append(DoubtCode.POSITIVE())
     said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
 

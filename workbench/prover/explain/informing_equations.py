@@ -8,14 +8,17 @@ from contextlib import suppress
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import free_in, terms_of
 from workbench.core.codes.doubt_codes import DoubtCode
-from workbench.core.construct import apply, derivative, relation, zero
+from workbench.core.construct import apply, derivative, power, relation, zero
 from workbench.core.reasons import Reason
-from workbench.core.terms import Derivative, Head, IllFormed, Relation, Symbol, Term
+from workbench.core.terms import Apply, Derivative, Head, IllFormed, Relation, Symbol, Term
 from workbench.core.types import SCALAR, VECTOR, Declaration
+from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions, expand, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.prover.explain.decide_under_facts import Decider, JudgeOf, OutOfDecisions
 
+#: Functions of which only one branch may be meant.
+_OF_BRANCHES = frozenset(("root", "norm", "arccos", "arcsin", "arctan", "log"))
 #: The most other symbols on which the value of a symbol may depend, so that it is sought.
 _MOST_SYMBOLS = 12
 
@@ -27,6 +30,7 @@ def says_what_is(
 
     It does if the symbol is new in it and its value depends on two other symbols: D/E + B = C + B says what
     C is. It does, too, if the equation holds for a rate: p = m v and ṗ = m a say that a is the rate of v.
+    X = F X + B U gives the next X.
 
     is_new: whether no earlier formula has a symbol.
     """
@@ -36,14 +40,39 @@ def says_what_is(
     with suppress(IllFormed, OutOfDecisions):
         left, right = expand(statement.left, known), expand(statement.right, known)
         for own in dict.fromkeys(part for part in terms_of(statement) if isinstance(part, Symbol)):
-            if own.arguments or own.index or own.type not in (SCALAR, VECTOR) or own.declaration.free:
+            if own.arguments or own.index or own.declaration.free:
                 continue
             if own.declaration not in free_in([own], known):
                 continue
             equation = _Equation(left, right, Decider(claim, judge_of, True))
-            if equation.holds_for_rate(own) or (is_new(own) and equation.gives(own)):
+            is_update = own == statement.left and own in statement.right.symbols()
+            if is_update or equation.holds_for_rate(own) or (is_new(own) and equation.gives(own)):
                 yield DoubtCode.SAYS_WHAT_IS(symbol=to_latex(own))
                 return
+
+
+def is_of_positive_numbers(claim: Claim, known: Definitions, judge_of: JudgeOf) -> bool:
+    """True if a false equation of roots and inverse functions is not refuted for positive numbers.
+
+    A cos θ = x holds on one branch only, if A² = x² + y² and tan θ = y/x.
+    """
+    statement = claim.printed.statement
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return False
+    with suppress(IllFormed, OutOfDecisions):
+        sides = [expand(side, known) for side in (statement.left, statement.right)]
+        parts = [part for side in sides for part in side.walk()]
+        has_branches = any(isinstance(part, Apply) and part.head in _OF_BRANCHES for part in parts)
+        if not has_branches or any(part.type != SCALAR for part in parts):
+            return False
+        positive = relation("=", *(replaced(side, _squared) for side in sides))
+        return Decider(claim, judge_of, True).decide((), positive).outcome is not Outcome.REFUTED
+    return False
+
+
+def _squared(own: Symbol) -> Term | None:
+    is_number = own.type == SCALAR and not (own.arguments or own.index or own.declaration.clock)
+    return power(own, 2) if is_number and not own.declaration.positive else None
 
 
 class _Equation:
@@ -69,7 +98,7 @@ class _Equation:
         """True if the equation is k s = e for the symbol s, k ≠ 0, and e / k depends on two other symbols."""
         if any(own in rate.symbols() for rate in self._rates):
             return False
-        if self._rest.type != own.type:
+        if self._rest.type != own.type or own.type not in (SCALAR, VECTOR):
             return False
         others = {part.declaration for part in self._rest.symbols()} - {own.declaration}
         if len(others) > _MOST_SYMBOLS:

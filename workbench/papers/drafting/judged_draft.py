@@ -42,7 +42,7 @@ from workbench.source.documents.surrounding_words import sections_of
 #: The words for one of several cases, before a display.
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
-_OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
+_OTHER_CASE = re.compile(r"\b(?:if|when|in (?:this|that|such an?) (?:[\w-]+ )?case)\b[^.;]*$", re.IGNORECASE)
 #: The words before an equation that the text solves.
 _TO_SOLVE = re.compile(
     r"\bsolv(?:e|es|ed|ing)\b(?:(?!giv|yield|obtain|find|lead)[^.;,$])*\b(?:equations?|systems?|problems?)\s*:?\s*$",

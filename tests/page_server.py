@@ -12,9 +12,7 @@ from http.client import HTTPConnection
 from pathlib import Path
 from typing import Any
 
-import uvicorn
-
-from workbench.app.servers.page.page_app import Page
+from workbench.app.servers.page.page_app import Page, PageServer
 from workbench.app.servers.page.page_file import PageTexts
 
 
@@ -53,7 +51,7 @@ def served(path: Path | None = None) -> Iterator[Served]:
     listener.bind(("127.0.0.1", 0))
     port = listener.getsockname()[1]
     page = Page(port, PageTexts(path) if path else None)
-    server = uvicorn.Server(uvicorn.Config(page.app, log_level="error", timeout_graceful_shutdown=1))
+    server = PageServer(page)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
     thread.start()
     end = time.monotonic() + 30

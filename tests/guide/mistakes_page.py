@@ -13,6 +13,7 @@ from typing import Any
 from workbench.guide.pages import FOLDER
 
 ERRATA = Path(__file__).parents[1] / "errata"
+MEASURED = Path(__file__).parents[1] / "campaigns/public_texts/measured.json"
 PAGE = FOLDER / "explanation" / "mistakes.md"
 _KINDS = {"with a model": "With a model", "drafted": "Without a model: everything is guessed"}
 
@@ -30,6 +31,7 @@ def page() -> str:
     for kind, title in _KINDS.items():
         if rows := recorded.get(kind):
             parts += [f"## {title}", _summary(rows)]
+    parts += ["## Public texts without a model", _TEXTS, _runs()]
     parts += [f"## Case by case\n\n{_table(recorded)}", _LIMITS]
     return "\n\n".join(parts) + "\n"
 
@@ -42,6 +44,23 @@ _LIMITS = """## What it gets wrong, by kind
 - A sentence that the lexicon does not know is not a fact.
 - A first display `x = …` defines x where nothing else does, so an error in it shows only where x is used.
 - Limits, integrals and series are not computed; of the first two the linearity is known."""
+
+
+_TEXTS = """Texts on kinematics, rotations and robots from public repositories, by `workbench check` in 20 s each.
+Each warning and error was looked at by eye; findings.tsv beside the list of the texts says which are right.
+`python -m tests.campaigns.public_texts` measures them again."""
+
+_COUNTS = ("texts", "judged", "displays", "formulas", "read", "decided", "ok", "note", "warning", "error")
+_EYE = ("right", "wrong", "unclear", "out of time", "crashed", "seconds")
+
+
+def _runs() -> str:
+    """Returns the table of the campaigns on public texts; the columns are the campaigns."""
+    runs = json.loads(MEASURED.read_text(encoding="utf-8"))["runs"]
+    lines = ["| | " + " | ".join(run["name"] for run in runs) + " |", "|---" * (len(runs) + 1) + "|"]
+    for key in (*_COUNTS, *_EYE):
+        lines.append(f"| {key} | " + " | ".join(f"{run[key]:,}" for run in runs) + " |")
+    return "\n".join(lines)
 
 
 def _summary(rows: Sequence[Mapping[str, Any]]) -> str:

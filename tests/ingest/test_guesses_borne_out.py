@@ -143,7 +143,14 @@ def test_long_text_gets_less_time_for_each_claim(tmp_path: Path, count: int, sec
     assert draft_of(tmp_path / "p.md").paper.budget.seconds == seconds
 
 
-@pytest.mark.parametrize(("words", "grade"), [("When it moves away:", Grade.NOTE), ("Hence", Grade.WARNING)])
+@pytest.mark.parametrize(
+    ("words", "grade"),
+    [
+        ("When it moves away:", Grade.NOTE),
+        ("In this ill-determined case, it is found by", Grade.NOTE),
+        ("Hence", Grade.WARNING),
+    ],
+)
 def test_symbol_given_for_another_case(tmp_path: Path, words: str, grade: Grade) -> None:
     given = ["The source moves:", "f = g v + s", "(v - s)(v + s) = v^2 - s^2"]
     assert grades(tmp_path, *given, words, "f = g v - s")[-1] is grade

@@ -39,9 +39,12 @@ def runs_of(prose: str) -> list[Run]:
 
 
 _GROUP = r"\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}"
-_SYMBOL = re.compile(
-    rf"(?:\\[A-Za-z]+(?:{_GROUP})*|(?<![A-Za-z\\])[A-Za-z](?=[_^]))(?:[_^](?:{_GROUP}|[A-Za-z0-9]))*"
-)
+#: A formula in brackets that stretch, up to two within each other.
+_INSIDE = r"(?:(?!\\(?:left|right)(?![A-Za-z])).)*"
+_RIGHT = r"\\right\s*(?:\\[A-Za-z]+|\\?.)"
+_BRACKETS = rf"\\left(?![A-Za-z])(?:{_INSIDE}\\left(?![A-Za-z]){_INSIDE}{_RIGHT})*{_INSIDE}{_RIGHT}"
+_SCRIPTS = rf"(?:[_^](?:{_GROUP}|[A-Za-z0-9]))*"
+_SYMBOL = re.compile(rf"(?:{_BRACKETS}|\\[A-Za-z]+(?:{_GROUP})*|(?<![A-Za-z\\])[A-Za-z](?=[_^])){_SCRIPTS}")
 
 
 def runs_with_symbols(text: str) -> list[Run]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,6 +16,10 @@ class OutOfBudget(Exception):
     """A call was ended because it exceeded its budget."""
 
 
+#: Seconds of processor time after which an ignored exception is raised again.
+_AGAIN = 0.01
+
+
 class OutOfTime(BaseException):
     """A part of a call was ended because it exceeded its processor time. Only `within` catches it."""
 
@@ -23,7 +28,8 @@ class OutOfTime(BaseException):
 def within(seconds: float) -> Iterator[None]:
     """Ends its body after that much processor time, without an error.
 
-    There is no limit outside of a main thread, and on systems without timers of processor time.
+    There is no limit outside of a main thread, and on systems without timers of processor time. Python
+    ignores an exception in a callback of a weak reference or in __del__; it is raised again right after.
     """
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         yield
@@ -32,8 +38,16 @@ def within(seconds: float) -> Iterator[None]:
     def end(number: int, frame: FrameType | None) -> None:
         raise OutOfTime
 
+    def ignored(told: sys.UnraisableHookArgs) -> None:
+        if told.exc_type is OutOfTime:
+            signal.setitimer(signal.ITIMER_VIRTUAL, _AGAIN)
+        else:
+            hook(told)
+
+    hook = sys.unraisablehook
     before = signal.signal(signal.SIGVTALRM, end)
     signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    sys.unraisablehook = ignored
     try:
         yield
     except OutOfTime:
@@ -41,6 +55,7 @@ def within(seconds: float) -> Iterator[None]:
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
         signal.signal(signal.SIGVTALRM, before)
+        sys.unraisablehook = hook
 
 
 @dataclass(frozen=True)

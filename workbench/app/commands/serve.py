@@ -25,9 +25,7 @@ def serve(path: Path | None, port: int, opens: bool) -> None:
     Only this machine is served, and only who has the printed address. No file outside of the folder is read;
     none but the opened text and its new model is written. Ctrl-C ends it. Needs the extra page."""
     try:
-        from uvicorn import Config, Server
-
-        from workbench.app.servers.page.page_app import Page
+        from workbench.app.servers.page.page_app import Page, PageServer
     except ImportError:
         raise Unusable("the page needs the extra page: pip install 'kinematics-workbench[page]'") from None
     from workbench.app.servers.page.page_file import PageTexts
@@ -49,7 +47,6 @@ def serve(path: Path | None, port: int, opens: bool) -> None:
         if opens:
             webbrowser.open(address)
         try:
-            config = Config(page.app, log_level="error", access_log=False, timeout_graceful_shutdown=1)
-            Server(config).run(sockets=[listener])
+            PageServer(page).run(sockets=[listener])
         finally:
             page.close()

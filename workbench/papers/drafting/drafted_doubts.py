@@ -4,7 +4,7 @@ them for other values."""
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -82,7 +82,7 @@ def may_say_what_symbols_are(claim: Claim) -> bool:
 
 
 def _is_impossible(claim: Claim) -> bool:
-    return Decider(claim, _judge, True).is_impossible(())
+    return Decider(claim, judge_of, True).is_impossible(())
 
 
 def _is_figure(term: Term) -> bool:
@@ -185,11 +185,11 @@ def _varies(claim: Claim, own: Symbol, lost: Declaration, known: Definitions) ->
     with suppress(IllFormed):
         body = expand(own, known)
         same = relation("=", body, replaced(body, twice))
-        return Decider(claim, _judge, True).decide((), same).outcome is not Outcome.PROVED
+        return Decider(claim, judge_of, True).decide((), same).outcome is not Outcome.PROVED
     return True
 
 
-def _judge(notation: Notation) -> Judge:
+def judge_of(notation: Notation) -> Judge:
     return Judge(notation.definitions, bound=frozenset(each.declaration.name for each in notation.motion))
 
 
@@ -212,15 +212,17 @@ def misread(draft: Draft, latex: str) -> Iterator[Reason]:
         yield DoubtCode.LABEL_OF_FRAME()
     if _ZEROS.search(latex):
         yield DoubtCode.BLOCK_OF_ZEROS()
-    if _are_magnitudes(draft, latex):
+    own = [each for each in draft.ingested.inference.misfits if each.latex == latex]
+    if any(each.has_blocks for each in own):
+        yield DoubtCode.SIZES_OF_BLOCKS()
+    if _are_magnitudes(draft, own, latex):
         yield DoubtCode.MAGNITUDES()
     if (count := _misfit_displays(draft)) > _MOST_MISFITS:
         yield DoubtCode.NOTATION_MISREAD(count=count)
 
 
-def _are_magnitudes(draft: Draft, latex: str) -> bool:
+def _are_magnitudes(draft: Draft, own: Sequence[TypeMismatch], latex: str) -> bool:
     """True if plain letters without an operation of vectors are why the sides of a formula differ."""
-    own = [each for each in draft.ingested.inference.misfits if each.latex == latex]
     kinds = {each.kind for name, each in draft.ingested.guesses.items() if any(name in m.names for m in own)}
     is_sum = all(each.operation in ("equal", "add") for each in own)
     return is_sum and kinds == {"scalar", "vector"} and not _MARKS.search(latex)

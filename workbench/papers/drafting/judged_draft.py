@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
@@ -23,6 +24,7 @@ from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_doubts import (
     is_open_misfit,
+    judge_of,
     may_say_what_symbols_are,
     misread,
     other_meanings,
@@ -32,6 +34,7 @@ from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
+from workbench.prover.explain.informing_equations import is_of_positive_numbers, says_what_is
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import sections_of
@@ -39,10 +42,16 @@ from workbench.source.documents.surrounding_words import sections_of
 #: The words for one of several cases, before a display.
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
-_OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
+_OTHER_CASE = re.compile(r"\b(?:if|when|in (?:this|that|such an?) (?:[\w-]+ )?case)\b[^.;]*$", re.IGNORECASE)
 #: The words before an equation that the text solves.
 _TO_SOLVE = re.compile(
     r"\bsolv(?:e|es|ed|ing)\b(?:(?!giv|yield|obtain|find|lead)[^.;,$])*\b(?:equations?|systems?|problems?)\s*:?\s*$",
+    re.IGNORECASE,
+)
+#: The words before an equation that selects the members of a set.
+_OF_A_SET = re.compile(
+    r"\b(?:set|locus|surface|curve|sphere|ellipsoid|ellipse|circle|plane|region|manifold)\b[^.;]*"
+    r"\b(?:defined|given|described|determined)\s+by\b[^.;$]*$",
     re.IGNORECASE,
 )
 #: The most doubts about symbols that a verdict names.
@@ -97,13 +106,15 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if reason is not None:
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
     is_misfit = verdict.outcome is Outcome.ILL_FORMED and latex in misfits
-    unsure = {*misfits[latex], *given_anew} if is_misfit else inference.doubtful(latex)
+    own = {name for each in own_misfits if each.latex == latex for name in each.names} - inference.firm
+    spoilt = {name for each in own_misfits if each.latex != latex for name in each.names} & own
+    unsure = {*misfits[latex], *given_anew, *spoilt} if is_misfit else inference.doubtful(latex)
     # A definition gives a symbol its value; it may be the one formula of the two that is misread.
     given = set() if is_misfit else {each.symbol for each in draft.ingested.definitions if each.sure}
     known = confirmed | given
     doubts = [name for name in names or unsure if name in unsure and name not in known]
-    if (own := _defined_elsewhere(draft, claim) or _of_another_case(draft, claim)) is not None:
-        doubts.append(own)
+    if (alone := _defined_elsewhere(draft, claim) or _of_another_case(draft, claim)) is not None:
+        doubts.append(alone)
     doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
     doubts += _unwritten_members(draft, claim)
     unless = [
@@ -116,12 +127,25 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     display = _display_of(draft, claim)
     if display is not None and _TO_SOLVE.search(display.before):
         unless.append(DoubtCode.TO_SOLVE())
+    if display is not None and _OF_A_SET.search(display.before):
+        unless.append(DoubtCode.OF_A_SET())
     unless += misread(draft, latex) if is_misfit else ()
     is_open = verdict.code is not ContextCode.GIVEN_OTHERWISE and may_say_what_symbols_are(claim)
     if not doubts and verdict.counterexample is not None and is_open:
         unless.append(DoubtCode.SAYS_WHAT_SYMBOLS_ARE())
+    elif verdict.outcome is Outcome.REFUTED and len(unless) == 1 and not verdict.unless:
+        is_new = partial(_is_new, draft, display)
+        unless += says_what_is(claim, _definitions(claim), judge_of, is_new)
+        if is_of_positive_numbers(claim, _definitions(claim), judge_of):
+            unless.append(DoubtCode.POSITIVE())
     said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
+
+
+def _is_new(draft: Draft, display: Display | None, own: Symbol) -> bool:
+    """True if no formula with a relation before a display has the symbol."""
+    first = draft.ingested.inference.first.get(_written(own.declaration.name))
+    return any(each.display is display and each.latex == first for each in draft.ingested.formulas)
 
 
 def _is_told(verdict: Verdict, misfit: TypeMismatch) -> bool:
@@ -257,7 +281,7 @@ class Records:
         alone = subject_alone(claim)
         given = _written(alone.declaration.name) if alone is not None else ""
         # beside this formula, one is the definition
-        several = [given] if len(self.values.get(given, ())) > 2 else []
+        several = [each for each in (given, *sorted(reached & defined)) if len(self.values.get(each, ())) > 2]
         names = (*shared, *anew, *several)
         doubts = dict.fromkeys(DoubtCode.SOMETHING_ELSE(name=name) for name in names)
         return replace(verdict, unless=(*verdict.unless, *list(doubts)[:_MOST_DOUBTS]))

@@ -11,6 +11,7 @@ from typing import TypeGuard
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
 from workbench.context.read_formulas import read_statement
+from workbench.context.repeated_laws import definitions_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, relation, with_children
@@ -18,7 +19,7 @@ from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR
 from workbench.core.reasons import Reason
-from workbench.core.terms import Apply, Definition, Power, Relation, Symbol, Term, sides_of
+from workbench.core.terms import Apply, Power, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Counterexample, Outcome, Verdict
 from workbench.engines.inventory.angle_combinations import sum_of_products
 from workbench.language.definitions import Definitions, expand, only_turns
@@ -94,13 +95,14 @@ def _is_of_pi(claim: Claim) -> bool:
     """True if π occurs where only the cosine and sine of its half are known."""
     definitions = claim.notation.definitions
     assert claim.printed.statement is not None
-    facts = [fact.content for fact in claim.context.facts if isinstance(fact.content, Definition)]
+    facts = definitions_in(claim.context.facts, definitions)
     said = [side for each in (claim.printed.statement, *claim.supposed) for side in sides_of(each)]
     reached = (part for term in (*said, *(fact.body for fact in facts)) for part in definitions.reached(term))
     if not any(isinstance(part, Symbol) and definitions.is_pi(part.declaration) for part in reached):
         return False
     own = {each.declaration.name for each in definitions}
-    known = Definitions([*definitions, *(each for each in facts if each.declaration.name not in own)])
+    facts = [each for each in facts if each.declaration.name not in own]
+    known = Definitions([*definitions, *facts])
     return not all(_has_known_turns(expand(term, known), known) for term in said)
 
 

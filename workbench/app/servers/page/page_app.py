@@ -6,17 +6,19 @@ import asyncio
 import json
 import secrets
 import tempfile
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Coroutine
 from dataclasses import dataclass
 from hmac import compare_digest
 from importlib.resources import files
 from pathlib import Path
+from socket import socket
 from typing import Any
 
 from starlette.applications import Starlette
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import HTMLResponse, JSONResponse, Response
 from starlette.routing import Route
+from uvicorn import Config, Server
 
 from workbench.app.pipeline.judged_files import Judged
 from workbench.app.servers.desk import Desk, Superseded, Turn
@@ -43,6 +45,18 @@ _HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cache-Control": "no-store",
 }
+
+
+class PageServer(Server):
+    """The server of a page. A signal ends the running requests first, so that it stops quietly."""
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(Config(page.app, log_level="error", access_log=False, timeout_graceful_shutdown=1))
+        self._page = page
+
+    async def shutdown(self, sockets: list[socket] | None = None) -> None:
+        self._page.close()
+        await super().shutdown(sockets)
 
 
 class Refused(Exception):
@@ -86,6 +100,8 @@ class Page:
         self._desk = Desk()
         self._desk.prepare()
         self._tabs: dict[str, Tab] = {}
+        self._running: set[asyncio.Task[dict[str, Any]]] = set()
+        self._is_closed = False
         calls = {
             "text": self._text,
             "check": self._check,
@@ -100,6 +116,10 @@ class Page:
         self.app = Starlette(routes=routes)
 
     def close(self) -> None:
+        """Ends the running requests, and refuses later ones."""
+        self._is_closed = True
+        for task in self._running:
+            task.cancel()
         self._desk.close()
         self._empty.cleanup()
 
@@ -137,7 +157,7 @@ class Page:
         return Response(found.read_bytes(), media_type=_TYPES[Path(found.name).suffix], headers=_HEADERS)
 
     def _call(
-        self, call: Callable[[dict[str, Any]], Awaitable[dict[str, Any]]]
+        self, call: Callable[[dict[str, Any]], Coroutine[Any, Any, dict[str, Any]]]
     ) -> Callable[[Request], Awaitable[Response]]:
         """Returns a handler for a call of the page: JSON in, JSON out, errors as a status and a message."""
 
@@ -149,8 +169,14 @@ class Page:
                     raise Refused(
                         401, "this page is of another start of the server: open the printed address"
                     )
-                data = await asyncio.wait_for(call(await _body(request)), SECONDS)
-                return JSONResponse(data, headers=_HEADERS)
+                task = asyncio.create_task(call(await _body(request)))
+                self._running.add(task)
+                task.add_done_callback(self._running.discard)
+                return JSONResponse(await asyncio.wait_for(task, SECONDS), headers=_HEADERS)
+            except asyncio.CancelledError:
+                if not self._is_closed:
+                    raise
+                status, message = 503, "the server is stopped"
             except Refused as error:
                 status, message = error.status, str(error)
             except Superseded:

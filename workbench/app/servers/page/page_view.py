@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
@@ -179,7 +180,7 @@ def _assumptions(draft: Draft, answers: Sequence[Answer]) -> Iterator[dict[str, 
 
     found = draft.ingested
     said = {answer.key for answer in answers}
-    for name, guess in sorted(found.guesses.items(), key=lambda each: (each[1].is_said, each[0])):
+    for name, guess in sorted(found.guesses.items(), key=lambda each: (each[1].is_said, _in_order(each[0]))):
         key = string(name)
         basis = "asked" if key in said else "stated" if guess.is_said else "guess"
         flags = [flag for flag, is_so in guess.spec.items() if is_so is True]
@@ -193,6 +194,11 @@ def _assumptions(draft: Draft, answers: Sequence[Answer]) -> Iterator[dict[str, 
             "basis": basis,
             "choices": list(dict.fromkeys((guess.kind, *KINDS))),
         }
+
+
+def _in_order(name: str) -> list[tuple[int, str]]:
+    """Returns a key by which a_2 stands before a_10."""
+    return [(int(each), "") if each.isdecimal() else (0, each) for each in re.split(r"(\d+)", name)]
 
 
 @cache

@@ -78,6 +78,7 @@ class TypeMismatch:
         names: The symbols of the operation.
         cured_by: The symbols with other kinds that suit the formula and that no other evidence contradicts.
         gives_entries: Whether the operation equates a letter and a matrix of other extents.
+        has_blocks: Whether a matrix in it has entries that are no numbers; their sizes are guesses.
         operation: Its name in `SIGNATURES`.
     """
 
@@ -86,6 +87,7 @@ class TypeMismatch:
     cured_by: tuple[str, ...]
     gives_entries: bool = False
     operation: str = ""
+    has_blocks: bool = False
 
 
 @dataclass(frozen=True)
@@ -113,6 +115,7 @@ class Inference:
         orthogonal: Matrices with A Aᵀ = 1, det A = 1 or in a set of such matrices.
         moving: Symbols with a rate.
         firm: Symbols whose kinds words or a typeface state.
+        first: The first formula with a relation that has a symbol.
         dotted: Numbers that stand only before and behind the dot of a product of two symbols.
     """
 
@@ -123,6 +126,7 @@ class Inference:
     orthogonal: frozenset[str]
     moving: frozenset[str]
     firm: frozenset[str]
+    first: Mapping[str, str]
     dotted: frozenset[str] = frozenset()
 
     def doubtful(self, latex: str) -> set[str]:
@@ -186,6 +190,7 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
             tuple(search.cured_by(place)),
             _gives_entries(operation),
             operation.op,
+            _has_blocks(operation, search),
         )
         for place, source in enumerate(sources)
         for operation in _misfits(search, search.formulas[place])
@@ -204,6 +209,7 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
         frozenset(_orthogonal(trees)),
         frozenset(_moving(trees)),
         frozenset(filter(search.is_firm, search.users)),
+        _first(sources, search.formulas),
         frozenset(name for name in _dotted(trees) if kinds[name].kind == SCALAR and not search.is_firm(name)),
     )
 
@@ -319,8 +325,37 @@ def _sizes(trees: Iterable[Operation], prose: Prose, has_joints: bool) -> list[K
     return found
 
 
+def _first(sources: Iterable[Source], formulas: Iterable[Formula]) -> dict[str, str]:
+    first: dict[str, str] = {}
+    for source, formula in zip(sources, formulas, strict=True):
+        for name in (name for tree in formula.trees if tree.op != "said" for name in tree.names):
+            first.setdefault(name, source.latex)
+    return first
+
+
 def _gives_entries(operation: Operation) -> bool:
-    return operation.op == "equal" and {each.op for each in operation.parts} == {SYMBOL, "matrix"}
+    sides = [each.parts[0] if each.op == "transpose" else each for each in operation.parts]
+    return operation.op == "equal" and {each.op for each in sides} == {SYMBOL, "matrix"}
+
+
+def _has_blocks(operation: Operation, search: Search) -> bool:
+    """True if other sizes of the blocks of a matrix may suit; no size makes a column a number."""
+    kinds = search.kinds
+    tables = (search.costs.table(each, kinds) for each in operation.parts)
+    if operation.op in ("equal", "add") and any(min(each, key=each.__getitem__) == SCALAR for each in tables):
+        return False
+    matrices = (each for each in operation.walk() if each.op == "matrix")
+    names = {name for matrix in matrices for cell in matrix.parts for name in _factors_of(cell)}
+    return any(kinds.get(name, SCALAR) != SCALAR for name in names)
+
+
+def _factors_of(cell: Operation) -> Iterable[str]:
+    """Yields the symbols whose sizes are that of a cell: not those in a scalar product, say."""
+    if cell.op == SYMBOL:
+        yield cell.text
+    elif cell.op in ("mul", "add", "neg", "rate", "transpose", "apply"):
+        for part in cell.parts:
+            yield from _factors_of(part)
 
 
 def _misfits(search: Search, formula: Formula) -> Iterable[Operation]:

@@ -8,8 +8,8 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from workbench.context.claims import Claim
+from workbench.context.facts import Act
 from workbench.context.free_symbols import terms_of
-from workbench.context.repeated_laws import definitions_in
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.doubt_codes import DoubtCode, as_one_doubt, single_doubts
 from workbench.core.codes.type_codes import Compared, TypeCode
@@ -18,7 +18,7 @@ from workbench.core.names import Name
 from workbench.core.reasons import Reason
 from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Grade, Outcome, Strength, Verdict
-from workbench.language.definitions import Definitions, expand
+from workbench.language.definitions import expand
 from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_doubts import (
@@ -30,9 +30,16 @@ from workbench.papers.drafting.drafted_doubts import (
 )
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
+from workbench.papers.drafting.meanings.usual_misprints import (
+    contradicted,
+    definitions_of,
+    distance,
+    is_misprint,
+)
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
 from workbench.prover.results.claim_results import ClaimResult
+from workbench.repair.propose.near_identity import Nearness
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import sections_of
 
@@ -40,6 +47,10 @@ from workbench.source.documents.surrounding_words import sections_of
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
 _OTHER_CASE = re.compile(r"\b(?:if|when|in this case)\b[^.;]*$", re.IGNORECASE)
+#: The words for a case in which an earlier formula has another form.
+_BECOMES = re.compile(
+    r"\b(?:becomes?|reduces?|simplif\w+|specializ\w+|special|particular)\b[^.;]*$", re.IGNORECASE
+)
 #: The words before an equation that the text solves.
 _TO_SOLVE = re.compile(
     r"\bsolv(?:e|es|ed|ing)\b(?:(?!giv|yield|obtain|find|lead)[^.;,$])*\b(?:equations?|systems?|problems?)\s*:?\s*$",
@@ -48,6 +59,8 @@ _TO_SOLVE = re.compile(
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
 
+#: Doubts that count for nothing if a usual change of a false equation makes it true.
+_SOFT = frozenset({DoubtCode.SAYS_WHAT_SYMBOLS_ARE})
 #: Faults → the operations of which they tell; no entry: of any.
 _OPERATIONS: Mapping[object, frozenset[str]] = {
     **dict.fromkeys((TypeCode.FUNCTION_ARGUMENT_TYPE, TypeCode.FUNCTION_ARGUMENT_COUNT), frozenset()),
@@ -64,9 +77,10 @@ def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[Claim
     """Returns the results with the confidence of drafted kinds.
 
     A false claim is not decided if a kind that it uses rests on its own formula only. A guess that no true
-    formula bears out is one more doubt if another falsehood rests on it, too, or if it is a definition of
-    another section.
+    formula bears out is one more doubt if another falsehood rests on it, too, unless one usual change makes
+    the claim true, or if it is a definition of another section.
     """
+    results = [replace(result, verdict=contradicted(draft, result)) for result in results]
     judged = [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
     records = Records.of(draft, judged)
     return [replace(result, verdict=records.doubted(result)) for result in judged]
@@ -101,7 +115,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     # A definition gives a symbol its value; it may be the one formula of the two that is misread.
     given = set() if is_misfit else {each.symbol for each in draft.ingested.definitions if each.sure}
     known = confirmed | given
-    doubts = [name for name in names or unsure if name in unsure and name not in known]
+    kinds = [name for name in names or unsure if name in unsure and name not in known]
+    doubts = list(kinds)
     if (own := _defined_elsewhere(draft, claim) or _of_another_case(draft, claim)) is not None:
         doubts.append(own)
     doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
@@ -110,9 +125,9 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         DoubtCode.DRAFTED_KINDS(),
         *(DoubtCode.SOMETHING_ELSE(name=name) for name in doubts[:_MOST_DOUBTS]),
     ]
-    if not is_misfit:
+    if not is_misfit and all(each.claim != claim.id for each in draft.contradicted):
         guesses = {name: each for name, each in draft.ingested.guesses.items() if name not in confirmed}
-        unless += other_meanings(claim, _definitions(claim), guesses)
+        unless += other_meanings(claim, definitions_of(claim), guesses)
     display = _display_of(draft, claim)
     if display is not None and _TO_SOLVE.search(display.before):
         unless.append(DoubtCode.TO_SOLVE())
@@ -120,7 +135,15 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     is_open = verdict.code is not ContextCode.GIVEN_OTHERWISE and may_say_what_symbols_are(claim)
     if not doubts and verdict.counterexample is not None and is_open:
         unless.append(DoubtCode.SAYS_WHAT_SYMBOLS_ARE())
+    is_case = display is not None and _BECOMES.search(display.before) is not None and not is_misfit
+    if is_case and _is_given_before(draft, claim) and distance(claim, every=True) is Nearness.FAR:
+        unless.append(DoubtCode.OTHER_CASE(fact="that of its first formula"))
     said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
+    of_kinds = {DoubtCode.SOMETHING_ELSE(name=name) for name in kinds}
+    soft = [*said, *(each for each in unless if each.code in _SOFT or each in of_kinds)]
+    is_soft = bool(soft) and len({*unless, *said} - {*soft}) == 1
+    if is_soft and verdict.outcome is Outcome.REFUTED and is_misprint(claim):
+        said, unless = [], unless[:1]
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
 
 
@@ -159,6 +182,16 @@ def _of_another_case(draft: Draft, claim: Claim) -> str | None:
             is_case = any(_OTHER_CASE.search(each.before) for each in own)
             return name if is_known and is_case else None
     return None
+
+
+def _is_given_before(draft: Draft, claim: Claim) -> bool:
+    """True if an earlier formula defines the symbol alone on the left, and none restricts the others."""
+    if any(fact.act is Act.CONSTRAIN and fact.content is not None for fact in claim.context.facts):
+        return False
+    own, line = subject_alone(claim), claim.line or 0
+    name = _written(own.declaration.name) if own is not None else ""
+    given = (each for each in draft.ingested.definitions if each.sure and not each.in_sentence)
+    return any(each.symbol == name and each.line < line for each in given)
 
 
 def _of_other_place(claim: Claim) -> Iterator[str]:
@@ -258,6 +291,8 @@ class Records:
         given = _written(alone.declaration.name) if alone is not None else ""
         # beside this formula, one is the definition
         several = [given] if len(self.values.get(given, ())) > 2 else []
+        if shared and not (anew or several) and is_misprint(claim):
+            shared = []
         names = (*shared, *anew, *several)
         doubts = dict.fromkeys(DoubtCode.SOMETHING_ELSE(name=name) for name in names)
         return replace(verdict, unless=(*verdict.unless, *list(doubts)[:_MOST_DOUBTS]))
@@ -293,7 +328,7 @@ def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
 
     α_2 in A_2 has its value by other means: in a table or in words.
     """
-    statement, known = claim.printed.statement, _definitions(claim)
+    statement, known = claim.printed.statement, definitions_of(claim)
     sides: list[Term] = []
     with suppress(IllFormed):
         sides = [expand(side, known) for side in sides_of(statement)] if statement is not None else []
@@ -319,14 +354,9 @@ def _written(name: Name) -> str:
 
 def _terms(claim: Claim) -> Iterator[Term]:
     """Yields the terms of a claim's sides and of the definitions of their symbols, also those of the text."""
-    statement, known = claim.printed.statement, _definitions(claim)
+    statement, known = claim.printed.statement, definitions_of(claim)
     for side in sides_of(statement) if statement is not None else ():
         yield from known.reached(side)
-
-
-def _definitions(claim: Claim) -> Definitions:
-    said = definitions_in(claim.context.facts, claim.notation.definitions)
-    return Definitions([*claim.notation.definitions, *said])
 
 
 def _symbols(claim: Claim) -> list[Name]:

@@ -112,5 +112,6 @@ def _changed(statement: Relation, points: Points, left_too: bool, factors: bool)
         return
     with_factors = other_factors(statement, points.screen, ()) if factors else ()
     for found in chain(entrywise(statement, points.screen, (), lambda: None), with_factors):
-        if isinstance(found.statement, Relation) and (left_too or found.statement.left == statement.left):
+        is_kept = isinstance(found.statement, Relation) and found.statement.left == statement.left
+        if len(found.changes) == 1 and (left_too or is_kept):
             yield found.statement

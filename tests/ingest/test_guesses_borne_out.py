@@ -25,7 +25,12 @@ def test_single_falsehood_is_a_warning(tmp_path: Path) -> None:
 
 
 def test_falsehoods_without_a_true_formula_are_notes(tmp_path: Path) -> None:
-    assert grades(tmp_path, *FALSE) == [Grade.NOTE] * 2
+    far = [r"x (x - y) = x^2 + y^2 + 7 x", r"x (x + y) = x^2 + y^2 - 5 y"]
+    assert grades(tmp_path, *far) == [Grade.NOTE] * 2
+
+
+def test_falsehood_that_one_change_mends_bears_kinds_out(tmp_path: Path) -> None:
+    assert grades(tmp_path, *FALSE) == [Grade.WARNING, Grade.NOTE]
 
 
 def test_true_formulas_bear_kinds_out(tmp_path: Path) -> None:

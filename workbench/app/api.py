@@ -56,10 +56,10 @@ def draft(text: Path | str) -> str:
     >>> [line for line in model.splitlines() if line.startswith("'a'")]
     ['\'a\' = { kind = "vector" }  # guessed: the text says "vectors" near it']
     """
-    from workbench.papers.drafting import ingest, model_text
+    from workbench.papers.drafting import ingest, meant, model_text
 
     path = Path(text)
-    return model_text(ingest(path), path.with_suffix(".toml"))
+    return model_text(meant(ingest(path)), path.with_suffix(".toml"))
 
 
 def judge(

@@ -8,9 +8,9 @@ from workbench.core.terms import Relation, Statement, Symbol
 from workbench.source.documents import Display
 
 _NOUN = (
-    r"rotation(?:al)?[- ](?:matrix|tensor)|direction[- ]cosines?(?: matrix)?|attitude matrix"
-    r"|(?:the|a|an|each|basic|elementary|principal|simple|plane|planar) rotation"
-    r"(?=\W*$| (?:in|around|about|by|through|of|is|from|to)\b)"
+    r"rotation(?:al)?[- ](?:matri(?:x|ces)|tensors?)|direction[- ]cosines?(?: matri(?:x|ces))?"
+    r"|attitude matri(?:x|ces)|(?:the|a|an|each|basic|elementary|principal|simple|plane|planar) rotations?"
+    r"(?=\W*$| (?:in|around|about|by|through|of|is|are|from|to)\b)"
 )
 _ROTATION = re.compile(rf"\b(?P<words>{_NOUN})\b(?P<behind>[^.;]*)$", re.IGNORECASE)
 #: Words that make another matrix of a rotation, or one that is a rotation in the limit only.
@@ -39,3 +39,8 @@ def stated_rotation(display: Display, statement: Statement) -> str | None:
         return None
     start = display.before[: said.start()]
     return None if _OTHER.search(start[-_NEAR:]) else said["words"]
+
+
+def is_plural(words: str) -> bool:
+    """True if the words tell of several matrices."""
+    return words.endswith(("s", "ices")) and not words.endswith("cosines")

@@ -2,7 +2,7 @@
 
 What is this? The loaders of paper files, of notation tables and of texts with their models; `drafting`
 guesses a model for a text. When do I come here? To add a key (core/schema.py) or a table. What may it import?
-core, language, source, engines, drake, context, prover. What checks it? tests/papers, tests/texts,
+core, language, source, engines, drake, context, prover, repair. What checks it? tests/papers, tests/texts,
 tests/ingest.
 
 The loaders are imported on first use, because a single formula needs none of them.

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 def draft_text(file: Path, out: Path | None, json_out: str | None, macros: Path | None, force: bool) -> None:
     """Write a first model for a text: kinds guessed, each with its reason, definitions proposed, questions on
     top, and what could not be read. Exit status 1 if no display was read."""
-    from workbench.papers.drafting import ingest, model_text
+    from workbench.papers.drafting import ingest, meant, model_text
 
     is_printed = out is not None and str(out) == "-"
     if is_printed and json_out == "-":
@@ -46,7 +46,7 @@ def draft_text(file: Path, out: Path | None, json_out: str | None, macros: Path 
     out = file.with_suffix(".toml") if out is None or is_printed else out
     if out.exists() and not force and not is_printed:
         raise Unusable(f"{out}: is there already; --force writes over it")
-    found = ingest(file, macros)
+    found = meant(ingest(file, macros))
     if is_printed:
         click.echo(model_text(found, out), nl=False)
     else:

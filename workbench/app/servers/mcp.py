@@ -75,12 +75,12 @@ def draft_model(text: str, suffix: str = ".tex") -> dict[str, Any]:
     """Draft the model of a text: the kinds of its symbols, each with its reason, and what is asked."""
 
     def drafted() -> dict[str, Any]:
-        from workbench.papers.drafting import ingest, model_text
+        from workbench.papers.drafting import ingest, meant, model_text
         from workbench.source.toml.file_bytes import within
 
         with TemporaryDirectory(prefix="workbench-") as folder, within(Path(folder)):
             path = _written(Path(folder), text, suffix)
-            return {"model": model_text(ingest(path), path.with_suffix(".toml"))}
+            return {"model": model_text(meant(ingest(path)), path.with_suffix(".toml"))}
 
     return _answer(drafted)
 

@@ -6,6 +6,7 @@ model. What may it import? What papers may, and papers itself. What checks it? t
 """
 
 from workbench.papers.drafting.draft_model import Ingested, ingest
+from workbench.papers.drafting.drafted_texts import meant
 from workbench.papers.drafting.model_file import model_text
 
-__all__ = ["Ingested", "ingest", "model_text"]
+__all__ = ["Ingested", "ingest", "meant", "model_text"]

@@ -28,6 +28,7 @@ from workbench.papers.drafting.drafted_definitions import (
 from workbench.papers.drafting.drafted_frames import rates_in_turning_frames, with_spins
 from workbench.papers.drafting.drafted_functions import DraftedFunction, functions_in
 from workbench.papers.drafting.formula_shapes import (
+    axes,
     columns,
     components,
     components_of,
@@ -154,7 +155,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     own = {each.symbol for each in in_displays}
     spoken_equations = ((each, without_bound(each.latex)) for each in inline)
     sentences = [
-        Formula(display, latex, reader.read(latex))
+        Formula(display, *reader.read_in_space(latex))
         for display, latex in spoken_equations
         if latex.count("=") == 1 and not _opaque(display, latex)
     ]
@@ -175,6 +176,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
         *short,
         *columns(reader.guesses, lines, own),
         *matrices(reader.guesses, lines, own),
+        *axes(reader.guesses, lines, own, inference.moving),
         *rates_in_turning_frames(reading.formulas, reader.guesses, lines),
         *(each for each, _ in parts),
         *sorted([*for_the_text(said), *in_displays], key=_rank),

@@ -18,7 +18,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
 from workbench.papers.drafting.trial_reading import Outcome
-from workbench.papers.drafting.typefaces import Guess, without_bold
+from workbench.papers.drafting.typefaces import Guess, flat, without_bold
 from workbench.source.documents import Display
 
 #: Words right before a display that say what a symbol of an earlier display is.
@@ -27,6 +27,8 @@ _WHERE = re.compile(r"\b(?:where|with|in which|let|denote)\b[^.;:]{0,40}$", re.I
 _VALUE = re.compile(
     r"(?:\\(?:pi|[dt]?frac|circ|degree|cdot|sqrt|pm|mp|,|;|!|left|right)(?![A-Za-z])|[^A-Za-z\\])+"
 )
+#: A symbol alone in brackets behind a letter: ψ of R_z(ψ); without blanks and braces.
+_ARGUMENT = re.compile(r"(?<=[A-Za-z0-9])\((\\?[A-Za-z]+(?:_\w)?)\)")
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
 
 #: A side that is one symbol in square brackets.
@@ -75,11 +77,13 @@ def definitions_in(formulas: Sequence[Formula]) -> list[Proposed]:
     """
     found: dict[str, Proposed] = {}
     seen: set[str] = set()
+    arguments: set[str] = set()
     for _, own in groupby(formulas, key=lambda formula: id(formula.display)):
         statements = [(formula, _relations(formula)) for formula in own]
         used = {name for _, each in statements for said in each for name in _names(said)}
-        new = used - seen
+        new = {name for name in used - seen if flat(name) not in arguments}
         seen |= used
+        arguments |= {each for formula, _ in statements for each in _ARGUMENT.findall(flat(formula.latex))}
         for formula, each in statements:
             for said in each:
                 for made in _defined(formula, said, new, is_only=len(each) == 1):

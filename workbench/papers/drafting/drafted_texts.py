@@ -6,6 +6,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbench.papers.drafting.draft_model import Ingested, ingested
+from workbench.papers.drafting.meanings.borne_out import with_meanings
+from workbench.papers.drafting.meanings.contradictions import Contradiction, contradictions_in
+from workbench.papers.drafting.meanings.permuted_rows import contradicted_rows
 from workbench.papers.drafting.model_file import loaded_model
 from workbench.papers.drafting.redefinitions import Scope
 from workbench.papers.paper_cache import Kept
@@ -26,11 +29,16 @@ _MOST_SECONDS, _LEAST_SECONDS, _SECONDS_OF_TEXT = 10.0, 2.0, 100.0
 
 @dataclass(frozen=True)
 class Draft:
-    """A text under a drafted model. scopes: those of the draft that the model keeps."""
+    """A text under a drafted model.
+
+    scopes: those of the draft that the model keeps.
+    contradicted: the formulas that contradict others.
+    """
 
     ingested: Ingested
     paper: TextPaper
     scopes: tuple[Scope, ...] = ()
+    contradicted: tuple[Contradiction, ...] = ()
 
     @property
     def summary(self) -> str:
@@ -57,8 +65,22 @@ def newest_draft(text: Text, store: Store | None) -> Draft:
     return kept.newest(str(text.path), key, lambda: draft_from(ingested(text)), Draft)
 
 
+def meant(ingested: Ingested) -> Ingested:
+    """Returns a draft with the definitions that words and other formulas give instead of misprints. Raises
+    PaperError."""
+    return with_meanings(ingested, _loaded(ingested).paper)
+
+
 def draft_from(ingested: Ingested) -> Draft:
     """Returns a text under the model of a draft. Raises PaperError."""
+    draft = _loaded(ingested)
+    meant = with_meanings(ingested, draft.paper)
+    draft = draft if meant is ingested else _loaded(meant)
+    found = (draft.ingested, draft.paper)
+    return replace(draft, contradicted=(*contradictions_in(*found), *contradicted_rows(*found)))
+
+
+def _loaded(ingested: Ingested) -> Draft:
     path = ingested.text.path
     _, model, scopes = loaded_model(ingested, path.with_suffix(".toml"), is_confirmed=True)
     paper = text_paper(ingested.text, model, own_title(ingested.text) or path.name, None, (path,))

@@ -13,6 +13,10 @@ from workbench.papers.drafting.inference.walker import Walker
 from workbench.papers.drafting.typefaces import Guess, without_bold
 
 _COMPONENT = re.compile(r"\\?\w+_\{\w\}")
+#: A letter of an axis under a hat, in any font.
+_HAT = re.compile(
+    r"((?:\\(?:mathbf|boldsymbol|mathrm)\{)?\\hat\{(?:\\(?:mathbf|boldsymbol|mathrm)\{)?)([a-z])(\}+)"
+)
 _QUATERNIONS, _TENSORS = ("hamilton quaternion",), ("tensor", "rotation")
 #: The labels of the vector part of a quaternion, and those of its scalar part.
 _COMPLETE = (("1", "2", "3"), ("x", "y", "z"))
@@ -64,6 +68,29 @@ def matrices(
             rows = (" & ".join(entry[i, j] for j in places) for i in places)
             body = r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
             yield Proposed(name, body, lines.get(name, 1), "its entries have the same letter", True)
+
+
+def axes(
+    guesses: Mapping[str, Guess], lines: Mapping[str, int], defined: Collection[str], moving: Collection[str]
+) -> Iterator[Proposed]:
+    """Yields unit vectors with hats and the letters x, y, z or i, j, k as the fixed axes.
+
+    moving: symbols whose rates the text writes.   lines, defined: as in `columns`.
+    """
+    vectors = {name for name, guess in guesses.items() if guess.kind == "vector"}
+    for letters in ("xyz", "ijk"):
+        for first in (name for name in vectors if (own := _HAT.fullmatch(name)) and own[2] == letters[0]):
+            names = [_HAT.sub(rf"\g<1>{letter}\g<3>", first) for letter in letters]
+            known = [name for name in names if name in vectors]
+            if len(known) < 2 or {*known} & ({*defined} | {*moving}):
+                continue
+            for at, name in enumerate(names):
+                if name in known:
+                    body = r" \\ ".join(str(int(at == row)) for row in range(3))
+                    why = "the axes of fixed coordinates"
+                    yield Proposed(
+                        name, rf"\begin{{bmatrix}} {body} \end{{bmatrix}}", lines.get(name, 1), why, True
+                    )
 
 
 def components(

@@ -9,17 +9,15 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from workbench.context.claims import Claim
-from workbench.context.free_symbols import terms_of
-from workbench.context.repeated_laws import definitions_in
+from workbench.context.facts import Act
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.doubt_codes import DoubtCode, as_one_doubt, single_doubts
 from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.names import Name
 from workbench.core.reasons import Reason
 from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
 from workbench.core.verdict import Grade, Outcome, Strength, Verdict
-from workbench.language.definitions import Definitions, expand
+from workbench.language.definitions import expand
 from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_doubts import (
@@ -32,10 +30,23 @@ from workbench.papers.drafting.drafted_doubts import (
 )
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
+from workbench.papers.drafting.meanings.names_in_claims import (
+    names_of,
+    reached_names,
+    symbols_of,
+    written,
+)
+from workbench.papers.drafting.meanings.usual_misprints import (
+    contradicted,
+    definitions_of,
+    distance,
+    is_misprint,
+)
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
 from workbench.prover.explain.informing_equations import is_of_positive_numbers, says_what_is
 from workbench.prover.results.claim_results import ClaimResult
+from workbench.repair.propose.near_identity import Nearness
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import sections_of
 
@@ -43,6 +54,10 @@ from workbench.source.documents.surrounding_words import sections_of
 _CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
 #: The words for another case than that of an earlier display.
 _OTHER_CASE = re.compile(r"\b(?:if|when|in (?:this|that|such an?) (?:[\w-]+ )?case)\b[^.;]*$", re.IGNORECASE)
+#: The words for a case in which an earlier formula has another form.
+_BECOMES = re.compile(
+    r"\b(?:becomes?|reduces?|simplif\w+|specializ\w+|special|particular)\b[^.;]*$", re.IGNORECASE
+)
 #: The words before an equation that the text solves.
 _TO_SOLVE = re.compile(
     r"\bsolv(?:e|es|ed|ing)\b(?:(?!giv|yield|obtain|find|lead)[^.;,$])*\b(?:equations?|systems?|problems?)\s*:?\s*$",
@@ -57,6 +72,8 @@ _OF_A_SET = re.compile(
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
 
+#: Doubts that count for nothing if a usual change of a false equation makes it true.
+_SOFT = frozenset({DoubtCode.SAYS_WHAT_SYMBOLS_ARE})
 #: Faults → the operations of which they tell; no entry: of any.
 _OPERATIONS: Mapping[object, frozenset[str]] = {
     **dict.fromkeys((TypeCode.FUNCTION_ARGUMENT_TYPE, TypeCode.FUNCTION_ARGUMENT_COUNT), frozenset()),
@@ -73,9 +90,10 @@ def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[Claim
     """Returns the results with the confidence of drafted kinds.
 
     A false claim is not decided if a kind that it uses rests on its own formula only. A guess that no true
-    formula bears out is one more doubt if another falsehood rests on it, too, or if it is a definition of
-    another section.
+    formula bears out is one more doubt if another falsehood rests on it, too, unless one usual change makes
+    the claim true, or if it is a definition of another section.
     """
+    results = [replace(result, verdict=contradicted(draft, result)) for result in results]
     judged = [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
     records = Records.of(draft, judged)
     return [replace(result, verdict=records.doubted(result)) for result in judged]
@@ -86,7 +104,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if verdict.outcome not in _RESTS_ON_KINDS:
         return verdict
     inference, latex = draft.ingested.inference, claim.printed.latex
-    confirmed, names = draft.ingested.confirmed, _names(claim)
+    confirmed, names = draft.ingested.confirmed, names_of(claim)
     if names and confirmed.issuperset(names):
         return verdict
     thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
@@ -112,39 +130,58 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     # A definition gives a symbol its value; it may be the one formula of the two that is misread.
     given = set() if is_misfit else {each.symbol for each in draft.ingested.definitions if each.sure}
     known = confirmed | given
-    doubts = [name for name in names or unsure if name in unsure and name not in known]
-    if (alone := _defined_elsewhere(draft, claim) or _of_another_case(draft, claim)) is not None:
-        doubts.append(alone)
+    kinds = [name for name in names or unsure if name in unsure and name not in known]
+    doubts = list(kinds)
+    if (elsewhere := _defined_elsewhere(draft, claim) or _of_another_case(draft, claim)) is not None:
+        doubts.append(elsewhere)
     doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
     doubts += _unwritten_members(draft, claim)
+    unless = _doubts_of(draft, result, doubts, is_misfit)
+    said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
+    of_kinds = {DoubtCode.SOMETHING_ELSE(name=name) for name in kinds}
+    soft = [*said, *(each for each in unless if each.code in _SOFT or each in of_kinds)]
+    is_soft = bool(soft) and len({*unless, *said} - {*soft}) == 1
+    if is_soft and verdict.outcome is Outcome.REFUTED and is_misprint(claim):
+        said, unless = [], unless[:1]
+    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
+
+
+def _doubts_of(draft: Draft, result: ClaimResult, doubts: Sequence[str], is_misfit: bool) -> list[Reason]:
+    """Returns the doubts about a false claim.
+
+    doubts: symbols that may be something else.   is_misfit: whether the kinds fit nowhere in the claim.
+    """
+    verdict, claim, display = result.verdict, result.claim, _display_of(draft, result.claim)
     unless = [
         DoubtCode.DRAFTED_KINDS(),
         *(DoubtCode.SOMETHING_ELSE(name=name) for name in doubts[:_MOST_DOUBTS]),
     ]
-    if not is_misfit:
+    if not is_misfit and all(each.claim != claim.id for each in draft.contradicted):
+        confirmed = draft.ingested.confirmed
         guesses = {name: each for name, each in draft.ingested.guesses.items() if name not in confirmed}
-        unless += other_meanings(claim, _definitions(claim), guesses)
-    display = _display_of(draft, claim)
+        unless += other_meanings(claim, definitions_of(claim), guesses)
     if display is not None and _TO_SOLVE.search(display.before):
         unless.append(DoubtCode.TO_SOLVE())
     if display is not None and _OF_A_SET.search(display.before):
         unless.append(DoubtCode.OF_A_SET())
-    unless += misread(draft, latex) if is_misfit else ()
+    unless += misread(draft, claim.printed.latex) if is_misfit else ()
     is_open = verdict.code is not ContextCode.GIVEN_OTHERWISE and may_say_what_symbols_are(claim)
     if not doubts and verdict.counterexample is not None and is_open:
         unless.append(DoubtCode.SAYS_WHAT_SYMBOLS_ARE())
     elif verdict.outcome is Outcome.REFUTED and len(unless) == 1 and not verdict.unless:
         is_new = partial(_is_new, draft, display)
-        unless += says_what_is(claim, _definitions(claim), judge_of, is_new)
-        if is_of_positive_numbers(claim, _definitions(claim), judge_of):
+        unless += says_what_is(claim, definitions_of(claim), judge_of, is_new)
+        if is_of_positive_numbers(claim, definitions_of(claim), judge_of):
             unless.append(DoubtCode.POSITIVE())
-    said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
-    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
+    is_case = display is not None and _BECOMES.search(display.before) is not None and not is_misfit
+    if is_case and _is_given_before(draft, claim) and distance(claim, every=True) is Nearness.FAR:
+        unless.append(DoubtCode.OTHER_CASE(fact="that of its first formula"))
+    return unless
 
 
 def _is_new(draft: Draft, display: Display | None, own: Symbol) -> bool:
     """True if no formula with a relation before a display has the symbol."""
-    first = draft.ingested.inference.first.get(_written(own.declaration.name))
+    first = draft.ingested.inference.first.get(written(own.declaration.name))
     return any(each.display is display and each.latex == first for each in draft.ingested.formulas)
 
 
@@ -167,7 +204,7 @@ def _defined_elsewhere(draft: Draft, claim: Claim) -> str | None:
     """Returns the symbol alone on the left that another section defines, which may be another one here."""
     match claim.printed.statement:
         case Relation(left=Symbol(declaration=declaration)):
-            return next(iter(_of_other_sections(draft, claim, {_written(declaration.name)})), None)
+            return next(iter(_of_other_sections(draft, claim, {written(declaration.name)})), None)
     return None
 
 
@@ -175,7 +212,7 @@ def _of_another_case(draft: Draft, claim: Claim) -> str | None:
     """Returns the symbol alone on the left that an earlier display defines, and this one for another case."""
     match claim.printed.statement:
         case Relation(left=Symbol(declaration=declaration)):
-            name, line = _written(declaration.name), claim.line or 0
+            name, line = written(declaration.name), claim.line or 0
             is_known = any(
                 each.sure and each.symbol == name and each.line < line for each in draft.ingested.definitions
             )
@@ -185,6 +222,16 @@ def _of_another_case(draft: Draft, claim: Claim) -> str | None:
     return None
 
 
+def _is_given_before(draft: Draft, claim: Claim) -> bool:
+    """True if an earlier formula defines the symbol alone on the left, and none restricts the others."""
+    if any(fact.act is Act.CONSTRAIN and fact.content is not None for fact in claim.context.facts):
+        return False
+    own, line = subject_alone(claim), claim.line or 0
+    name = written(own.declaration.name) if own is not None else ""
+    given = (each for each in draft.ingested.definitions if each.sure and not each.in_sentence)
+    return any(each.symbol == name and each.line < line for each in given)
+
+
 def _of_other_place(claim: Claim) -> Iterator[str]:
     """Yields the function E of E(v) = …, where the text defines E(p): it may be the E as a function of v."""
     match claim.printed.statement:
@@ -192,7 +239,7 @@ def _of_other_place(claim: Claim) -> Iterator[str]:
             for definition in claim.notation.definitions.about(left):
                 pairs = zip(definition.parameters, arguments, strict=False)
                 if any(isinstance(a, Symbol) and a.declaration.name != p.name for p, a in pairs):
-                    yield _written(own.name)
+                    yield written(own.name)
 
 
 def _of_other_sections(draft: Draft, claim: Claim, names: Collection[str]) -> list[str]:
@@ -246,15 +293,15 @@ class Records:
             alone = subject_alone(claim)
             is_number = alone is not None and alone.type.kind == "scalar"
             if alone is not None and is_number and outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
-                name = _written(alone.declaration.name)
+                name = written(alone.declaration.name)
                 values[name] = values.get(name, frozenset()) | {claim.printed.latex}
             if outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
-                for name in _reached(claim):
+                for name in reached_names(claim):
                     own = true.setdefault(name, {})
                     section = claim.source.section
                     own[section] = own.get(section, frozenset()) | {claim.printed.latex}
             elif _is_warning(result):
-                for name in _names(claim):
+                for name in names_of(claim):
                     false[name] = false.get(name, frozenset()) | {claim.printed.latex}
         return Records(draft, true, false, values)
 
@@ -267,21 +314,23 @@ class Records:
         defined = {each.symbol for each in self.draft.ingested.definitions if each.sure}
         shared = [
             name
-            for name in _names(claim)
+            for name in names_of(claim)
             if name not in inference.firm | confirmed | defined
             and len(self.false[name] - {claim.printed.latex})
             > sum(map(len, self.true.get(name, {}).values()))
         ]
-        reached = _reached(claim) - confirmed
+        reached = reached_names(claim) - confirmed
         anew = [
             name
             for name in _of_other_sections(self.draft, claim, reached)
             if claim.source.section not in self.true.get(name, {})
         ]
         alone = subject_alone(claim)
-        given = _written(alone.declaration.name) if alone is not None else ""
+        given = written(alone.declaration.name) if alone is not None else ""
         # beside this formula, one is the definition
         several = [each for each in (given, *sorted(reached & defined)) if len(self.values.get(each, ())) > 2]
+        if shared and not (anew or several) and is_misprint(claim):
+            shared = []
         names = (*shared, *anew, *several)
         doubts = dict.fromkeys(DoubtCode.SOMETHING_ELSE(name=name) for name in names)
         return replace(verdict, unless=(*verdict.unless, *list(doubts)[:_MOST_DOUBTS]))
@@ -302,7 +351,7 @@ def _given_anew(draft: Draft, claim: Claim) -> list[str]:
     found = []
     for given in given_in(draft.ingested.formulas, places):
         known, display = defined.get(given.name), displays[given.place]
-        if known is None or given.name not in _reached(claim) or "matrix}" not in given.body:
+        if known is None or given.name not in reached_names(claim) or "matrix}" not in given.body:
             continue
         first = next((each for each in displays if each.line == known.line), display)
         is_elsewhere = (first.section, first.heading) != (display.section, display.heading)
@@ -317,7 +366,7 @@ def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
 
     α_2 in A_2 has its value by other means: in a table or in words.
     """
-    statement, known = claim.printed.statement, _definitions(claim)
+    statement, known = claim.printed.statement, definitions_of(claim)
     sides: list[Term] = []
     with suppress(IllFormed):
         sides = [expand(side, known) for side in sides_of(statement)] if statement is not None else []
@@ -329,43 +378,9 @@ def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
     return sorted(each for each in members if latex_key(each) not in written)
 
 
-def _reached(claim: Claim) -> set[str]:
-    """Returns the names of a claim's symbols, and of those in their definitions."""
-    return {_written(each.declaration.name) for each in _terms(claim) if isinstance(each, Symbol)} | {
-        *_names(claim)
-    }
-
-
-def _written(name: Name) -> str:
-    """Returns the name as the draft spells it: a function without its arguments."""
-    return str(replace(name, parameters=0))
-
-
-def _terms(claim: Claim) -> Iterator[Term]:
-    """Yields the terms of a claim's sides and of the definitions of their symbols, also those of the text."""
-    statement, known = claim.printed.statement, _definitions(claim)
-    for side in sides_of(statement) if statement is not None else ():
-        yield from known.reached(side)
-
-
-def _definitions(claim: Claim) -> Definitions:
-    said = definitions_in(claim.context.facts, claim.notation.definitions)
-    return Definitions([*claim.notation.definitions, *said])
-
-
-def _symbols(claim: Claim) -> list[Name]:
-    statement = claim.printed.statement
-    terms = terms_of(statement) if statement is not None else ()
-    return [term.declaration.name for term in terms if isinstance(term, Symbol)]
-
-
-def _names(claim: Claim) -> list[str]:
-    return list(dict.fromkeys(map(_written, _symbols(claim))))
-
-
 def _has_frames(draft: Draft, claim: Claim) -> bool:
     """True if a claim has axes or points whose motion the draft does not know."""
-    made = [name for name in _symbols(claim) if name in claim.notation.framed]
+    made = [name for name in symbols_of(claim) if name in claim.notation.framed]
     tables = (each.entries for each in draft.ingested.proposals if each.table == "frames")
     spins = [flat(key) for table in tables for key, phrase in table.items() if "angular" in phrase]
     return any(not any(flat(name.base) in key for key in spins) for name in made)

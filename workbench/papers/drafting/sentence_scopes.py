@@ -39,9 +39,13 @@ def scopes_of_sentences(
         own = [d for d in behind if _section(d) == sections[each.line]]
         if own:
             yield Scope(own[0], "a sentence of the section says so", definitions={each.name: each.body})
-        if is_local and own and (others := behind[behind.index(own[-1]) + 1 :]):
+        if not own or not (others := behind[behind.index(own[-1]) + 1 :]):
+            continue
+        if is_local:
             kind = guesses[each.name].kind
             yield Scope(others[0], "another section", symbols={each.name: f'{{ kind = "{kind}" }}'})
+        elif first is not None:
+            yield Scope(others[0], "another section", definitions={each.name: first.body})
 
 
 def _section(display: Display) -> tuple[str, str]:

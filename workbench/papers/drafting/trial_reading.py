@@ -26,6 +26,11 @@ from workbench.runtime import stop_if_asked
 #: e with an exponent that is no transpose and no number.
 EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")
 _MOST_SYMBOLS = 60
+_CELL = r"(?:[^(),]|\([^(),]*\))+"
+#: x = (a, b), also as a column.
+_PAIR = re.compile(
+    rf"(?P<left>[^=]+)=\s*\((?P<cells>{_CELL},{_CELL})\)\s*(?:\^\s*\{{?\s*(?:T|\\top|\\mathsf\s*\{{?T\}}?)\s*\}}?)?\s*"
+)
 
 
 @dataclass
@@ -93,6 +98,19 @@ class Reader:
             self._declare([self._by_face(name)])
         outcome.symbols = self._used(latex, outcome.statements)
         return outcome
+
+    def read_in_space(self, latex: str) -> tuple[str, Outcome]:
+        """Returns the formula and the outcome for it.
+
+        A vector of two components, as in e = (cos θ, sin θ), gets the third one 0 if it fits then.
+        """
+        outcome = self.read(latex)
+        if outcome.ill_formed and (pair := _PAIR.fullmatch(latex)) is not None:
+            in_space = f"{pair['left']}= ({pair['cells']}, 0)"
+            again = self.read(in_space)
+            if again.statements is not None:
+                return in_space, again
+        return latex, outcome
 
     def _declare(self, guesses: Iterable[Guess]) -> None:
         """Declares the symbols that the notation does not explain, except those that the table rejects."""

@@ -20,7 +20,7 @@ from workbench.context.index_values import Orders
 from workbench.context.read_formulas import WORDS, FormulaReader, read_statement
 from workbench.context.sentence_facts import TextSentences
 from workbench.context.stated_bounds import with_signs_of_functions
-from workbench.context.stated_rotations import stated_rotation
+from workbench.context.stated_rotations import is_plural, stated_rotation
 from workbench.context.unread_facts import Unread, said_unread, unread_facts
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import IllFormedAt, ReadError
@@ -206,13 +206,12 @@ def _words(fact: Fact) -> tuple[str, str]:
 def _properties(claim: Claim, placed: Placed) -> tuple[tuple[str, str], ...]:
     """Returns the properties that the sentence before a display states of the symbol alone on its left.
 
-    A sentence says what the first formula of its display gives.
+    A sentence says what the first formula of its display gives, or in the plural what each one gives.
     """
     statement = claim.printed.statement
-    if statement is None or not placed.is_first:
-        return ()
-    words = stated_rotation(placed.display, statement)
-    return () if words is None else (("rotation", words),)
+    words = None if statement is None else stated_rotation(placed.display, statement)
+    is_told = words is not None and (placed.is_first or is_plural(words))
+    return (("rotation", words),) if words is not None and is_told else ()
 
 
 def _names_of(formula: Formula) -> frozenset[Name]:

@@ -1,0 +1,42 @@
+"""Names of the symbols in a claim, as a draft spells them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from workbench.context.claims import Claim
+from workbench.context.free_symbols import terms_of
+from workbench.core.names import Name
+from workbench.core.terms import Symbol, Term, sides_of
+from workbench.papers.drafting.meanings.usual_misprints import definitions_of
+
+
+def written(name: Name) -> str:
+    """Returns the name as the draft spells it: a function without its arguments."""
+    return str(replace(name, parameters=0))
+
+
+def symbols_of(claim: Claim) -> list[Name]:
+    """Returns the names of the symbols that a claim writes, each as often as it is written."""
+    statement = claim.printed.statement
+    terms = terms_of(statement) if statement is not None else ()
+    return [term.declaration.name for term in terms if isinstance(term, Symbol)]
+
+
+def names_of(claim: Claim) -> list[str]:
+    """Returns the symbols that a claim writes, each once."""
+    return list(dict.fromkeys(map(written, symbols_of(claim))))
+
+
+def reached_terms(claim: Claim) -> Iterator[Term]:
+    """Yields the terms of a claim's sides and of the definitions of their symbols, also those of the text."""
+    statement, known = claim.printed.statement, definitions_of(claim)
+    for side in sides_of(statement) if statement is not None else ():
+        yield from known.reached(side)
+
+
+def reached_names(claim: Claim) -> set[str]:
+    """Returns the names of a claim's symbols, and of those in their definitions."""
+    reached = {written(each.declaration.name) for each in reached_terms(claim) if isinstance(each, Symbol)}
+    return reached | {*names_of(claim)}

@@ -22,6 +22,7 @@ from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.engines.inventory.parameters import Parameter
 from workbench.engines.jet.number_field import NumberFieldRing
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
+from workbench.language.function_places import has_moved_place, places_apart
 from workbench.prover.counterexamples.rational_points import (
     Trial,
     accepted,
@@ -211,3 +212,23 @@ class Case:
         method = AT_REAL_POINT if trial.real else "rational point, exact arithmetic"
         evidence = Evidence(method, "the two sides differ")
         return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))
+
+
+def at_places_apart(
+    judge: Callable[[Statement, tuple[Statement, ...]], Verdict],
+    statement: Statement,
+    assume: tuple[Statement, ...],
+) -> Verdict:
+    """Returns the verdict; a refutation holds at a point where the places of each function differ.
+
+    Raises NotExact for a function at another place where the place may move."""
+    if has_moved_place((statement, *assume)):
+        raise NotExact("a function at another place below a derivative, an integral or a limit")
+    verdict = judge(statement, assume)
+    apart = tuple(each for each in places_apart((statement, *assume)) if each not in assume)
+    if verdict.outcome is not Outcome.REFUTED or not apart:
+        return verdict
+    try:
+        return judge(statement, (*assume, *apart))
+    except Unsatisfiable:
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.PLACES_MAY_BE_ONE())

@@ -167,12 +167,12 @@ class Judge(Setting):
         match statement:
             case Conjunction(parts=parts):
                 return self._of_parts(parts, assume)
+            case Relation(operator="=") if holds_logarithm(statement, self.definitions):
+                return self._logarithm(statement, assume)
             case Relation() if holds_arc(statement):
                 return self._inverse_angle(statement, assume)
             case Relation(operator="=") if holds_integral(statement, self.definitions):
                 return self._integral(statement, assume)
-            case Relation(operator="=") if holds_logarithm(statement, self.definitions):
-                return self._logarithm(statement, assume)
             case Relation(operator="=") if holds_matrix_exponentials(statement, self.definitions):
                 setting = self.definitions, self.laws
                 return judge_matrix_exponentials(statement, assume, setting, self._judge)

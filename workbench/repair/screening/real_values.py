@@ -36,6 +36,8 @@ _POINTS = 3
 _DIFFERENT = 1e-6
 #: Of the time, for the rates.
 _STEP = 1e-4
+#: Flags of symbols that may have any value between 0 and 1.
+_PLAIN = frozenset({"constant", "positive", "independent", "free", "clock", "introduced"})
 _SCALARS: Mapping[str, Callable[[Any], Any]] = {
     "sin": np.sin,
     "cos": np.cos,
@@ -135,7 +137,7 @@ class RealValues:
             return np.full((1, 1), np.pi)
         if symbol.type.dual or symbol.type.kind not in ("scalar", "vector", "tensor", "matrix", "covector"):
             raise _Unknown
-        if declared.flags - {"constant", "positive", "independent", "free", "clock"} or symbol.arguments:
+        if declared.flags - _PLAIN or symbol.arguments:
             raise _Unknown
         draw = Random(f"{symbol!r} {point.place} {self._seed}")
         shift = point.shift if declared.clock else 0.0

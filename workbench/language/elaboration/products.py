@@ -23,7 +23,7 @@ from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
 from workbench.language.elaboration.letters import letter
-from workbench.language.elaboration.operators.differentials import differential
+from workbench.language.elaboration.operators.differentials import along_direction, differential
 from workbench.language.elaboration.operators.evaluations import is_evaluated, value_at, with_brackets
 from workbench.language.elaboration.operators.integrals import integration
 from workbench.language.elaboration.operators.nablas import along, as_del, of_field, with_sign
@@ -193,7 +193,7 @@ def _factor(row: Row, place: int) -> Factor:
         return of_field(row, place, sign)
     if (directed := along(item)) is not None:
         return of_field(row, place, directed[1], directed[0])
-    if (found := differential(row, place)) is not None:
+    if (found := along_direction(row, place) or differential(row, place)) is not None:
         return found
     if is_evaluated(item):
         return Factor(value_at(row.scope, item), item.at, place + 1, item)

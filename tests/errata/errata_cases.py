@@ -16,6 +16,7 @@ from workbench.app.pipeline.judge_claims import judge_claims
 from workbench.app.pipeline.result_proposals import asks_for_proposals
 from workbench.context.claims import Claim
 from workbench.context.read_formulas import read_statement
+from workbench.core.construct import relation
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.paper_errors import PaperError
 from workbench.core.terms import Conjunction, Relation, Statement, Term, Zero
@@ -28,6 +29,7 @@ from workbench.prover.results.claim_results import ClaimResult
 from workbench.repair.propose.chain_neighbours import ALONE, neighbours_of
 from workbench.repair.propose.repair import repair
 from workbench.repair.propose.search_limits import Limits
+from workbench.repair.screening.real_values import RealValues
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.coefficients import factor_between
 
@@ -186,8 +188,15 @@ def _have_same_sides(one: Relation, other: Relation) -> bool:
     shape = one.left if not isinstance(one.left, Zero) else one.right
     left, right = _components(screen, one, shape), _components(screen, other, shape)
     if left is None or right is None:
-        return False
+        return _have_same_real_sides(one, other)
     return left in (right, right[::-1]) or factor_between(_minus(left), _minus(right)) is not None
+
+
+def _have_same_real_sides(one: Relation, other: Relation) -> bool:
+    """Whether the sides agree at real points, where lengths and roots have values."""
+    reals = RealValues(NoDefinitions())
+    pairs = ((one.left, other.left), (one.right, other.right))
+    return all(a.type == b.type and reals.differ(relation("=", a, b)) is False for a, b in pairs)
 
 
 def _components(

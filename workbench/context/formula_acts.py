@@ -46,7 +46,17 @@ def subject_of(claim: Claim, definitions: Iterable[Definition] = ()) -> Subject:
     known = claim.notation.definitions
     known = Definitions([*known, *more]) if more else known
     subject = _subject(claim.printed.statement, claim.notation, known, claim.context.moving)
-    return replace(subject, ruled=frozenset(_ruled(claim)))
+    return replace(subject, ruled=frozenset(_ruled(claim)), assumed=frozenset(_assumed(claim)))
+
+
+def _assumed(claim: Claim) -> Iterator[Name]:
+    """Yields the symbols of the equations that a model assumes for the claim, so that it says nothing new of
+    them."""
+    beside = {formula.latex for formula in claim.context.beside}
+    for formula in claim.assume:
+        if formula.latex not in beside and formula.statement is not None:
+            sides = [side for each in equations_of(formula.statement) for side in sides_of(each)]
+            yield from (symbol.declaration.name for side in sides for symbol in side.symbols())
 
 
 def _ruled(claim: Claim) -> Iterator[Name]:

@@ -43,6 +43,7 @@ class Subject:
         framed: The symbols that frames and points give.
         moving: The symbols whose rates the text writes.
         ruled: The symbols whose rates a law of the text gives.
+        assumed: The symbols of the equations that a model assumes for the statement.
         letters: Whether letters and accents are used as evidence.
         laws: Equations that give rates, which are unfolded as definitions are.
     """
@@ -54,6 +55,7 @@ class Subject:
     framed: frozenset[Name] = frozenset()
     moving: frozenset[Name] = frozenset()
     ruled: frozenset[Name] = frozenset()
+    assumed: frozenset[Name] = frozenset()
     letters: bool = True
     laws: tuple[Relation, ...] = ()
 
@@ -65,7 +67,8 @@ class Subject:
         names = {
             each
             for each in self.declarations
-            if not (each.free or each.clock) and (each in self.written or each.name in table)
+            if not (each.free or each.clock or each.name in self.assumed)
+            and (each in self.written or each.name in table)
         }
         shown = [
             each

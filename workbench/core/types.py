@@ -131,6 +131,7 @@ class Declaration:
     clock = _Flag()  # the time t, whose derivative is 1
     tilded = _Flag()  # with a tilde the letter is another symbol: its skew tensor is written without one
     introduced = _Flag()  # only definitions introduce its members; one without a definition is meaningless
+    timed = _Flag()  # it is taken at other times than t, as in R(t + h)
     hidden = _Flag()  # in no formula, but frames and points are built from it; it may move arbitrarily
 
     def with_flags(self, **flags: bool) -> Declaration:

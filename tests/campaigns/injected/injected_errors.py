@@ -245,7 +245,8 @@ def changed_forms(claim: Claim, kind: str) -> list[str]:
 
 def changed_claim(claim: Claim, latex: str) -> Claim | None:
     """The claim with another printed form; None where that cannot be read, or says the same term."""
-    plain = replace(claim, correction=Correction(), mend=Mend())
+    own = replace(claim.proof, every_n=None)  # a proof of the right form, which another form has not
+    plain = replace(claim, correction=Correction(), mend=Mend(), proof=own)
     try:
         statement, _ = read_statement(latex, claim.notation, claim.orders)
     except IllFormedAt as error:

@@ -75,6 +75,9 @@ class VerdictCode(Code):
     NO_RANGE = "no range is stated for {variables}"
     NO_WITNESS = "no witness against the bare statement was found"
     NO_ZERO_FOUND = "no zero was found and none was excluded"
+    PLACES_MAY_BE_ONE = (
+        "it fails only where two places of one function are the same, as f(x) and f(y) at x = y"
+    )
     OF_FRAMES = (
         "{outcome} for free frames and points; `orientation` in [frames] and `fixed` in [points] say more"
     )

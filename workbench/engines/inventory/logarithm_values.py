@@ -79,12 +79,23 @@ class LogarithmValues:
                 return None if turn.type.dual else self._free_vector(turn)
             case Apply(head="transpose" | "inverse" | "conjugate", arguments=(inner,)):
                 return _negative(self.vector(inner))
+            case Apply(head="quaternion", arguments=(Apply(head="cos", arguments=(angle,)), above)):
+                return self._of_half_angle(angle, above)
         factors = list(_factors(turn))
         if len(factors) == 3 and turn.type.kind == "tensor":
             first, middle, last = factors
             own = self.vector(middle) if _are_inverse(first, last) and is_rotation(first) else None
             return None if own is None else apply("mul", first, own)
         return None
+
+    def _of_half_angle(self, angle: Term, above: Term) -> Term | None:
+        """Returns θ u for the vector part u sin θ with a unit vector u; the engines show that it is one."""
+        factors = list(_factors(above))
+        axes = [each for each in factors if each != apply("sin", angle)]
+        if len(factors) != 2 or len(axes) != 1 or axes[0].type != VECTOR:
+            return None
+        self.angles[angle] = None
+        return apply("mul", angle, axes[0])
 
     def vector_of(self, exponent: Term) -> Term | None:
         if (turn := angle_and_axis(exponent, self.definitions)) is not None:

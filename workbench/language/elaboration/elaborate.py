@@ -12,6 +12,7 @@ from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.shapes import with_scaled_units
 from workbench.core.signatures import agree
 from workbench.core.terms import Apply, IllFormed, Integer, Number, Term, Unsupported, Zero
+from workbench.core.types import TENSOR
 from workbench.language.elaboration.empty_cells import entries_of
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.operators.nablas import as_del
@@ -143,11 +144,13 @@ class Elaborator(Scope):
             raise TypeMismatch(fault, places[_first_that_differs(addends)]) from None
 
     def with_units(self, terms: Sequence[Term]) -> Sequence[Term]:
-        """Returns the terms, with numbers next to tensors as multiples of the unit tensor if the paper states
-        so."""
-        if not self.allows(Relaxation.UNIT_TENSOR) or not any(term.type.kind == "tensor" for term in terms):
+        """Returns the terms, with numbers next to tensors or square matrices of one size as multiples of the
+        unit if the paper states so."""
+        squares = [each.type for each in terms if each.type.is_square and each.type.kind != "scalar"]
+        if not self.allows(Relaxation.UNIT_TENSOR) or len({each.rows for each in squares}) != 1:
             return terms
-        return [_times_unit(term) for term in terms]
+        unit = construct.identity(squares[0].with_dual(False) if squares[0].kind == "matrix" else TENSOR)
+        return [_times_unit(term, unit) for term in terms]
 
     def bracket(self, node: Bracket) -> Term:
         if node.kind == "[" and len(node.parts) == 1 and isinstance(row := core(node.parts[0]), Product):
@@ -187,17 +190,13 @@ def _are_numbers(terms: Sequence[Term]) -> bool:
     return all(term.type.kind == "scalar" for term in terms)
 
 
-def _times_unit(term: Term) -> Term:
+def _times_unit(term: Term, unit: Term) -> Term:
     """Returns n I for a number n or its negative; other terms unchanged."""
     match term:
         case Apply(head="neg", arguments=(Number() | Integer() as inner,)):
-            return construct.apply("neg", _times_unit(inner))
+            return construct.apply("neg", _times_unit(inner, unit))
         case Number() | Integer():
-            return (
-                construct.apply("mul", term, construct.identity())
-                if term.value != 1
-                else construct.identity()
-            )
+            return construct.apply("mul", term, unit) if term.value != 1 else unit
     return term
 
 

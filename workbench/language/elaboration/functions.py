@@ -21,6 +21,7 @@ from workbench.language.elaboration.operators.determinants import of_vectors
 from workbench.language.elaboration.operators.differentials import INCREMENT
 from workbench.language.elaboration.operators.quotients import Rate, slope, value_of
 from workbench.language.elaboration.superscripts import is_inverse, is_transpose, raised, rooted
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,
@@ -29,6 +30,7 @@ from workbench.language.grammar.syntax import (
     Node,
     Product,
     Scripted,
+    Sum,
     in_a_row,
     is_function,
     is_left_script,
@@ -38,6 +40,7 @@ from workbench.language.grammar.vocabulary import words_in_a_formula
 from workbench.language.naming.linear_indices import linear
 from workbench.language.naming.patterns import Known
 from workbench.language.naming.reading_conventions import Relaxation
+from workbench.language.naming.scope import Scope
 
 _OR_A_FACTOR = ', or say [conventions] brackets = "factors": what is in one behind it multiplies it'
 
@@ -202,6 +205,7 @@ def _of_two(row: Row, leaf: Leaf, place: int) -> Factor:
 def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
     item = row.items[place]
     if isinstance(item, Bracket):
+        _refuse_angle_behind(row, head, item, place)
         return row.scope.term(item), place + 1
     if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket | Fraction):
         raise Fault(SyntaxCode.POWER_FUNCTION_OR_ARGUMENT(), item.at)
@@ -242,7 +246,31 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         ):
             said = _OR_A_FACTOR if may_be_factor else ""
             raise Fault(SyntaxCode.REACH_OF_FUNCTION(name=name, said=said), leaf.at)
+    if head in CIRCULAR and len(run) == 2:
+        row.scope.reaches.angles.add(frozenset(_letters(factor.node) for factor in run))
+        _refuse_reach(row.scope)
     return row.multiply(run), end
+
+
+def _refuse_angle_behind(row: Row, head: str, bracket: Bracket, place: int) -> None:
+    """Notes \\cos (m - n) x; raises Fault if the formula has \\cos m x, too: the angle may contain x."""
+    behind = row.items[place + 1] if place + 1 < len(row.items) else None
+    match bracket.parts:
+        case (Sum(addends=addends),) if head in CIRCULAR and isinstance(behind, Leaf | Scripted):
+            for _, _, addend in addends:
+                own = frozenset((_letters(addend), _letters(behind)))
+                row.scope.reaches.behind.setdefault(own, (word_of(head), bracket.at))
+            _refuse_reach(row.scope)
+
+
+def _refuse_reach(scope: Scope) -> None:
+    for pair in scope.reaches.angles & scope.reaches.behind.keys():
+        name, at = scope.reaches.behind[pair]
+        raise Fault(SyntaxCode.HOW_FAR_DOES_REACH(name=name), at)
+
+
+def _letters(node: Node) -> str:
+    return latex_of(node).replace(" ", "")
 
 
 def _is_bracket(node: Node) -> bool:

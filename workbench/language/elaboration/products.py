@@ -23,7 +23,7 @@ from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
 from workbench.language.elaboration.letters import letter
-from workbench.language.elaboration.operators.differentials import differential
+from workbench.language.elaboration.operators.differentials import along_direction, differential
 from workbench.language.elaboration.operators.evaluations import is_evaluated, value_at, with_brackets
 from workbench.language.elaboration.operators.integrals import integration
 from workbench.language.elaboration.operators.nablas import along, as_del, of_field, with_sign
@@ -31,6 +31,7 @@ from workbench.language.elaboration.operators.quotients import divided, quotient
 from workbench.language.elaboration.operators.summations import summation
 from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.superscripts import raised
+from workbench.language.elaboration.values_elsewhere import value_elsewhere
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Accented,
@@ -192,7 +193,7 @@ def _factor(row: Row, place: int) -> Factor:
         return of_field(row, place, sign)
     if (directed := along(item)) is not None:
         return of_field(row, place, directed[1], directed[0])
-    if (found := differential(row, place)) is not None:
+    if (found := along_direction(row, place) or differential(row, place)) is not None:
         return found
     if is_evaluated(item):
         return Factor(value_at(row.scope, item), item.at, place + 1, item)
@@ -293,7 +294,10 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     is_labelled = isinstance(following, Scripted) and following.sub is not None  # R (x)_B
     may_say = bracket is not None and not is_labelled
     if not takes_bracket and bracket is not None and not is_labelled:
-        takes_bracket = is_own_variable(scope, bracket, term)
+        if (elsewhere := value_elsewhere(scope, bracket, term)) is not None:
+            term, takes_bracket, may_say = elsewhere, True, False
+        else:
+            takes_bracket = is_own_variable(scope, bracket, term)
     if following is not None and takes_bracket:
         if isinstance(following, Scripted) and sup is not None:
             raise Fault(SyntaxCode.SCRIPTS_ARGUMENT_FUNCTION_BRACKET(), following.at)

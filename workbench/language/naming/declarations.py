@@ -166,13 +166,11 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
         raise SpecError(DeclarationCode.POSITIVE_REAL_SCALARS(), key)
     if dual and plain == "transform":
         raise SpecError(DeclarationCode.TRANSFORM_REAL_DUAL_ROTATION(), key)
-    return Declaration(
-        name,
-        type_.with_dual(dual),
-        _weight(key, index, spec.get("weight")),
-        frozenset(flag for flag in FLAGGED if spec.get(flag) or flag == plain),
-        indices=len(index),
-    )
+    flags = frozenset(flag for flag in FLAGGED if spec.get(flag) or flag == plain)
+    is_timed = spec.get("of") == ["t"] and bool(flags) and "constant" not in flags
+    weight = _weight(key, index, spec.get("weight"))
+    declared = Declaration(name, type_.with_dual(dual), weight, flags, indices=len(index))
+    return declared.with_flags(timed=True) if is_timed else declared
 
 
 def arguments_of(key: str, declaration: Declaration, names: Any) -> Sequence[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from workbench.core import construct
@@ -54,6 +54,19 @@ _WHICH = "a point or a direction? write the column of four"
 _FIRST_THREE = construct.block([[construct.identity(), construct.zero(VECTOR)]])
 
 
+@dataclass
+class Reaches:
+    """The products below sines and cosines, and the factors behind those with a sum in brackets.
+
+    Attributes:
+        angles: The two factors of each.
+        behind: An addend and the factor, with the function and its offset.
+    """
+
+    angles: set[frozenset[str]] = field(default_factory=set)
+    behind: dict[frozenset[str], tuple[str, int]] = field(default_factory=dict)
+
+
 class Scope(ABC):
     """The scope in which letters, products and sums are read. `variables` are the integer variables in
     scope."""
@@ -73,6 +86,7 @@ class Scope(ABC):
         self.evaluations: list[Any] = []  # the bars \left. f \right|_{x = 0} of the statement so far
         self.apart: list[Any] = []  # what stands outside of the bars of all statements
         self.tensor_operand: int | None = None  # offset of the last operator on a bare tensor
+        self.reaches = Reaches()
         self.italic_differentials: list[int] = []  # offsets of the d of the statement so far
 
     def allows(self, relaxation: Relaxation) -> bool:

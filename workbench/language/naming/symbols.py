@@ -84,7 +84,7 @@ class SymbolTable:
         for key, spec in specs.items():
             name, index = read_key(key)
             declared = read_declaration(key, name, index, spec)
-            if "of" in spec:
+            if "of" in spec and not declared.timed:
                 functions[name] = arguments_of(key, declared, spec["of"])
             for alias in (key, *aliases(key, spec)):
                 try:

@@ -26,7 +26,12 @@ from workbench.papers.drafting.drafted_definitions import (
     spins_of_tensors,
 )
 from workbench.papers.drafting.drafted_frames import rates_in_turning_frames, with_spins
-from workbench.papers.drafting.drafted_functions import DraftedFunction, functions_in
+from workbench.papers.drafting.drafted_functions import (
+    DraftedFunction,
+    functions_elsewhere,
+    functions_in,
+    with_places,
+)
 from workbench.papers.drafting.formula_shapes import (
     axes,
     columns,
@@ -131,6 +136,9 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     labels = {each.name: each for each in labels_in(latex) if each.name not in inference.kinds}
     guessed = labels | _with_facts(guesses_of(inference, prose), facts)
     known = {name: guess for name in guessed if (guess := prose.given_for(name)) is not None}
+    elsewhere = functions_elsewhere(step.spelled()[0] for _, step in steps)
+    start = with_places(guessed | known, elsewhere, functions)
+    guessed, known = ({name: start[name] for name in each} for each in (guessed, known))
     spoken = tuple(each.latex for each in inline if "=" in each.latex and not _opaque(each, each.latex))
     reading = _Reading.of(steps, [], _Start(guessed | known, prose, functions, spoken))
     spins = facts.spins

@@ -1,11 +1,12 @@
-"""Functions that a text defines by their value at a letter, and takes at other values: R(θ) = …, R(α + β)."""
+"""Functions that a text takes at other values: R(θ) = … and R(α + β), or R(t) and R(t + h) alone."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass, replace
+from itertools import pairwise
 
 from workbench.core.brackets import end_of_group
 from workbench.core.formula_errors import Fault, ReadError, SpecError
@@ -13,15 +14,28 @@ from workbench.language.definition_entries import read_definition
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.latex_keys import Ignored, latex_key
 from workbench.language.grammar.parser import parse
-from workbench.language.grammar.syntax import Bracket, Chain, Node, Product, core, in_a_row
+from workbench.language.grammar.syntax import (
+    Accented,
+    Bracket,
+    Chain,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Sum,
+    core,
+    in_a_row,
+)
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.symbols import SymbolTable
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
-from workbench.papers.drafting.typefaces import flat
+from workbench.papers.drafting.typefaces import Guess, flat
 
 _DEFINES = ("=", ":=")
 _TIMES = ("t", "\\tau")
+#: A step of time, by its letter.
+_STEP = re.compile(r"h|T|\\?(?:Delta|delta|epsilon|varepsilon)\{?[A-Za-z]?\}?|d\{?t\}?|dt")
 
 
 @dataclass(frozen=True)
@@ -110,3 +124,92 @@ def _has_other_values(function: DraftedFunction, formulas: Sequence[str]) -> boo
 
 def _flat(latex: str) -> str:
     return flat(latex_key(latex, Ignored.SIZES))
+
+
+def functions_elsewhere(formulas: Iterable[str]) -> dict[str, tuple[str, ...]]:
+    """Returns the symbols that formulas write at letters and at other values of these, as R(t) and R(t + h).
+
+    Partial derivatives in a text exclude all of them: there R(t) may depend on more."""
+    places: dict[str, dict[tuple[str, ...], Bracket]] = {}
+    for latex in formulas:
+        if "\\partial" in latex or "\\nabla" in latex:
+            return {}
+        if "(" in latex:
+            with suppress(Fault, RecursionError):
+                for name, bracket in _calls(parse(latex)):
+                    own = places.setdefault(name, {})
+                    own.setdefault(tuple(flat(latex_of(part)) for part in bracket.parts), bracket)
+    found = {name: _formals(name, own) for name, own in places.items()}
+    return {name: formals for name, formals in found.items() if formals}
+
+
+def _calls(node: object) -> Iterator[tuple[str, Bracket]]:
+    """Yields the names before brackets, with the brackets."""
+    if isinstance(node, Product):
+        for name, behind in pairwise(node.items):
+            bracket = behind.nucleus if isinstance(behind, Scripted) else behind
+            if isinstance(bracket, Bracket) and bracket.kind == "(" and bracket.parts:
+                with suppress(SpecError):
+                    own, index = read_key(latex_of(name.body if isinstance(name, Accented) else name))
+                    if not index:
+                        yield str(own), bracket
+    for part in _parts(node):
+        yield from _calls(part)
+
+
+def _parts(node: object) -> Iterator[object]:
+    """Yields the nodes of a tree below a node."""
+    for value in (getattr(node, each.name) for each in fields(node)) if is_dataclass(node) else ():
+        yield from value if isinstance(value, tuple) else (value,)
+    if isinstance(node, tuple):
+        yield from node
+
+
+def _formals(name: str, places: Mapping[tuple[str, ...], Bracket]) -> tuple[str, ...]:
+    """Returns the letters of the first place with only letters, if another place is made of them."""
+    letters = [place for place, bracket in places.items() if all(map(_is_plain, bracket.parts))]
+    if not letters:
+        return ()
+    first = letters[0]
+    others = [bracket for place, bracket in places.items() if place not in letters]
+    alike = [each for each in others if len(each.parts) == len(first)]
+    return first if any(_is_made_of(first, each) for each in alike) else ()
+
+
+def _is_plain(part: Node) -> bool:
+    return isinstance(part, Leaf) and part.kind == "LETTER"
+
+
+def _is_made_of(letters: tuple[str, ...], bracket: Bracket) -> bool:
+    """True for a place that contains a letter; of the time only for t + h and t + \\Delta t."""
+    for letter, part in zip(letters, bracket.parts, strict=True):
+        inside = [flat(latex_of(each)) for _, _, each in part.addends] if isinstance(part, Sum) else []
+        if _is_time(letter):
+            steps = [each for each in inside if each != letter]
+            return letter in inside and len(steps) == 1 and bool(_STEP.fullmatch(steps[0]))
+        factors = part.items if isinstance(part, Product) else ()
+        if letter in inside or letter in [flat(latex_of(each)) for each in factors]:
+            return True
+    return False
+
+
+def with_places(
+    guesses: Mapping[str, Guess], elsewhere: Mapping[str, tuple[str, ...]], defined: Sequence[DraftedFunction]
+) -> dict[str, Guess]:
+    """Returns the guesses with the letters of the functions that the text takes at other values of them."""
+    made = dict(guesses)
+    for name in {*guesses}.intersection(elsewhere).difference(each.name for each in defined):
+        letters, guess = elsewhere[name], guesses[name]
+        if letters == ("t",):
+            made[name] = replace(guess, of=letters, constant=False)
+        elif guess.kind != "rotation" and not guess.unit and all(_moves(made.get(each)) for each in letters):
+            made[name] = replace(guess, of=letters, constant=False)
+            made |= {each: replace(made[each], constant=False) for each in letters}
+    return made
+
+
+def _moves(letter: Guess | None) -> bool:
+    """False for a letter that words call constant, and for one of a kind that has no partial derivative."""
+    if letter is None or letter.of or letter.unit or (letter.constant and letter.is_said):
+        return False
+    return letter.kind in ("scalar", "vector")

@@ -101,7 +101,8 @@ def _lines(
     yield "[symbols]"
     defined = {proposed.name for proposed in chosen}
     for guess in ingested.guesses.values():
-        flags = "".join(f", {flag} = true" for flag in guess.spec if flag != "kind")
+        flags = "".join(f", {flag} = true" for flag in guess.spec if flag not in ("kind", "of"))
+        flags += f", of = [{', '.join(map(string, guess.of))}]" if guess.of else ""
         entry = f'{string(guess.name)} = {{ kind = "{guess.kind}"{flags} }}'
         wrong = refused.get(_symbol(guess.name))
         mark = "# " if guess.name in defined or wrong else ""

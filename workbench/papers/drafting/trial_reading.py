@@ -15,6 +15,7 @@ from workbench.core.formula_errors import IllFormedAt, ReadError, SpecError
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
 from workbench.core.terms import Statement, Symbol
+from workbench.language.function_places import symbols_behind
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
@@ -133,8 +134,10 @@ class Reader:
 
     def _used(self, latex: str, statements: tuple[Statement, ...] | None) -> set[str]:
         if statements:
-            terms = (term for each in statements for term in terms_of(each))
-            used = {term.declaration.name for term in terms if isinstance(term, Symbol)}
+            terms = [term for each in statements for term in terms_of(each)]
+            symbols = [term for term in terms if isinstance(term, Symbol)]
+            symbols += [each for term in symbols for each in symbols_behind(term)]
+            used = {each.declaration.name for each in symbols}
             return {name for name in self.guesses if not used.isdisjoint(_declared_names(name))}
         formula = flat(latex)
         return {name for name in self.guesses if flat(name) in formula}

@@ -61,6 +61,7 @@ class Guess:
         why: The reason, in words.
         origin: Where the kind comes from.
         is_inertia: Whether words say that it is an inertia, which is a scalar or a tensor.
+        of: The letters that it is a function of, if the text takes it at other values of them.
     """
 
     name: str
@@ -71,6 +72,7 @@ class Guess:
     independent: bool = False
     free: bool = False
     is_inertia: bool = False
+    of: tuple[str, ...] = ()
     origin: GuessOrigin = field(default=GuessOrigin.FORMULAS, compare=False)
 
     @property
@@ -81,7 +83,8 @@ class Guess:
     @property
     def spec(self) -> dict[str, object]:
         flags = {name: getattr(self, name) for name in ("unit", "constant", "independent", "free")}
-        return {"kind": self.kind, **{name: True for name, is_so in flags.items() if is_so}}
+        places: dict[str, object] = {"of": list(self.of)} if self.of else {}
+        return {"kind": self.kind, **{name: True for name, is_so in flags.items() if is_so}, **places}
 
 
 def bare_name(name: str) -> str:

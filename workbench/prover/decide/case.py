@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.core.codes.verdict_codes import VerdictCode
+from workbench.core.construct import number
+from workbench.core.construct import relation as equated
 from workbench.core.names import Name
 from workbench.core.terms import Relation, Statement, Symbol, Term
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
@@ -22,6 +24,8 @@ from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.engines.inventory.parameters import Parameter
 from workbench.engines.jet.number_field import NumberFieldRing
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
+from workbench.language.function_places import has_moved_place, places_apart
+from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import (
     Trial,
     accepted,
@@ -211,3 +215,41 @@ class Case:
         method = AT_REAL_POINT if trial.real else "rational point, exact arithmetic"
         evidence = Evidence(method, "the two sides differ")
         return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))
+
+
+def at_places_apart(
+    judge: Callable[[Statement, tuple[Statement, ...]], Verdict],
+    statement: Statement,
+    assume: tuple[Statement, ...],
+) -> Verdict:
+    """Returns the verdict; a refutation holds at a point where the places of each function differ.
+
+    Raises NotExact for a function at another place where the place may move."""
+    if has_moved_place((statement, *assume)):
+        raise NotExact("a function at another place below a derivative, an integral or a limit")
+    verdict = judge(statement, assume)
+    apart = tuple(each for each in places_apart((statement, *assume)) if each not in assume)
+    if verdict.outcome is not Outcome.REFUTED or not apart or _keeps_apart(judge, verdict, apart):
+        return verdict
+    try:
+        return judge(statement, (*assume, *apart))
+    except Unsatisfiable:
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.PLACES_MAY_BE_ONE())
+
+
+def _keeps_apart(
+    judge: Callable[[Statement, tuple[Statement, ...]], Verdict], verdict: Verdict, apart: Sequence[Relation]
+) -> bool:
+    """True if the places differ where the counterexample lies; symbols that it does not name are free."""
+    values = verdict.counterexample.values if verdict.counterexample else {}
+    for each in apart:
+        symbols = dict.fromkeys(part for side in (each.left, each.right) for part in side.symbols())
+        if not all(part.type.kind == "scalar" for part in symbols):
+            return False
+        known = [part for part in symbols if to_latex(part) in values]
+        at_point = tuple(equated("=", part, number(Fraction(*values[to_latex(part)]))) for part in known)
+        with suppress(NotExact, Unsatisfiable, ValueError):
+            if judge(equated("=", each.left, each.right), at_point).outcome is Outcome.REFUTED:
+                continue
+        return False
+    return True

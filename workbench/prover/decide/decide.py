@@ -32,7 +32,7 @@ from workbench.engines.inventory.first_order import to_first_order
 from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
 from workbench.language.printing.printer import to_latex
-from workbench.prover.decide.case import Case, Setting
+from workbench.prover.decide.case import Case, Setting, at_places_apart
 from workbench.prover.decide.closed_formulas import judge_closed
 from workbench.prover.decide.disequation import judge_inequation
 from workbench.prover.decide.elementary_equations import (
@@ -143,6 +143,10 @@ class Judge(Setting):
         )
 
     def _judge(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        return at_places_apart(self._judge_anywhere, statement, assume)
+
+    def _judge_anywhere(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        """Returns the verdict with the values of a function at its places independent of each other."""
         try:
             verdict = self._judge_form(statement, assume)
         except ZeroDivisionError:
@@ -163,12 +167,12 @@ class Judge(Setting):
         match statement:
             case Conjunction(parts=parts):
                 return self._of_parts(parts, assume)
+            case Relation(operator="=") if holds_logarithm(statement, self.definitions):
+                return self._logarithm(statement, assume)
             case Relation() if holds_arc(statement):
                 return self._inverse_angle(statement, assume)
             case Relation(operator="=") if holds_integral(statement, self.definitions):
                 return self._integral(statement, assume)
-            case Relation(operator="=") if holds_logarithm(statement, self.definitions):
-                return self._logarithm(statement, assume)
             case Relation(operator="=") if holds_matrix_exponentials(statement, self.definitions):
                 setting = self.definitions, self.laws
                 return judge_matrix_exponentials(statement, assume, setting, self._judge)
@@ -353,7 +357,8 @@ class Judge(Setting):
             and premise.operator == claim.operator == "≠"
         ):
             given, said = (equated("=", *[difference(r).left] * 2) for r in (premise, claim))
-            turned = self._implied(_equation(claim), _equation(premise), (*assume, given))
+            equal, other = (replace(r, operator="=") for r in (claim, premise))
+            turned = self._implied(equal, other, (*assume, given))
             defined = self._defined(said, (*assume, premise))
             return turned if defined.outcome is Outcome.PROVED else _together([turned, defined])
         return self._supposing((premise,), claim, assume)
@@ -384,10 +389,6 @@ class Judge(Setting):
         is_field = has_gradient(sides_of(claim))
         code = VerdictCode.AT_ONE_PLACE if is_field else VerdictCode.AT_ONE_INSTANT
         return Verdict(Outcome.UNCHECKED, reason=code())
-
-
-def _equation(inequation: Relation) -> Relation:
-    return equated("=", inequation.left, inequation.right)
 
 
 def _together(verdicts: list[Verdict]) -> Verdict:

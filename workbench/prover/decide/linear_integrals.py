@@ -16,13 +16,14 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, relation, with_children, zero
 from workbench.core.hypotheses import Hypothesis
 from workbench.core.operations import LINEAR
-from workbench.core.terms import Apply, Block, Integral, Relation, Statement, Symbol, Term, Zero
+from workbench.core.terms import Apply, Block, Derivative, Integral, Relation, Statement, Symbol, Term, Zero
 from workbench.core.types import PI
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact, reached
 from workbench.language.definitions import expand, only_turns
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.closed_formulas import is_of_numbers
+from workbench.prover.decide.inference import conclusion
 from workbench.prover.decide.values_of_integrals import changing_in, with_values
 
 
@@ -52,10 +53,10 @@ def judge_integrals(
             return Verdict(Outcome.UNCHECKED, reason=ContextCode.OF_PI())
         return _under_sameness(verdict, changing, sides)
     integrals = {part for side in sides for part in side.walk() if isinstance(part, Integral)}
-    if len({(each.sign, each.measure) for each in integrals}) > 1:
-        raise NotExact("integrals of more than one kind")
     if frozenset().union(*map(_degrees, sides)) != {1}:
         raise NotExact("an equation that is not linear in its integrals")
+    if len({(each.sign, each.measure) for each in integrals}) > 1:
+        return _of_several_kinds(sides, integrals, judge, at_once)
     left, right = map(_bodies, sides)
     if left == right:
         verdict = judge(relation("=", apply("add", left, apply("neg", right)), zero(left.type)))
@@ -68,6 +69,62 @@ def judge_integrals(
     if verdict.outcome is Outcome.REFUTED and not _is_free(sides, integrals):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_LINEARITY(), evidence=verdict.evidence)
     return _under_sameness(verdict, _kept(sides, integrals), sides)
+
+
+def _of_several_kinds(
+    sides: Sequence[Term],
+    integrals: set[Integral],
+    judge: Callable[[Statement], Verdict],
+    at_once: Callable[[Statement], Verdict],
+) -> Verdict:
+    """Returns the verdict on an equation between integrals of several kinds, or with several bounds.
+
+    ∫ₐᵇ f is F(b) − F(a), and F is linear in f: the equation follows from those of what belongs to each bound.
+    Values that are the same throughout may refute it: ∫ₐᵇ c is c (b − a)."""
+    left, right = sides
+    whole = apply("add", left, apply("neg", right))
+    keys = dict.fromkeys(key for each in integrals for key, _ in _ends(each))
+    verdicts = [judge(relation("=", _belonging_to(whole, key), zero(whole.type))) for key in keys]
+    evidence = Evidence(
+        "linearity", "what belongs to each bound", {"formula": to_latex(relation("=", *sides))}
+    )
+    if all(each.outcome is Outcome.PROVED for each in verdicts):
+        found = conclusion("linearity", verdicts, (*verdicts[0].evidence, evidence))
+        return _under_sameness(found, _kept(list(sides), integrals), sides)
+    has_rates = any(isinstance(part, Derivative) for each in integrals for part in each.body.walk())
+    if all(map(_has_length, integrals)) and not has_rates and _is_free(list(sides), integrals):
+        verdict = at_once(relation("=", _of_constants(whole), zero(whole.type)))
+        if verdict.outcome is Outcome.REFUTED:
+            return replace(verdict, evidence=(*verdict.evidence, evidence))
+    return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_LINEARITY())
+
+
+def _ends(integral: Integral) -> list[tuple[tuple[object, ...], int]]:
+    """Returns the keys of the bounds with their signs; of another sign that of the whole sign."""
+    if not _has_length(integral):
+        return [((integral.sign, integral.measure), 1)]
+    _, lower, upper = integral.place
+    return [((integral.measure, upper), 1), ((integral.measure, lower), -1)] if lower != upper else []
+
+
+def _has_length(integral: Integral) -> bool:
+    return integral.sign.startswith("\\int_") and len(integral.place) == 3
+
+
+def _belonging_to(term: Term, key: tuple[object, ...]) -> Term:
+    """Returns the term with the bodies of the integrals that have the bound, with its sign; 0 for others."""
+    if isinstance(term, Integral):
+        signs = [sign for own, sign in _ends(term) if own == key]
+        return zero(term.type) if not signs else term.body if signs[0] > 0 else apply("neg", term.body)
+    return with_children(term, lambda child: _belonging_to(child, key))
+
+
+def _of_constants(term: Term) -> Term:
+    """Returns the term with the values of the integrals of what does not change."""
+    if isinstance(term, Integral):
+        _, lower, upper = term.place
+        return apply("mul", apply("add", upper, apply("neg", lower)), term.body)
+    return with_children(term, _of_constants)
 
 
 def _has_known_pi(sides: Sequence[Term]) -> bool:
@@ -146,7 +203,8 @@ def _is_free(sides: list[Term], integrals: set[Integral]) -> bool:
     (first, *_) = integrals
     own = [set(side.walk()) for side in sides]
     symbols = [{part for part in parts if isinstance(part, Symbol)} for parts in own]
-    runs = any(to_latex(each) == first.variable or each.declaration.clock for each in symbols[0] | symbols[1])
+    names = {each.variable for each in integrals}
+    runs = any(to_latex(each) in names or each.declaration.clock for each in symbols[0] | symbols[1])
     has_zero = any(isinstance(side, Zero) for side in sides)
     is_closed = first.sign.startswith("\\oint")
     return bool(symbols[0] & symbols[1]) and not (runs or has_zero or is_closed)

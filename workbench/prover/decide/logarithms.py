@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import apply, relation, zero
+from workbench.core.construct import apply, relation, with_children, zero
 from workbench.core.hypotheses import Hypothesis
 from workbench.core.terms import Apply, Number, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
@@ -59,6 +60,8 @@ def judge_logarithm(said: Relation, is_supposed: bool, definitions: Lookup, judg
     """
     values = LogarithmValues(definitions)
     left, right = (values.without(expand(side, definitions)) for side in (said.left, said.right))
+    plain = left, right
+    left, right = (_with_half_angles(side, values) for side in plain)
     if values.unknown:
         return _as_exponential(said, values, judge)
     known = WithDefinitions(definitions, values.free)
@@ -69,11 +72,40 @@ def judge_logarithm(said: Relation, is_supposed: bool, definitions: Lookup, judg
         verdict = judge(relation("=", apply("add", left, apply("neg", right)), zero(left.type)), known)
     else:
         verdict = judge(relation("=", left, right), known)
-    if verdict.outcome is Outcome.REFUTED and is_supposed and values.angles:
+    is_beyond = plain != (left, right) and not _is_short(verdict)
+    if verdict.outcome is Outcome.REFUTED and (is_beyond or (is_supposed and values.angles)):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.UP_TO_BRANCH(branch=values.branch()))
     evidence = Evidence("logarithms", "replaced by what they are the exponents of")
     verdict = replace(verdict, evidence=(*verdict.evidence, evidence))
     return _on_branch(verdict, values)
+
+
+def _with_half_angles(term: Term, values: LogarithmValues) -> Term:
+    """Returns the term with the length of log q for arccos of the scalar part of a free unit quaternion q.
+
+    The length of the vector part is the sine of that: the angle of a logarithm is at most π."""
+    match term:
+        case Apply(head="arccos", arguments=(Apply(head="scalar part", arguments=(Symbol() as turn,)),)):
+            return _half_angle(turn, values) or term
+        case Apply(head="norm", arguments=(Apply(head="vector part", arguments=(Symbol() as turn,)),)):
+            angle = _half_angle(turn, values)
+            return term if angle is None else apply("sin", angle)
+    return with_children(term, lambda each: _with_half_angles(each, values))
+
+
+def _half_angle(turn: Symbol, values: LogarithmValues) -> Term | None:
+    exponential = values.free.get(turn) if turn.type.kind == "quaternion" else None
+    if not isinstance(exponential, Apply):
+        return None
+    (_, vector) = exponential.arguments[0].children
+    return apply("norm", vector)
+
+
+def _is_short(verdict: Verdict) -> bool:
+    """True if the logarithms of the counterexample are shorter than π."""
+    example = verdict.counterexample
+    logs = [] if example is None else [v for name, v in example.values.items() if name.startswith("\\log ")]
+    return all(sum(Fraction(entry) ** 2 for entry in each) < 9 for each in logs)
 
 
 def _as_exponential(said: Relation, values: LogarithmValues, judge: Judge) -> Verdict:

@@ -16,6 +16,7 @@ from workbench.context.claims import Claim
 from workbench.context.read_formulas import read_statement
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.terms import Apply, Statement, Symbol
+from workbench.core.types import SCALAR
 from workbench.core.verdict import Outcome, Verdict
 from workbench.engines.inventory import NotExact
 from workbench.language.printing.author_spelling import printed_for
@@ -34,6 +35,7 @@ from workbench.repair.propose.lost_property import (
 from workbench.repair.propose.proposal import Proposal, Repair
 from workbench.repair.propose.search_limits import STANDARD, Limits
 from workbench.repair.propose.symbols_like import symbols_like
+from workbench.repair.screening.real_values import RealValues
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import has_lost_symbols, is_idle, is_vacuous, like_terms
@@ -144,6 +146,15 @@ class _Bench:
         return self._screen()
 
     @cached_property
+    def reals(self) -> RealValues | None:
+        """The values at real points, where points modulo the prime exclude nothing."""
+        printed = self.claim.printed.statement
+        is_screened = (
+            self.screen is not None and printed is not None and self.screen.residual(printed) is not None
+        )
+        return None if is_screened else RealValues.under(self.judge.definitions, self.assume)
+
+    @cached_property
     def sameness(self) -> Sameness:
         return Sameness(self.judge.definitions, self.assume, self.instances[-2:])
 
@@ -208,6 +219,9 @@ class _Bench:
             for candidate in read:
                 self._offer(_unscreened(candidate))
             return
+        for candidate in read:
+            if _turns_by_exponent(candidate.statement) and self._offer(_unscreened(candidate)):
+                return  # points do not know that exp(R x) and exp(x) have one angle
         second = self._second_screens()
         seen_at_points = {c.statement for c in read if self.screen.residual(c.statement) is not None}
         stages = []
@@ -281,14 +295,14 @@ class _Bench:
             proposals += likeliest[: self.limits.proposals]
 
     def _holds_where_printed_does(self, verdict: Verdict, candidate: Candidate) -> bool:
-        """True if the candidate holds unless a denominator vanishes, and all its denominators are printed.
+        """True if the candidate holds unless a denominator vanishes, and has no more of them than the print.
 
-        Changes of the printing introduce no denominators.
+        A misprint loses no denominator, but it may stand in one.
         """
         printed = self.claim.printed.statement
         if verdict.outcome is not Outcome.CONDITIONAL or printed is None or candidate.latex is not None:
             return verdict.outcome is Outcome.CONDITIONAL
-        return divisors(candidate.statement) <= divisors(printed)
+        return len(divisors(candidate.statement)) <= len(divisors(printed))
 
     def _rank(self, candidate: Candidate) -> tuple:
         """Returns the sort key of a candidate: the number of changes, the likelihood of the misprint, the
@@ -318,6 +332,8 @@ class _Bench:
                 continue
             self.seen.add(candidate.statement)
             if self.beside.repeat(candidate.statement, len(candidate.changes)):
+                continue
+            if self.reals is not None and self.reals.differ(self.beside.joined(statement)):
                 continue
             if not self._agrees(candidate.statement):
                 self.apart.append(candidate)
@@ -369,6 +385,12 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
         if isinstance(edit, Edit):
             candidate = candidate_of(edit)
             yield replace(candidate, changes=(*printed.changes, *candidate.changes))
+
+
+def _turns_by_exponent(statement: Statement) -> bool:
+    """True if the exponential of a matrix stands in the statement."""
+    parts = (term for _, term in places(statement))
+    return any(isinstance(each, Apply) and each.head == "exp" and each.type != SCALAR for each in parts)
 
 
 def _size(statement: Statement) -> int:

@@ -39,6 +39,7 @@ from workbench.core.terms import (
 )
 from workbench.core.types import SCALAR, Weight
 from workbench.language.printing.printer import to_latex
+from workbench.repair.terms.moved_operands import moved_operands
 from workbench.repair.terms.subterm_positions import places
 from workbench.repair.terms.term_arithmetic import (
     coefficient,
@@ -95,6 +96,10 @@ def variants(term: Term, is_addend: bool, atoms: Sequence[Term] = ()) -> Iterato
             yield from _sums(term)
         case Apply():
             yield from _operations(term, is_addend)
+    if isinstance(term, Apply):
+        yield from moved_operands(term)
+    if is_addend and isinstance(term, Number):
+        yield from _letters_for_a_number(term, atoms)
     yield from _dots(term)
     yield from _squares(term)
     yield from _marks_added(term)
@@ -108,7 +113,7 @@ def _sign_and_factor(term: Term) -> Iterator[Variant]:
         yield "sign", ("remove the minus sign before {}", term.arguments[0]), lambda: term.arguments[0]
     elif not (isinstance(term, Apply) and term.head == "add"):
         yield "sign", ("insert a minus sign before {}", term), partial(apply, "neg", term)
-    if coefficient(term) == 1:
+    if abs(coefficient(term)) == 1:
         for factor in _FACTORS[:3]:
             yield "coefficient", ("{} gets the factor {}", term, factor), partial(times, factor, term)
 
@@ -118,6 +123,12 @@ def _numbers(term: Number) -> Iterator[Variant]:
     for new in dict.fromkeys([*(value * factor for factor in _FACTORS), value + 1, value - 1, -value]):
         if new not in (0, value):
             yield "coefficient", ("replace the number {} by {}", value, new), partial(number, new)
+
+
+def _letters_for_a_number(term: Number, atoms: Sequence[Term]) -> Iterator[Variant]:
+    for atom in atoms:
+        if atom.type == SCALAR:
+            yield "symbol", ("replace the number {} by {}", term.value, atom), partial(_as_it_is, atom)
 
 
 def _countings(term: Counting) -> Iterator[Variant]:
@@ -191,7 +202,9 @@ def _indices(term: Symbol) -> Iterator[Variant]:
 
 
 def _exponents(term: Power) -> Iterator[Variant]:
-    for step in (2, -2) if term.base.type.kind == "vector" else (1, -1):
+    steps = (2, -2) if term.base.type.kind == "vector" else (1, -1)
+    is_length = isinstance(term.base, Apply) and term.base.head == "norm"
+    for step in (*steps, 2, -2) if is_length else steps:
         exponent = term.exponent + step
         if exponent.is_number and int(exponent) < 1:
             continue

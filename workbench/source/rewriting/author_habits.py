@@ -81,19 +81,6 @@ def _variant(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     return [token.standing_for(text) for text in ("\\mathit", "{", f"\\{token.text[4:]}", "}")], place + 1
 
 
-def _buildrel(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """Rewrites \\buildrel\\Delta\\over= to :=."""
-    if tokens[place].text != "\\buildrel":
-        return None
-    over = next(
-        (i for i in range(place + 1, min(place + 12, len(tokens))) if tokens[i].text == "\\over"), None
-    )
-    sign = None if over is None else past(tokens, over + 1)
-    if sign is None or sign >= len(tokens) or tokens[sign].text != "=":
-        return None
-    return [tokens[sign].standing_for(":=")], sign + 1
-
-
 def _starred(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """Rewrites \\begin{matrix*}[l] to \\begin{matrix}."""
     text = tokens[place].text
@@ -333,7 +320,6 @@ _PATTERNS = (
     degrees,
     _line,
     _variant,
-    _buildrel,
     _starred,
     _table,
     _grouped_table,

@@ -1,4 +1,4 @@
-"""Plain TeX: scripts without a base, typeface switches for the rest of a group, kerns."""
+"""Plain TeX: scripts without a base, typeface switches for the rest of a group, kerns, notes on signs."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from workbench.source.documents import Token
-from workbench.source.rewriting.token_groups import closing
+from workbench.source.rewriting.token_groups import braced, closing, group
 
 _SPACING = r"\, \; \: \! \> ~ \enspace \thinspace \quad \qquad"
 _LENGTHS = r"\hspace \hskip \mspace \kern"
@@ -58,6 +58,7 @@ def with_typefaces(tokens: Sequence[Token]) -> Iterator[Token]:
 def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
     """Yields the tokens without \\mkern-1pt and repeated \\\\, and with \\hspace{1cm} as \\quad."""
     skip_to, before = -1, ""
+    tokens = list(with_plain_relations(tokens))
     for place, token in enumerate(tokens):
         if place < skip_to:
             continue
@@ -70,6 +71,54 @@ def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
         elif token.text != "\\\\" or before != token.text:
             yield token
             before = token.text if token.text != " " else before
+
+
+def with_plain_relations(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Yields the tokens with \\buildrel (1) \\over = and \\mathop{=}\\limits^{(1)} as \\overset{(1)}{=}."""
+    place = 0
+    while place < len(tokens):
+        noted = _buildrel(tokens, place) or _sign_with_limits(tokens, place)
+        if noted is None:
+            yield tokens[place]
+            place += 1
+            continue
+        note, sign, place = noted
+        if note:
+            yield from (sign.standing_for("\\overset"), *braced(sign, note), *braced(sign, [sign]))
+        else:
+            yield sign
+
+
+def _buildrel(tokens: Sequence[Token], place: int) -> tuple[list[Token], Token, int] | None:
+    """Returns the note, the sign and the index after \\buildrel note \\over sign; else None."""
+    if tokens[place].text != "\\buildrel":
+        return None
+    near = range(place + 1, min(place + 24, len(tokens)))
+    over = next((at for at in near if tokens[at].text == "\\over"), None)
+    sign = len(tokens) if over is None else _past_spaces(tokens, over + 1)
+    if over is None or sign >= len(tokens):
+        return None
+    inside, end = group(tokens, sign)
+    if [token.text for token in inside if token.text != " "] != ["="]:
+        return None
+    note = [token for token in tokens[place + 1 : over] if token.text != " "]
+    return note, next(token for token in inside if token.text == "="), end
+
+
+def _sign_with_limits(tokens: Sequence[Token], place: int) -> tuple[list[Token], Token, int] | None:
+    """Returns the note, the = and the index after \\mathop{=}\\limits_{note}^{note}; else None."""
+    if tokens[place].text != "\\mathop":
+        return None
+    inside, end = group(tokens, _past_spaces(tokens, place + 1))
+    limits = _past_spaces(tokens, end)
+    if [token.text for token in inside if token.text != " "] != ["="] or _text(tokens, limits) != "\\limits":
+        return None
+    note: list[Token] = []
+    end = limits + 1
+    while _text(tokens, script := _past_spaces(tokens, end)) in ("_", "^"):
+        above, end = group(tokens, _past_spaces(tokens, script + 1))
+        note += above
+    return note, next(token for token in inside if token.text == "="), end
 
 
 def _length_behind(tokens: Sequence[Token], place: int) -> re.Match[str] | None:

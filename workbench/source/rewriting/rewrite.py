@@ -82,6 +82,7 @@ _RENAMED = {
     "dfrac": "\\frac",
     "tfrac": "\\frac",
     "cfrac": "\\frac",
+    "cr": "\\\\",
 }
 
 

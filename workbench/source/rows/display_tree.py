@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from itertools import accumulate
 
 from workbench.source.documents import Token, joined
+from workbench.source.rewriting.plain_tex import with_plain_relations
 from workbench.source.rewriting.wrappers import MATH_SHIFTS, OF_WORDS
 from workbench.source.rows.display_vocabulary import (
     ANNOTATED,
@@ -17,6 +18,7 @@ from workbench.source.rows.display_vocabulary import (
     KINDS,
     LENGTH,
     NOTHING_WITH_ARGUMENT,
+    ROWS_IN_BRACES,
     TERMS,
     TYPED,
     UPRIGHT_FACES,
@@ -76,7 +78,7 @@ def parse(tokens: Sequence[Token]) -> list[Node]:
     """Returns the nodes of the tokens, including marks and breaks; several visible gaps become one wide
     space."""
     made: list[Node] = []
-    for node in _Parser(list(tokens)).nodes(()):
+    for node in _Parser(list(with_plain_relations(tokens))).nodes(()):
         before = made[-1] if made else None
         if before is None or before.kind not in (Kind.GAP, Kind.WIDE):
             made.append(node)
@@ -161,11 +163,12 @@ class _Parser:
             self._take()
             self._argument()
             kind = Kind.WORDS if text in WORD_COMMANDS else Kind.NOTHING
-        elif text in ("\\displaylines", "\\substack"):
+        elif text in ROWS_IN_BRACES:
             self._take()
             inside = self._argument()
-            whole = self._tokens[start : self._at]
-            return Node(Kind.ENVIRONMENT, whole, inside, name="gathered", rows=rows_of(inside))
+            whole, cells = self._tokens[start : self._at], 2 if text.endswith("no") else None  # the number
+            rows = [row[:cells] for row in rows_of(inside)]
+            return Node(Kind.ENVIRONMENT, whole, inside, name=ROWS_IN_BRACES[text], rows=rows)
         elif text in WIDE_WITH_ARGUMENT:
             self._take(1 + (self._peek(1) == "*"))
             self._pass_length() or self._argument()

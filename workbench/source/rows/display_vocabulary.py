@@ -99,6 +99,14 @@ TERMS |= dict.fromkeys(
     ),
     1,
 )
+#: Commands of plain TeX for rows in braces, and the environment that prints the same.
+ROWS_IN_BRACES = {
+    "\\displaylines": "gathered",
+    "\\substack": "gathered",
+    "\\eqalign": "aligned",
+    "\\eqalignno": "aligned",
+    "\\leqalignno": "aligned",
+}
 ANNOTATED = _commands("stackrel overset underset xrightarrow xlongequal")
 BRACES = _commands("underbrace overbrace underbracket overbracket")
 CANCELS = _commands("cancel bcancel xcancel cancelto")
@@ -123,7 +131,7 @@ KINDS: dict[str, Kind] = {
         (Kind.COMMA, {",", ";", "\\&"}),
         (Kind.STOP, {"."}),
         (Kind.MARK, {"&"}),
-        (Kind.BREAK, {"\\\\"}),
+        (Kind.BREAK, {"\\\\", "\\cr"}),
         (Kind.FORALL, {"\\forall"}),
     )
     for text in texts

@@ -219,13 +219,16 @@ class _Explanation:
         return None
 
     def _under(self, facts: Sequence[Fact]) -> Verdict | None:
-        """Returns the verdict under those of the facts that it needs, if both engines prove it."""
-        core = minimise(facts, self.decider.holds)
-        found = self.decider.decide(core)
-        if found.outcome not in _SURE:
-            return None
-        witness = self.base.counterexample or self.decider.witness()
-        return under(found, core, replace(self.base, counterexample=witness))
+        """Returns the verdict under those of the facts that it needs, if both engines prove it.
+
+        The second engine may need a fact that the first one does not, as that a divisor is not 0.
+        """
+        for core in (minimise(facts, self.decider.holds), facts):
+            found = self.decider.decide(core)
+            if found.outcome in _SURE:
+                witness = self.base.counterexample or self.decider.witness()
+                return under(found, core, replace(self.base, counterexample=witness))
+        return None
 
     def _count_again(self) -> None:
         """Determines the act again, with the definitions and laws expanded that the refutation includes.
@@ -325,9 +328,10 @@ class _Explanation:
         for facts in tries:
             if len(facts) > len(self.known) and self._holds(facts):
                 core = minimise(facts, self._holds)
-                found = self.decider.decide(core, approximately=is_small(core))
-                if is_true(found):
-                    return under(found, core, self.base)
+                for own in (core, facts):
+                    found = self.decider.decide(own, approximately=is_small(own))
+                    if is_true(found):
+                        return under(found, own, self.base)
                 self.pending += [fact for fact in core if fact not in (*self.known, *self.pending)]
         return None
 

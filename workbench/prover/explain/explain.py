@@ -208,21 +208,20 @@ class _Explanation:
         self.against = self.decider.decide(self.known) if self.known else self.base
         if self.against.outcome is not Outcome.REFUTED:
             return None
-        for fact in further_equations(self.claim, self.subject, self.known):
-            if self.decider.holds([*self.known, fact]):
-                return self._under([*self.known, fact])
-            found = self.decider.decide([*self.known, fact])
-            if found.outcome is Outcome.REFUTED:
-                self.known, self.against = [*self.known, fact], found
+        known = list(self.known)
+        for fact in further_equations(self.claim, self.subject, known):
+            if self.decider.holds([*known, fact]):
+                return self._under([*known, fact])
+            if self.decider.is_refuted([*known, fact]):
+                known.append(fact)
             elif restricts(fact, self.subject, list(tried)):
                 self.pending.append(fact)
+        if (found := self.decider.decide(known)).outcome is Outcome.REFUTED:
+            self.known, self.against = known, found
         return None
 
     def _under(self, facts: Sequence[Fact]) -> Verdict | None:
-        """Returns the verdict under those of the facts that it needs, if both engines prove it.
-
-        The second engine may need a fact that the first one does not, as that a divisor is not 0.
-        """
+        """Returns the verdict under those of the facts that both engines need, if they prove it."""
         for core in (minimise(facts, self.decider.holds), facts):
             found = self.decider.decide(core)
             if found.outcome in _SURE:

@@ -197,7 +197,7 @@ OWNERS = {
     "equal_terms": {"prover/decide/inference.py", "prover/goals/prove_goal.py"},
     "conclusion": {
         *("prover/decide/inference.py", "prover/decide/decide.py", "prover/decide/extrema.py"),
-        "prover/goals/prove_goal.py",
+        *("prover/goals/prove_goal.py", "prover/decide/linear_integrals.py"),
     },
     "generalization": {
         *("prover/decide/inference.py", "prover/decide/decide.py", "prover/decide/families/families.py"),

@@ -156,7 +156,8 @@ def _doubts_of(draft: Draft, result: ClaimResult, doubts: Sequence[str], is_misf
         DoubtCode.DRAFTED_KINDS(),
         *(DoubtCode.SOMETHING_ELSE(name=name) for name in doubts[:_MOST_DOUBTS]),
     ]
-    if not is_misfit and all(each.claim != claim.id for each in draft.contradicted):
+    is_contradicted = any(each.claim == claim.id for each in draft.contradicted)
+    if not (is_misfit or is_contradicted):
         confirmed = draft.ingested.confirmed
         guesses = {name: each for name, each in draft.ingested.guesses.items() if name not in confirmed}
         unless += other_meanings(claim, definitions_of(claim), guesses)
@@ -168,7 +169,7 @@ def _doubts_of(draft: Draft, result: ClaimResult, doubts: Sequence[str], is_misf
     is_open = verdict.code is not ContextCode.GIVEN_OTHERWISE and may_say_what_symbols_are(claim)
     if not doubts and verdict.counterexample is not None and is_open:
         unless.append(DoubtCode.SAYS_WHAT_SYMBOLS_ARE())
-    elif verdict.outcome is Outcome.REFUTED and len(unless) == 1 and not verdict.unless:
+    elif verdict.outcome is Outcome.REFUTED and len(unless) == 1 and not (verdict.unless or is_contradicted):
         is_new = partial(_is_new, draft, display)
         unless += says_what_is(claim, definitions_of(claim), judge_of, is_new)
         if is_of_positive_numbers(claim, definitions_of(claim), judge_of):

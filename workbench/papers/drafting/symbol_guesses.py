@@ -41,7 +41,7 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
     kind, size = kind_name(found.kind), found.kind
     is_said = said is not None and said.kind in (kind, "rotation" if size == TENSOR else kind)
     kind = kind_of_model(size)
-    why = said.why if said is not None and is_said else _why(name, found)
+    why, words = (said.why, said.words) if said is not None and is_said else (_why(name, found), "")
     if size == TENSOR and _is_rotation(name, inference, said):
         kind = "rotation"
     elif size == (4, 4) and ((said is not None and said.kind == "transform") or name in inference.orthogonal):
@@ -50,7 +50,7 @@ def _guess(name: str, found: Inferred, inference: Inference, prose: Prose) -> Gu
     usual = _LENGTHS if size == SCALAR else _GRAVITY if size == VECTOR else None
     constant = usual is not None and name not in inference.moving and bool(usual.fullmatch(name))
     origin = said.origin if said is not None and is_said else GuessOrigin.FORMULAS
-    return Guess(name, kind, why, unit, constant, origin=origin)
+    return Guess(name, kind, why, unit, constant, words=words, origin=origin)
 
 
 def kind_of_model(kind: Kind, size: str = OPEN) -> str:

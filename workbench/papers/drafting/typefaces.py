@@ -59,6 +59,7 @@ class Guess:
 
     Attributes:
         why: The reason, in words.
+        words: The words of the text that state the kind.
         origin: Where the kind comes from.
         is_inertia: Whether words say that it is an inertia, which is a scalar or a tensor.
         of: The letters that it is a function of, if the text takes it at other values of them.
@@ -72,6 +73,7 @@ class Guess:
     independent: bool = False
     free: bool = False
     is_inertia: bool = False
+    words: str = field(default="", compare=False)
     of: tuple[str, ...] = ()
     origin: GuessOrigin = field(default=GuessOrigin.FORMULAS, compare=False)
 

@@ -117,9 +117,12 @@ class Prose:
             if kind == "quaternion" and self.has_quaternions:
                 return self._of_quaternions(name)
             plain = "scalar" if kind == "inertia" else kind.removeprefix("unit ")
-            why = f'the text says "{" ".join(words.split())}" near it'
+            words = " ".join(words.split())
+            why = f'the text says "{words}" near it'
             is_unit, is_inertia = kind == "unit vector", kind == "inertia"
-            return Guess(name, plain, why, unit=is_unit, is_inertia=is_inertia, origin=GuessOrigin.WORDS)
+            return Guess(
+                name, plain, why, is_unit, is_inertia=is_inertia, words=words, origin=GuessOrigin.WORDS
+            )
         return self._of_quaternions(name)
 
     def is_inertia(self, name: str) -> bool:

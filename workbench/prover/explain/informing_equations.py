@@ -10,7 +10,7 @@ from workbench.context.free_symbols import free_in, terms_of
 from workbench.core.codes.doubt_codes import DoubtCode
 from workbench.core.construct import apply, derivative, power, relation, zero
 from workbench.core.reasons import Reason
-from workbench.core.terms import Apply, Derivative, Head, IllFormed, Relation, Symbol, Term
+from workbench.core.terms import Apply, Derivative, Head, IllFormed, Power, Relation, Symbol, Term
 from workbench.core.types import SCALAR, VECTOR, Declaration
 from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions, expand, replaced
@@ -62,12 +62,23 @@ def is_of_positive_numbers(claim: Claim, known: Definitions, judge_of: JudgeOf) 
     with suppress(IllFormed, OutOfDecisions):
         sides = [expand(side, known) for side in (statement.left, statement.right)]
         parts = [part for side in sides for part in side.walk()]
-        has_branches = any(isinstance(part, Apply) and part.head in _OF_BRANCHES for part in parts)
+        has_branches = any(map(_has_branches, sides))
         if not has_branches or any(part.type != SCALAR for part in parts):
             return False
         positive = relation("=", *(replaced(side, _squared) for side in sides))
         return Decider(claim, judge_of, True).decide((), positive).outcome is not Outcome.REFUTED
     return False
+
+
+def _has_branches(term: Term) -> bool:
+    """True if the term holds a function of which one branch is meant; the square of a root has one value."""
+    match term:
+        case Power(base=Apply(head="root" | "norm", arguments=inside), exponent=exponent):
+            is_square = exponent.is_number and int(exponent) % 2 == 0
+            return not is_square or any(map(_has_branches, inside))
+        case Apply(head=head) if head in _OF_BRANCHES:
+            return True
+    return any(map(_has_branches, term.children))
 
 
 def _squared(own: Symbol) -> Term | None:

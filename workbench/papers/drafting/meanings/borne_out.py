@@ -269,7 +269,7 @@ class _Bench:
             str(each.declaration.name): frozenset(str(free.name) for free in free_in([each.body], known))
             for each in known
         }
-        angles = {name for name, guess in self.ingested.guesses.items() if '"angle' in guess.why}
+        angles = {name for name, guess in self.ingested.guesses.items() if guess.words.startswith("angle")}
         groups = [tuple(names) for names in self._groups() if len(names) > 1]
         defined = [each.name for each in self.ingested.definitions if each.sure and not each.function]
         return Scene(
@@ -321,7 +321,7 @@ class _Bench:
 
     @cached_property
     def _resting(self) -> frozenset[str]:
-        """The free symbols of which the text writes no rate, and no definition."""
+        """The free symbols for which the text has neither a rate nor a definition."""
         defined = {str(each.declaration.name) for each in self.paper.notation.definitions}
         return frozenset(self.scene.types) - self.scene.moving - defined
 

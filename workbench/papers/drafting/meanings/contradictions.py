@@ -71,7 +71,7 @@ class _Equation:
 
 
 def contradictions_in(ingested: Ingested, paper: TextPaper) -> tuple[Contradiction, ...]:
-    """Returns the formulas that contradict another one, if one usual change mends them."""
+    """Returns the formulas that contradict another one, if one usual change corrects them."""
     return (*_other_formulas(ingested, paper), *_against_lagrangians(ingested, paper))
 
 

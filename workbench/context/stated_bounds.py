@@ -115,6 +115,13 @@ def bounds_of(
     if _number(left, pi) is not None or is_turned_round:
         left, right, order = right, left, order.translate(_TURNED)
     value = _number(right, pi)
+    if isinstance(left, Apply) and left.head == "norm" and value is not None and order in "<≤":
+        inner = left.arguments[0]
+        if inner.type == SCALAR:  # |x| < a is −a < x < a
+            lower = Relation(said.operator, inner, apply("neg", right))
+            yield from bounds_of(latex, line, Relation(said.operator, inner, right), order, pi)
+            yield from bounds_of(latex, line, lower, order.translate(_TURNED), pi)
+            return
     if left.type != SCALAR or (pi is not None and value is None):
         yield Fact(None, about, origin, Strength.STATED)
         return

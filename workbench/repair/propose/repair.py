@@ -339,7 +339,7 @@ class _Bench:
                 self.apart.append(candidate)
                 continue
             if not mends_step and self.screen is not None and is_idle(candidate.statement, self.screen):
-                self.idle.append(candidate)
+                self.idle += [candidate] * (len(candidate.changes) == 1)
             else:
                 yield candidate
 

@@ -1,6 +1,6 @@
 """The options of the tests.
 
-A run without paths takes one row in four of each table of tests, so that it ends in minutes; with --every, and of
+A run without paths takes one row in six of each table of tests, so that it ends in minutes; with --every, and of
 the files and folders that are named, it takes every row. Campaigns of minutes run only with --slow, on other random
 cases each time; all else runs on the same ones.
 """
@@ -24,8 +24,11 @@ HERE = Path(__file__).parent
 #: What is judged matters there, and not in which process: a fork takes several times as long as most judgements.
 JUDGED_HERE = {"context", "judge", "language", "regressions", "texts"}
 
-#: A run without paths takes one row in so many of a table, if that has as many.
-ROWS_APART = 4
+#: A run without paths takes one row in so many of a table.
+ROWS_APART = 6
+
+#: The fewest rows of such a table.
+FEWEST_ROWS = 4
 
 #: Tells the processes of a run that it takes a sample of the rows.
 SAMPLED = "WORKBENCH_TESTS_SAMPLED"
@@ -105,7 +108,9 @@ def _take_a_sample(config: pytest.Config, items: list[pytest.Item]) -> None:
     for item in items:
         tables.setdefault(item.nodeid.partition("[")[0], []).append(item)
     taken = {
-        item for rows in tables.values() for item in (rows[::ROWS_APART] if len(rows) >= ROWS_APART else rows)
+        item
+        for rows in tables.values()
+        for item in (rows[::ROWS_APART] if len(rows) >= FEWEST_ROWS else rows)
     }
     config.hook.pytest_deselected(items=[item for item in items if item not in taken])
     items[:] = [item for item in items if item in taken]

@@ -160,7 +160,7 @@ def doubts(*formulas: str) -> dict[str, tuple[str, ...]]:
     return {each.latex: each.cured_by for each in found.misfits}
 
 
-@pytest.mark.parametrize(("one", "other"), itertools.combinations(WRONG, 2))
+@pytest.mark.parametrize(("one", "other"), [*itertools.combinations(WRONG, 2)])
 def test_a_type_error_adds_no_doubt_to_another_one(one: str, other: str) -> None:
     alone, together = doubts(one) | doubts(other), doubts(one, other)
     assert together.keys() == alone.keys()

@@ -47,7 +47,7 @@ def notation(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return file
 
 
-@pytest.mark.parametrize(("before", "around"), product(BEFORE, AROUND))
+@pytest.mark.parametrize(("before", "around"), [*product(BEFORE, AROUND)])
 def test_notation_before_a_function_takes_its_value(before: str, around: str, notation: Path) -> None:
     shown, plain = before % "A(g)", BEFORE[before]
     sides = [shown, *[plain] * (around.count("%s") - 1)]

@@ -126,8 +126,11 @@ def sum_of_products(term: Term, definitions: Lookup) -> Sum:
                 for factors, c in sum_of_products(addend, definitions).items():
                     total[factors] = total.get(factors, Fraction(0)) + c
             return total
-        case Apply(head="mul", arguments=(left, right)):
+        case Apply(head="mul", arguments=(left, right)) if left.type.kind == right.type.kind == "scalar":
             return _product(sum_of_products(left, definitions), sum_of_products(right, definitions))
+        case Apply(head="mul", arguments=(left, right)):  # factors that do not commute, as in 2 xᵀ y
+            (factor, one), (other_factor, other) = numeric_multiple(left), numeric_multiple(right)
+            return {(apply("mul", one, other),): factor * other_factor}
         case Apply(head="div", arguments=(top, bottom)):
             return _product(sum_of_products(top, definitions), _reciprocal(bottom, definitions))
         case Power(base=base, exponent=exponent) if base.type.kind == "scalar" and exponent.is_number:

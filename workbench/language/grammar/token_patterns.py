@@ -18,7 +18,7 @@ TOKEN = re.compile(
     | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
     | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
-      \{(?P<words>(?:arc|a)tan2|[1-3](?:-[1-3])+|\s*\\&\s*|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
+      \{(?P<words>(?:arc|a)tan2|[1-3](?:-[1-3])+|\s*\\&\s*|[^\W\d_](?:[^\W\d_]|[.,\s])+|[^\W\d_A-Za-z]|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)

@@ -224,7 +224,7 @@ class _Parser:
             return [_sized(token, self.delimiter())]
         if token == r"\begin":
             return self.environment()
-        if token.isascii() and token.isalnum():
+        if token.isalnum():
             return [Atom(token, token, token, leaf=True, glyphs=token)]
         raise LatexNotTypesettable(f"cannot typeset {token}")
 
@@ -242,7 +242,7 @@ class _Parser:
         """Returns one leaf for a decorated single symbol, else an opening, the content and a brace."""
         inner = self.argument()
         counted = [atom for atom in inner if atom.identity is not None]
-        letters = command in table.STYLES and all(re.fullmatch("[A-Za-z]", a.latex) for a in counted)
+        letters = command in table.STYLES and all(re.fullmatch(r"[^\W\d_]", a.latex) for a in counted)
         if counted and (letters or (len(counted) == 1 and counted[0].leaf)):
             word, shape, glyphs = (
                 "".join(getattr(atom, name) or "" for atom in counted)

@@ -31,6 +31,10 @@ _TURNS = (
     r" \end{{bmatrix}} \\ B &= \begin{{bmatrix}} \cos b & \sin b \\ {} & \cos b \end{{bmatrix}} \end{{aligned}}$$"
 )
 
+_SQUARE = (
+    r"Let $f(x) = x^T x$ for a vector $x$. Its derivative along a vector $v$ is $$D f(x)[v] = {} x^T v$$"
+)
+
 #: A text, and the formulas that are warnings, by a part of each; none if all are right.
 TEXTS = [
     # a speed, a velocity, an energy by words
@@ -64,6 +68,9 @@ TEXTS = [
     ),
     (_POLAR.format("2"), []),
     (_POLAR.format("3"), ["a_\\theta"]),
+    # a derivative along a direction
+    (_SQUARE.format("2"), []),
+    (_SQUARE.format("3"), ["D f"]),
     # several rotations
     (_TURNS.format(r"-\sin b"), []),
     (_TURNS.format(r"\sin b"), ["B ="]),

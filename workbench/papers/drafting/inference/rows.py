@@ -82,9 +82,21 @@ class RowWalker:
             return rest, len(items)
         if inner is not None and is_function(inner):
             return self._function(inner, behind), place + 1 + (behind is not None)
+        if (rate := self._along_direction(items[place : place + 4])) is not None:
+            return rate, place + 4
         if behind is not None and (pair := self._with_next(node, behind)) is not None:
             return pair, place + 2
         return self._alone(node), place + 1
+
+    def _along_direction(self, items: Sequence[Node]) -> Operation | None:
+        """Returns the operation of D f(x)[v], the derivative of f along v; None for other items."""
+        match items:
+            case [sign, name, Bracket(kind="(", parts=(at,)), Bracket(kind="[", parts=(along,))]:
+                letter = core(sign)
+                if isinstance(letter, Leaf) and letter.text in ("D", "d") and takes_differential(name):
+                    self.make("add", self.term(at), self.term(along))
+                    return self.make("rate", self.term(name))
+        return None
 
     def _with_next(self, node: Node, behind: Node) -> Operation | None:
         """Returns the operation of two items together: a letter with left scripts, or a function of a

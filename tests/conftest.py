@@ -1,8 +1,8 @@
 """The options of the tests.
 
-A run without paths takes one row in six of each table of tests, so that it ends in minutes; with --every, and of
-the files and folders that are named, it takes every row. Campaigns of minutes run only with --slow, on other random
-cases each time; all else runs on the same ones.
+A run without paths takes one row in six of each table of tests, so that it ends in minutes. It takes every row
+with --every, -k or --lf, and of the files and folders that are named. Campaigns of minutes run only with --slow, on
+other random cases each time; all else runs on the same ones.
 """
 
 import gc
@@ -77,8 +77,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):
         is_whole = config.args_source is pytest.Config.ArgsSource.TESTPATHS
-        is_sampled = is_whole and not (config.getoption("--every") or config.getoption("--slow"))
-        os.environ[SAMPLED] = "1" * is_sampled
+        chosen = ("--every", "--slow", "-k", "--lf")
+        os.environ[SAMPLED] = "1" * (is_whole and not any(map(config.getoption, chosen)))
     if shared := config.getoption("--shared-cache"):
         os.environ["WORKBENCH_CACHE"] = str(Path(shared).absolute())
     else:  # tests judge anew: a file that cannot be is no cache

@@ -1,6 +1,6 @@
 """The options of the tests.
 
-A run without paths takes one row in six of each table of tests, so that it ends in minutes. It takes every row
+A run without paths takes one row in ten of each table of tests, so that it ends in minutes. It takes every row
 with --every, -k or --lf, and of the files and folders that are named. Campaigns of minutes run only with --slow, on
 other random cases each time; all else runs on the same ones.
 """
@@ -25,7 +25,7 @@ HERE = Path(__file__).parent
 JUDGED_HERE = {"context", "judge", "language", "regressions", "texts"}
 
 #: A run without paths takes one row in so many of a table.
-ROWS_APART = 6
+ROWS_APART = 10
 
 #: The fewest rows of such a table.
 FEWEST_ROWS = 4

@@ -83,7 +83,7 @@ def _of_several_kinds(
     Values that are the same throughout may refute it: ∫ₐᵇ c is c (b − a)."""
     left, right = sides
     whole = apply("add", left, apply("neg", right))
-    keys = dict.fromkeys(key for each in integrals for key, _ in _ends(each))
+    keys = list(dict.fromkeys(key for each in integrals for key, _ in _ends(each))) or [()]
     verdicts = [judge(relation("=", _belonging_to(whole, key), zero(whole.type))) for key in keys]
     evidence = Evidence(
         "linearity", "what belongs to each bound", {"formula": to_latex(relation("=", *sides))}

@@ -216,7 +216,7 @@ class _Explanation:
                 known.append(fact)
             elif restricts(fact, self.subject, list(tried)):
                 self.pending.append(fact)
-        if (found := self.decider.decide(known)).outcome is Outcome.REFUTED:
+        if known != self.known and (found := self.decider.decide(known)).outcome is Outcome.REFUTED:
             self.known, self.against = known, found
         return None
 

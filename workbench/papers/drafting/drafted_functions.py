@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from workbench.core.brackets import end_of_group
@@ -27,6 +27,7 @@ from workbench.language.grammar.syntax import (
     in_a_row,
 )
 from workbench.language.naming.declarations import read_key
+from workbench.language.naming.patterns import parts_of
 from workbench.language.naming.symbols import SymbolTable
 from workbench.papers.drafting.inference.pieces import operations_of
 from workbench.papers.drafting.inference.walker import Walker
@@ -153,16 +154,8 @@ def _calls(node: object) -> Iterator[tuple[str, Bracket]]:
                     own, index = read_key(latex_of(name.body if isinstance(name, Accented) else name))
                     if not index:
                         yield str(own), bracket
-    for part in _parts(node):
+    for part in parts_of(node):
         yield from _calls(part)
-
-
-def _parts(node: object) -> Iterator[object]:
-    """Yields the nodes of a tree below a node."""
-    for value in (getattr(node, each.name) for each in fields(node)) if is_dataclass(node) else ():
-        yield from value if isinstance(value, tuple) else (value,)
-    if isinstance(node, tuple):
-        yield from node
 
 
 def _formals(name: str, places: Mapping[tuple[str, ...], Bracket]) -> tuple[str, ...]:

@@ -30,6 +30,7 @@ from workbench.papers.drafting.drafted_doubts import (
 )
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
+from workbench.papers.drafting.meanings.contradictions import display_of
 from workbench.papers.drafting.meanings.names_in_claims import (
     names_of,
     reached_names,
@@ -46,7 +47,7 @@ from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
 from workbench.prover.explain.informing_equations import is_of_positive_numbers, says_what_is
 from workbench.prover.results.claim_results import ClaimResult
-from workbench.repair.propose.near_identity import Nearness
+from workbench.repair.propose.usual_changes import Nearness
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import sections_of
 
@@ -151,7 +152,7 @@ def _doubts_of(draft: Draft, result: ClaimResult, doubts: Sequence[str], is_misf
 
     doubts: symbols that may be something else.   is_misfit: whether the kinds fit nowhere in the claim.
     """
-    verdict, claim, display = result.verdict, result.claim, _display_of(draft, result.claim)
+    verdict, claim, display = result.verdict, result.claim, display_of(result.claim, draft.ingested)
     unless = [
         DoubtCode.DRAFTED_KINDS(),
         *(DoubtCode.SOMETHING_ELSE(name=name) for name in doubts[:_MOST_DOUBTS]),
@@ -245,21 +246,10 @@ def _of_other_place(claim: Claim) -> Iterator[str]:
 
 def _of_other_sections(draft: Draft, claim: Claim, names: Collection[str]) -> list[str]:
     """Returns those of the names that the draft defines in a section that does not contain the claim."""
-    displays, own = draft.ingested.text.displays, _display_of(draft, claim)
+    displays, own = draft.ingested.text.displays, display_of(claim, draft.ingested)
     defining = {display.line: display for display in reversed(displays)}
     known = (each for each in draft.ingested.definitions if each.sure and each.symbol in names)
     return list(dict.fromkeys(each.symbol for each in known if not _reaches(defining.get(each.line), own)))
-
-
-def _display_of(draft: Draft, claim: Claim) -> Display | None:
-    """Returns the display in which the claim stands."""
-    span = claim.context.span
-    behind = (
-        display
-        for display in reversed(draft.ingested.text.displays)
-        if span is not None and display.source.path == span.file and display.line <= span.line
-    )
-    return next(behind, None)
 
 
 def _reaches(definition: Display | None, place: Display | None) -> bool:

@@ -39,7 +39,7 @@ from workbench.papers.drafting.meanings.contradictions import display_of, equati
 from workbench.papers.drafting.meanings.word_meanings import Meaning, Scene, Subject, meanings_of
 from workbench.papers.drafting.typefaces import flat
 from workbench.papers.texts.text_paper import TextPaper
-from workbench.repair.propose.near_identity import Nearness, Points, nearness, usual_changes
+from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
 
 #: The limits of all tests of one text, and of one test.

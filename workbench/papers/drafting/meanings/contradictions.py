@@ -21,7 +21,7 @@ from workbench.language.definitions import Definitions, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.texts.text_paper import TextPaper
-from workbench.repair.propose.near_identity import Nearness, Points, nearness, usual_changes
+from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
 
 _SECONDS, _SECONDS_OF_ONE = 2.0, 0.5

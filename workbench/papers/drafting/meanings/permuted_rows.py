@@ -16,7 +16,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.drafting.meanings.contradictions import Contradiction, display_of
 from workbench.papers.texts.text_paper import TextPaper
-from workbench.repair.propose.near_identity import Nearness, nearness
+from workbench.repair.propose.usual_changes import Nearness, nearness
 
 #: A label in a subscript, and the next one.
 _LABEL = re.compile(r"(?<=[_{ ,])(?:[123]|[xyz])(?=[} ,]|$)")

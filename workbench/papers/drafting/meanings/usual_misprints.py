@@ -19,7 +19,7 @@ from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.decide_under_facts import judged_or_unchecked
 from workbench.prover.explain.laws_of_motion import under_its_laws
 from workbench.prover.results.claim_results import ClaimResult
-from workbench.repair.propose.near_identity import Nearness, nearness
+from workbench.repair.propose.usual_changes import Nearness, nearness
 
 #: The seconds for the search of such a change.
 _SECONDS_OF_CHANGES = 1.0

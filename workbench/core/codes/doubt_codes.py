@@ -27,6 +27,7 @@ class DoubtCode(Code):
     GUESSED_KINDS = "the guessed kinds are others"
     DRAFTED_KINDS = "the drafted kinds are others"
     SOMETHING_ELSE = "{name} is something else"
+    OTHER_QUANTITY = "it is not for the {name}"
     UNIT_STEP = "1 is the unit step"
     NAME_OF_FUNCTION = "{word} is the name of a function"
     LABEL_OF_FRAME = "the superscript 0 is that of a frame"

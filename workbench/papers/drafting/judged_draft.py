@@ -104,6 +104,10 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     verdict, claim = result.verdict, result.claim
     if verdict.outcome not in _RESTS_ON_KINDS:
         return verdict
+    if verdict.code is ContextCode.UNUSUAL:
+        meant = (each.standard for each in draft.contradicted if each.claim == claim.id and each.standard)
+        unless = [DoubtCode.OTHER_QUANTITY(name=name) for name in dict.fromkeys(meant)]
+        return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=tuple(unless))
     inference, latex = draft.ingested.inference, claim.printed.latex
     confirmed, names = draft.ingested.confirmed, names_of(claim)
     if names and confirmed.issuperset(names):
@@ -299,7 +303,7 @@ class Records:
     def doubted(self, result: ClaimResult) -> Verdict:
         """Returns the verdict with the guesses that are not borne out as doubts."""
         verdict, claim = result.verdict, result.claim
-        if not _is_warning(result):
+        if not _is_warning(result) or verdict.code is ContextCode.UNUSUAL:
             return verdict
         inference, confirmed = self.draft.ingested.inference, self.draft.ingested.confirmed
         defined = {each.symbol for each in self.draft.ingested.definitions if each.sure}

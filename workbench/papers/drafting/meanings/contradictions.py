@@ -13,9 +13,11 @@ from workbench.context.claims import Claim
 from workbench.context.facts import Act
 from workbench.context.introducing_words import is_denied, is_supposed
 from workbench.context.read_formulas import read_statement
+from workbench.core.codes.context_codes import ContextCode
 from workbench.core.construct import relation
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.integer_expressions import Linear
+from workbench.core.reasons import Reason
 from workbench.core.terms import Derivative, IllFormed, Power, Relation, Statement, Symbol, Term, sides_of
 from workbench.language.definitions import Definitions, replaced
 from workbench.language.printing.printer import to_latex
@@ -50,15 +52,16 @@ class Contradiction:
         claim: The id of the formula.
         statement, assume: What would hold if the formula did.
         known: The definitions of its symbols.
-        symbol, said: What the other formula gives, and that formula, in LaTeX or words.
+        reason: The other formula.
+        standard: What a standard formula is for, if it is the other one.
     """
 
     claim: str
     statement: Statement
     assume: tuple[Statement, ...]
     known: Definitions
-    symbol: str
-    said: str
+    reason: Reason
+    standard: str = ""
 
 
 @dataclass(frozen=True)
@@ -108,7 +111,8 @@ def _between(wrong: _Equation, right: _Equation, left: Term, known: Definitions)
     assert wrong.claim is not None
     both = relation("=", right.statement.right, wrong.statement.right)
     said = f"${to_latex(right.statement)}$ (line {right.line})"
-    return Contradiction(wrong.claim.id, both, wrong.claim.supposed, known, f"${to_latex(left)}$", said)
+    reason = ContextCode.GIVEN_OTHERWISE(symbol=f"${to_latex(left)}$", facts=said)
+    return Contradiction(wrong.claim.id, both, wrong.claim.supposed, known, reason)
 
 
 def _both(later: _Equation, earlier: _Equation, known: Definitions) -> Nearness:
@@ -245,9 +249,8 @@ def _lagrange(name: str, own: Symbol, claim: Claim) -> Iterator[Contradiction]:
             read, _ = read_statement(f"{left} = {force}", notation, None)
             statement, known = flagged(read, given, flag_of)
             law, _ = flagged(said, Definitions(), flag_of)
-            yield Contradiction(
-                claim.id, statement, (law,), known, f"the motion of ${q}$", "Lagrange's equation"
-            )
+            reason = ContextCode.GIVEN_OTHERWISE(symbol=f"the motion of ${q}$", facts="Lagrange's equation")
+            yield Contradiction(claim.id, statement, (law,), known, reason)
 
 
 def _missed(claim: Claim, made: Sequence[Contradiction], end: float) -> Contradiction | None:

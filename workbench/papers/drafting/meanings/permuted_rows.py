@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
 from workbench.context.claims import Claim
+from workbench.core.codes.context_codes import ContextCode
 from workbench.core.construct import symbol
 from workbench.core.integer_expressions import Linear
 from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
@@ -60,7 +61,8 @@ def _wrong_row(
             (claim, wrong), before = rows[(at + 2) % 3], turned[(at + 1) % 3]
             both = Relation("=", before.right, wrong.right)
             said = f"${to_latex(rows[(at + 1) % 3][1])}$ with other letters"
-            yield Contradiction(claim.id, both, (), Definitions(), f"${to_latex(wrong.left)}$", said)
+            reason = ContextCode.GIVEN_OTHERWISE(symbol=f"${to_latex(wrong.left)}$", facts=said)
+            yield Contradiction(claim.id, both, (), Definitions(), reason)
 
 
 def _nearness(made: Relation, printed: Relation) -> Nearness:

@@ -9,7 +9,6 @@ from functools import partial
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import free_in
 from workbench.context.repeated_laws import definitions_in
-from workbench.core.codes.context_codes import ContextCode
 from workbench.core.terms import Derivative, sides_of
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
@@ -34,8 +33,7 @@ def contradicted(draft: Draft, result: ClaimResult) -> Verdict:
         judge = Judge(each.known)
         found = judged_or_unchecked(partial(judge.judge, each.statement, each.assume))
         if found.outcome is Outcome.REFUTED:
-            reason = ContextCode.GIVEN_OTHERWISE(symbol=each.symbol, facts=each.said)
-            return replace(found, reason=reason, read_back=verdict.read_back)
+            return replace(found, reason=each.reason, read_back=verdict.read_back)
     return verdict
 
 

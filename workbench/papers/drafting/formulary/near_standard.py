@@ -1,0 +1,101 @@
+"""Formulas of a text that are one usual misprint away from a standard formula."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from time import process_time
+
+from workbench.context.claims import Claim
+from workbench.core import construct
+from workbench.core.codes.context_codes import ContextCode
+from workbench.core.integer_expressions import Linear
+from workbench.core.terms import Apply, IllFormed, Relation, Symbol, Term
+from workbench.language.definitions import Definitions, replaced
+from workbench.language.printing.printer import to_latex
+from workbench.papers.drafting.draft_model import Ingested
+from workbench.papers.drafting.formulary.comparison import Found, compared
+from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum
+from workbench.papers.drafting.formulary.standard_formulas import StandardFormula, standard_formulas
+from workbench.papers.drafting.meanings.contradictions import Contradiction
+from workbench.papers.texts.text_paper import TextPaper
+
+_SECONDS = 3.0
+#: A formula with fewer symbols needs its letters.
+_LARGE = 5
+#: Operations that an abbreviation of a letter stands for.
+_ABBREVIATED = frozenset({"sin", "cos", "skew"})
+
+
+def near_standard_formulas(ingested: Ingested, paper: TextPaper) -> Iterator[Contradiction]:
+    """Yields the formulas that differ from a standard formula by names and one usual misprint.
+
+    Those that differ from another standard formula by names alone are right.
+    """
+    end = process_time() + _SECONDS
+    prose = "\n".join(source.prose for source in ingested.text.sources)
+    known = [each for each in standard_formulas() if each.is_meant_in(prose)]
+    for claim in paper.claims:
+        if process_time() > end:
+            return
+        if (found := _nearest(claim, known)) is not None:
+            with suppress(IllFormed):
+                yield _contradiction(claim, *found)
+
+
+def _nearest(claim: Claim, known: list[StandardFormula]) -> tuple[StandardFormula, Found] | None:
+    said = claim.printed.statement
+    if not isinstance(said, Relation) or said.operator != "=":
+        return None
+    sums = list(_sums(said, claim.notation.definitions))
+    nearest = None
+    for standard in known:
+        for own in sums:
+            found = compared(standard.sum, own, by_letter=standard.size < _LARGE)
+            if found is not None and found.is_equal:
+                return None
+            if found is not None and nearest is None:
+                nearest = (standard, found)
+    return nearest
+
+
+def _sums(said: Relation, definitions: Definitions) -> Iterator[Sum]:
+    """Yields the sum of an equation as it is printed, and with the meaning of abbreviations."""
+    with suppress(TooLong, ZeroDivisionError):
+        own = equation_sum(said)
+        yield own
+        full = equation_sum(_in_full(said, definitions))
+        if full != own:
+            yield full
+
+
+def _in_full(said: Relation, definitions: Definitions) -> Relation:
+    """Returns an equation with the sine or cosine for each symbol that is defined as one."""
+
+    def change(part: Symbol) -> Term | None:
+        body = definitions.lookup(part)
+        return body if isinstance(body, Apply) and body.head in _ABBREVIATED else None
+
+    return Relation(said.operator, replaced(said.left, change), replaced(said.right, change))
+
+
+def _contradiction(claim: Claim, standard: StandardFormula, found: Found) -> Contradiction:
+    """Returns what would hold if the printed formula did. Raises IllFormed."""
+    assert isinstance(claim.printed.statement, Relation)
+    printed = _in_full(claim.printed.statement, claim.notation.definitions)
+    own = standard.statement
+    right = Relation("=", _renamed(own.left, found), _renamed(own.right, found))
+    formula = f"${to_latex(right)}$"
+    reason = ContextCode.UNUSUAL(name=standard.name, formula=formula, source=standard.source)
+    if right.left == printed.left:
+        both = construct.relation("=", right.right, printed.right)
+        return Contradiction(claim.id, both, (), Definitions(), reason, standard.name)
+    return Contradiction(claim.id, printed, (right,), Definitions(), reason, standard.name)
+
+
+def _renamed(term: Term, found: Found) -> Term:
+    def change(part: Symbol) -> Term | None:
+        base, order = found.renaming.of.get(part, (part, 0))
+        return construct.derivative(base, Linear(order)) if order else base
+
+    return replaced(term, change)

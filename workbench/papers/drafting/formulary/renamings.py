@@ -1,0 +1,148 @@
+"""Renamings of symbols that turn one formula into another."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from workbench.core.terms import Symbol, Term
+from workbench.papers.drafting.formulary.normal_sums import Leaf, Monomial, Node, Part, Sum
+
+#: Operations whose two parts may change places, and the sign that this gives.
+_LABELS = re.compile(r"[_^]")
+_LETTER = re.compile(r"\\[a-zA-Z]+|[a-zA-Z]")
+_TURNED = {"dot": 1, "cross": -1}
+
+
+@dataclass(frozen=True)
+class Renaming:
+    """New names of symbols.
+
+    of: symbol → the new one, and the order of its derivative that it stands for.
+    by_letter: a symbol keeps its letter, in any typeface and with any label.
+    """
+
+    of: Mapping[Term, tuple[Term, int]] = field(default_factory=dict)
+    by_letter: bool = False
+
+    def with_leaf(self, one: Leaf, other: Leaf) -> Renaming | None:
+        """Returns the renaming that also turns one leaf into another; None if there is none."""
+        known = self.of.get(one.base)
+        if known is not None:
+            base, more = known
+            return self if base == other.base and one.order + more == other.order else None
+        more = other.order - one.order
+        if more < 0 or not _are_alike(one.base, other.base) or (one.order and more):
+            return None
+        if (other.base, more) in self.of.values():
+            return None
+        if self.by_letter and (more or _letter(one.base) != _letter(other.base)):
+            return None
+        return replace(self, of={**self.of, one.base: (other.base, more)})
+
+
+def _letter(own: Term) -> str:
+    """Returns the letter of a symbol without typeface, accents and labels."""
+    name = str(own.declaration.name) if isinstance(own, Symbol) else ""
+    found = _LETTER.findall(_LABELS.split(name)[0])
+    return found[-1].lower() if found else name
+
+
+def _are_alike(one: Term, other: Term) -> bool:
+    """True if a symbol may stand for another one: both are numbers, columns, or square matrices."""
+    shapes = [
+        (own.type.kind == "scalar", own.type.is_column, own.type.is_square, own.type.kind == "quaternion")
+        for own in (one, other)
+    ]
+    return shapes[0] == shapes[1]
+
+
+class Search:
+    """A search of renamings, which ends after so many steps."""
+
+    def __init__(self, steps: int) -> None:
+        self.steps = steps
+
+    def parts(self, one: Part, other: Part, known: Renaming) -> Iterator[tuple[Renaming, int]]:
+        """Yields the renamings that turn one part into another up to a sign, with the sign."""
+        self.steps -= 1
+        if self.steps < 0:
+            return
+        match one, other:
+            case Leaf(), Leaf():
+                found = known.with_leaf(one, other)
+                if found is not None:
+                    yield found, 1
+            case Sum(), Sum():
+                for renaming, ratio in self.sums(one, other, known):
+                    if abs(ratio) == 1:
+                        yield renaming, int(ratio)
+            case Node(), Node() if one.head == other.head and one.said == other.said:
+                if len(one.parts) != len(other.parts):
+                    return
+                yield from self._in_order(one.parts, other.parts, known, one.head)
+                if one.head in _TURNED and one.parts[0] != one.parts[1]:
+                    for renaming, sign in self._in_order(one.parts[::-1], other.parts, known, one.head):
+                        yield renaming, sign * _TURNED[one.head]
+
+    def _in_order(
+        self, ones: Sequence[Part], others: Sequence[Part], known: Renaming, head: str
+    ) -> Iterator[tuple[Renaming, int]]:
+        if not ones:
+            yield known, 1
+            return
+        for renaming, sign in self.parts(ones[0], others[0], known):
+            if sign < 0 and isinstance(ones[0], Sum):  # f(−x) is not −f(x)
+                continue
+            for last, rest in self._in_order(ones[1:], others[1:], renaming, head):
+                yield last, sign * rest
+
+    def sums(self, one: Sum, other: Sum, known: Renaming) -> Iterator[tuple[Renaming, Fraction]]:
+        """Yields the renamings that turn one sum into another up to a factor, with the factor."""
+        if len(one.monomials) == len(other.monomials):
+            for renaming, ratios in self._pairs(one.monomials, other.monomials, known):
+                if len(set(ratios)) == 1:
+                    yield renaming, ratios[0]
+
+    def _pairs(
+        self, ones: Sequence[Monomial], others: Sequence[Monomial], known: Renaming
+    ) -> Iterator[tuple[Renaming, list[Fraction]]]:
+        if not ones:
+            yield known, []
+            return
+        for at, other in enumerate(others):
+            for renaming, ratio in self.monomials(ones[0], other, known):
+                for last, rest in self._pairs(ones[1:], (*others[:at], *others[at + 1 :]), renaming):
+                    yield last, [ratio, *rest]
+
+    def monomials(
+        self, one: Monomial, other: Monomial, known: Renaming
+    ) -> Iterator[tuple[Renaming, Fraction]]:
+        """Yields the renamings that turn one monomial into another up to a factor, with the factor."""
+        self.steps -= 1
+        if self.steps < 0 or one.cell != other.cell or (one.word is None) != (other.word is None):
+            return
+        if sorted(n for _, n in one.powers) != sorted(n for _, n in other.powers):
+            return
+        ratio = other.factor / one.factor
+        words: Iterator[tuple[Renaming, int]] = iter([(known, 1)])
+        if one.word is not None and other.word is not None:
+            words = self.parts(one.word, other.word, known)
+        for renaming, sign in words:
+            for last, own in self._powers(one.powers, other.powers, renaming):
+                yield last, ratio * sign * own
+
+    def _powers(
+        self, ones: Sequence[tuple[Part, int]], others: Sequence[tuple[Part, int]], known: Renaming
+    ) -> Iterator[tuple[Renaming, int]]:
+        if not ones:
+            yield known, 1
+            return
+        (part, exponent), *rest = ones
+        for at, (other, own) in enumerate(others):
+            if own == exponent:
+                for renaming, sign in self.parts(part, other, known):
+                    for last, more in self._powers(rest, (*others[:at], *others[at + 1 :]), renaming):
+                        yield last, (sign if exponent % 2 else 1) * more

@@ -1,0 +1,71 @@
+"""The standard formulas of the field, one .toml file a subject."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from importlib import resources
+from typing import Any
+
+from workbench.core.terms import Relation
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.reader import read_formula
+from workbench.papers.drafting.formulary.normal_sums import Sum, equation_sum, leaves_of
+
+
+@dataclass(frozen=True)
+class StandardFormula:
+    """A formula that texts of the field print.
+
+    Attributes:
+        name: What it is the formula for.
+        words: A regular expression for words by which texts speak of it.
+        source: Where it is derived.
+        symbols: Symbol → kind, as in a model.
+        formula: In LaTeX.
+        given: The assumptions from which it follows.
+        definition: True if nothing proves it, as it says what its left side is.
+    """
+
+    name: str
+    words: str
+    source: str
+    symbols: Mapping[str, str | Mapping[str, Any]] = field(hash=False)
+    formula: str
+    given: tuple[str, ...] = ()
+    definition: bool = False
+
+    @cached_property
+    def statement(self) -> Relation:
+        table = SymbolTable.build(
+            {name: {"kind": kind} if isinstance(kind, str) else kind for name, kind in self.symbols.items()}
+        )
+        (said,) = read_formula(self.formula, table).statements
+        assert isinstance(said, Relation), self.formula
+        return said
+
+    @cached_property
+    def sum(self) -> Sum:
+        return equation_sum(self.statement)
+
+    @cached_property
+    def size(self) -> int:
+        """The count of its symbols, each as often as it occurs."""
+        return sum(1 for each in self.sum.monomials for _ in leaves_of(each))
+
+    def is_meant_in(self, words: str) -> bool:
+        return re.search(self.words, words, re.IGNORECASE) is not None
+
+
+@cache
+def standard_formulas() -> tuple[StandardFormula, ...]:
+    """Returns the formulas of all subjects."""
+    found = []
+    folder = resources.files(__package__ or "")
+    for file in sorted((each for each in folder.iterdir() if each.name.endswith(".toml")), key=str):
+        for entry in tomllib.loads(file.read_text(encoding="utf-8"))["formula"]:
+            found.append(StandardFormula(**{**entry, "given": tuple(entry.get("given", ()))}))
+    return tuple(found)

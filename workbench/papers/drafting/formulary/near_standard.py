@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from fractions import Fraction
 from time import process_time
 
 from workbench.context.claims import Claim
 from workbench.core import construct
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.integer_expressions import Linear
+from workbench.core.names import Name
+from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, IllFormed, Relation, Symbol, Term
+from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
@@ -21,8 +25,8 @@ from workbench.papers.drafting.meanings.contradictions import Contradiction
 from workbench.papers.texts.text_paper import TextPaper
 
 _SECONDS = 3.0
-#: A formula with fewer symbols needs its letters.
-_LARGE = 5
+#: A formula with fewer symbols needs all its letters, or half of them.
+_SMALL, _MEDIUM, _HALF = 5, 8, Fraction(1, 2)
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
@@ -51,12 +55,17 @@ def _nearest(claim: Claim, known: list[StandardFormula]) -> tuple[StandardFormul
     nearest = None
     for standard in known:
         for own in sums:
-            found = compared(standard.sum, own, by_letter=standard.size < _LARGE)
+            found = compared(standard.sum, own, by_letter=standard.size < _SMALL)
             if found is not None and found.is_equal:
                 return None
-            if found is not None and nearest is None:
+            if nearest is None and found is not None and _is_likely(standard, found):
                 nearest = (standard, found)
     return nearest
+
+
+def _is_likely(standard: StandardFormula, found: Found) -> bool:
+    """True if a printed formula can hardly be another one by chance."""
+    return standard.size >= _MEDIUM or found.renaming.alike >= _HALF
 
 
 def _sums(said: Relation, definitions: Definitions) -> Iterator[Sum]:
@@ -87,10 +96,24 @@ def _contradiction(claim: Claim, standard: StandardFormula, found: Found) -> Con
     right = Relation("=", _renamed(own.left, found), _renamed(own.right, found))
     formula = f"${to_latex(right)}$"
     reason = ContextCode.UNUSUAL(name=standard.name, formula=formula, source=standard.source)
+    right, printed = _with_free_symbols(right), _with_free_symbols(printed)
     if right.left == printed.left:
         both = construct.relation("=", right.right, printed.right)
         return Contradiction(claim.id, both, (), Definitions(), reason, standard.name)
     return Contradiction(claim.id, printed, (right,), Definitions(), reason, standard.name)
+
+
+def _with_free_symbols(said: Relation) -> Relation:
+    """Returns an equation with a symbol of its own for each member of a family, function and partial
+    derivative. Raises IllFormed."""
+
+    def change(term: Term) -> Term:
+        is_family = isinstance(term, Symbol) and (term.index or term.arguments)
+        if is_family or (isinstance(term, Apply) and term.head in PARTIALS):
+            return construct.symbol(Declaration(Name(to_latex(term)), term.type))
+        return construct.with_children(term, change)
+
+    return Relation(said.operator, change(said.left), change(said.right))
 
 
 def _renamed(term: Term, found: Found) -> Term:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -11,8 +10,6 @@ from workbench.core.terms import Symbol, Term
 from workbench.papers.drafting.formulary.normal_sums import Leaf, Monomial, Node, Part, Sum
 
 #: Operations whose two parts may change places, and the sign that this gives.
-_LABELS = re.compile(r"[_^]")
-_LETTER = re.compile(r"\\[a-zA-Z]+|[a-zA-Z]")
 _TURNED = {"dot": 1, "cross": -1}
 
 
@@ -27,6 +24,12 @@ class Renaming:
     of: Mapping[Term, tuple[Term, int]] = field(default_factory=dict)
     by_letter: bool = False
 
+    @property
+    def alike(self) -> Fraction:
+        """The share of the symbols that keep their letters."""
+        pairs = [letter_of(own) == letter_of(new) for own, (new, _) in self.of.items()]
+        return Fraction(sum(pairs), len(pairs)) if pairs else Fraction(0)
+
     def with_leaf(self, one: Leaf, other: Leaf) -> Renaming | None:
         """Returns the renaming that also turns one leaf into another; None if there is none."""
         known = self.of.get(one.base)
@@ -38,16 +41,14 @@ class Renaming:
             return None
         if (other.base, more) in self.of.values():
             return None
-        if self.by_letter and (more or _letter(one.base) != _letter(other.base)):
+        if self.by_letter and (more or letter_of(one.base) != letter_of(other.base)):
             return None
         return replace(self, of={**self.of, one.base: (other.base, more)})
 
 
-def _letter(own: Term) -> str:
+def letter_of(own: Term) -> str:
     """Returns the letter of a symbol without typeface, accents and labels."""
-    name = str(own.declaration.name) if isinstance(own, Symbol) else ""
-    found = _LETTER.findall(_LABELS.split(name)[0])
-    return found[-1].lower() if found else name
+    return own.declaration.name.letter.lower() if isinstance(own, Symbol) else ""
 
 
 def _are_alike(one: Term, other: Term) -> bool:

@@ -41,7 +41,7 @@ class Renaming:
             return None
         if (other.base, more) in self.of.values():
             return None
-        if self.by_letter and (more or letter_of(one.base) != letter_of(other.base)):
+        if self.by_letter and letter_of(one.base) != letter_of(other.base):
             return None
         return replace(self, of={**self.of, one.base: (other.base, more)})
 

@@ -21,12 +21,15 @@ from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.drafting.formulary.comparison import Found, compared
 from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum
 from workbench.papers.drafting.formulary.standard_formulas import StandardFormula, standard_formulas
-from workbench.papers.drafting.meanings.contradictions import Contradiction
+from workbench.papers.drafting.meanings.contradictions import Contradiction, display_of
 from workbench.papers.texts.text_paper import TextPaper
+from workbench.source.documents import Display
 
 _SECONDS = 3.0
-#: A formula with fewer symbols needs all its letters, or half of them.
-_SMALL, _MEDIUM, _HALF = 5, 8, Fraction(1, 2)
+#: A formula with fewer symbols needs all its letters, and its words within so many characters before it.
+_SMALL, _BEFORE = 5, 600
+#: A formula with fewer symbols needs so many of its letters.
+_MEDIUM, _HALF = 8, Fraction(1, 2)
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
@@ -37,34 +40,47 @@ def near_standard_formulas(ingested: Ingested, paper: TextPaper) -> Iterator[Con
     Those that differ from another standard formula by names alone are right.
     """
     end = process_time() + _SECONDS
-    prose = "\n".join(source.prose for source in ingested.text.sources)
-    known = [each for each in standard_formulas() if each.is_meant_in(prose)]
+    prose = "\n".join(source.prose for source in ingested.text.sources).lower()
+    meant = {
+        each.words: each.is_meant_in(prose) for each in {e.words: e for e in standard_formulas()}.values()
+    }
+    known = [each for each in standard_formulas() if meant[each.words]]
     for claim in paper.claims:
         if process_time() > end:
             return
-        if (found := _nearest(claim, known)) is not None:
+        display = display_of(claim, ingested)
+        if display is not None and (found := _nearest(claim, display, known)) is not None:
             with suppress(IllFormed):
                 yield _contradiction(claim, *found)
 
 
-def _nearest(claim: Claim, known: list[StandardFormula]) -> tuple[StandardFormula, Found] | None:
+def _nearest(
+    claim: Claim, display: Display, known: list[StandardFormula]
+) -> tuple[StandardFormula, Found] | None:
     said = claim.printed.statement
-    if not isinstance(said, Relation) or said.operator != "=":
+    if not isinstance(said, Relation) or said.operator != "=" or _is_negative(said.left):
         return None
     sums = list(_sums(said, claim.notation.definitions))
     nearest = None
+    before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
     for standard in known:
         for own in sums:
             found = compared(standard.sum, own, by_letter=standard.size < _SMALL)
             if found is not None and found.is_equal:
                 return None
-            if nearest is None and found is not None and _is_likely(standard, found):
+            if nearest is None and found is not None and _is_likely(standard, found, before):
                 nearest = (standard, found)
     return nearest
 
 
-def _is_likely(standard: StandardFormula, found: Found) -> bool:
-    """True if a printed formula can hardly be another one by chance."""
+def _is_negative(own: Term) -> bool:
+    return isinstance(own, Apply) and own.head == "neg"
+
+
+def _is_likely(standard: StandardFormula, found: Found, before: str) -> bool:
+    """True if a printed formula can hardly be another one by chance. before: the words before it."""
+    if standard.size < _SMALL:
+        return standard.is_meant_in(before)
     return standard.size >= _MEDIUM or found.renaming.alike >= _HALF
 
 

@@ -15,6 +15,9 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
 from workbench.papers.drafting.formulary.normal_sums import Sum, equation_sum, leaves_of
 
+#: A capital letter that is not part of an escape.
+_CAPITAL = re.compile(r"(?<!\\)[A-Z]")
+
 
 @dataclass(frozen=True)
 class StandardFormula:
@@ -56,8 +59,14 @@ class StandardFormula:
         """The count of its symbols, each as often as it occurs."""
         return sum(1 for each in self.sum.monomials for _ in leaves_of(each))
 
-    def is_meant_in(self, words: str) -> bool:
-        return re.search(self.words, words, re.IGNORECASE) is not None
+    def is_meant_in(self, text: str) -> bool:
+        """True if a text, in lower case, has the words."""
+        return _pattern(self.words).search(text) is not None
+
+
+@cache
+def _pattern(words: str) -> re.Pattern[str]:
+    return re.compile(_CAPITAL.sub(lambda letter: letter[0].lower(), words))
 
 
 @cache

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from workbench.papers.drafting.formulary.misprints import misprints_of
-from workbench.papers.drafting.formulary.normal_sums import NO_CELL, Leaf, Monomial, Sum, leaves_of
+from workbench.papers.drafting.formulary.normal_sums import NO_CELL, Monomial, Node, Sum, leaves_of
 from workbench.papers.drafting.formulary.renamings import Renaming, Search
 
 #: The steps of a comparison.
 _STEPS = 20_000
 #: The factors that a misprint loses or inserts.
-_FACTORS = frozenset(Fraction(text) for text in ["-1", "2", "-2", "1/2", "-1/2", "3", "1/3", "4", "1/4"])
+_FACTORS = frozenset(map(Fraction, ("-1", "2", "-2", "1/2", "-1/2")))
 
 
 @dataclass(frozen=True)
@@ -25,89 +25,98 @@ class Found:
     is_equal: bool
 
 
-def compared(standard: Sum, printed: Sum, by_letter: bool = False) -> Found | None:
+def compared(
+    standard: Sum, printed: Sum, left: Collection[Monomial] = (), by_letter: bool = False
+) -> Found | None:
     """Returns the renaming by which a standard formula is a printed one, or is but for one usual misprint.
 
-    by_letter: symbols keep their letters.
+    left: the monomials of the left side, which is printed right.   by_letter: symbols keep their letters.
     """
     if len(standard.monomials) != len(printed.monomials) or len(standard.monomials) < 2:
         return None
-    search, known = Search(_STEPS), Renaming(by_letter=by_letter)
+    comparison = _Comparison(standard, frozenset(left), Renaming(by_letter=by_letter))
     near: Found | None = None
-    for found in _found(standard, printed, known, search):
+    for found in comparison.found(printed):
         if found.is_equal:
             return found
         near = near or found
     if near is None:
         for turned in _with_other_cells(printed):
-            for found in _found(standard, turned, known, search):
+            for found in comparison.found(turned):
                 if found.is_equal:
                     return Found(found.renaming, is_equal=False)
     return near
 
 
-def _found(standard: Sum, printed: Sum, known: Renaming, search: Search) -> Iterator[Found]:
-    order = sorted(standard.monomials, key=lambda each: -sum(1 for _ in leaves_of(each)))
-    leaves = list(dict.fromkeys(leaves_of(standard)))
-    for renaming, ratios, left in _matched(order, printed.monomials, known, search, True):
-        if left is None:
-            common, count = Counter(ratios).most_common(1)[0]
-            others = {each / common for each in ratios if each != common}
+class _Comparison:
+    """The comparison of a standard formula with others."""
+
+    def __init__(self, standard: Sum, left: frozenset[Monomial], known: Renaming) -> None:
+        self.order = sorted(standard.monomials, key=lambda each: -sum(1 for _ in leaves_of(each)))
+        self.leaves = list(dict.fromkeys(leaves_of(standard)))
+        self.left, self.known, self.search = left, known, Search(_STEPS)
+
+    def found(self, printed: Sum) -> Iterator[Found]:
+        for renaming, ratios, left in self._matched(self.order, printed.monomials, self.known):
+            if left is not None:
+                if len({*ratios}) == 1 and left[0] not in self.left:
+                    yield from self._misprinted(*left, ratios[0], renaming)
+                continue
+            common, _ = Counter(ratios).most_common(1)[0]
+            if len(self.order) == 2 and self.left:
+                common = ratios[next(at for at, each in enumerate(self.order) if each in self.left)]
+            others = [own for own, each in zip(self.order, ratios, strict=True) if each != common]
             if not others:
                 yield Found(renaming, is_equal=True)
-            elif len(others) == 1 and others <= _FACTORS and 2 * count >= len(ratios):
+            elif {each / common for each in ratios} <= {*_FACTORS, 1} and self._is_one_change(others):
                 yield Found(renaming, is_equal=False)
-        elif len(set(ratios)) == 1:
-            yield from _misprinted(*left, ratios[0], renaming, leaves, search)
 
+    def _is_one_change(self, changed: Sequence[Monomial]) -> bool:
+        """True if one factor is changed: of one monomial, of the right side, or of a bracket."""
+        if self.left.intersection(changed):
+            return False
+        rest = [each for each in self.order if each not in changed and each not in self.left]
+        of_bracket = frozenset.intersection(*map(_factors, changed)).difference(*map(_factors, rest))
+        return len(changed) == 1 or not rest or bool(of_bracket)
 
-def _misprinted(
-    own: Monomial,
-    printed: Monomial,
-    ratio: Fraction,
-    renaming: Renaming,
-    leaves: Sequence[Leaf],
-    search: Search,
-) -> Iterator[Found]:
-    """Yields the renamings that turn a misprint of a monomial into the printed one."""
-    bases = {leaf.base for leaf in leaves}
-    for changed in misprints_of(own, leaves):
-        for found, factor in search.monomials(changed, printed, renaming):
-            if factor == ratio and bases <= found.of.keys():
-                yield Found(found, is_equal=False)
+    def _misprinted(
+        self, own: Monomial, printed: Monomial, ratio: Fraction, renaming: Renaming
+    ) -> Iterator[Found]:
+        """Yields the renamings that turn a misprint of a monomial into the printed one."""
+        bases = {leaf.base for leaf in self.leaves}
+        for changed in misprints_of(own, self.leaves):
+            for found, factor in self.search.monomials(changed, printed, renaming):
+                if factor == ratio and bases <= found.of.keys():
+                    yield Found(found, is_equal=False)
 
-
-def _matched(
-    ones: Sequence[Monomial],
-    others: Sequence[Monomial],
-    known: Renaming,
-    search: Search,
-    may_leave: bool,
-) -> Iterator[tuple[Renaming, list[Fraction], tuple[Monomial, Monomial] | None]]:
-    """Yields renamings that turn each monomial into a printed one up to a factor, but for one if they may."""
-    if not ones:
-        yield known, [], None
-        return
-    if len(ones) == 1 and may_leave:
-        (own,), (other,) = ones, others
-        exact = False
-        for renaming, ratio in search.monomials(own, other, known):
-            exact = True
-            yield renaming, [ratio], None
-        if not exact:
-            yield known, [], (own, other)
-        return
-    for at, other in enumerate(others):
-        rest = (*others[:at], *others[at + 1 :])
-        for renaming, ratio in search.monomials(ones[0], other, known):
-            for last, ratios, left in _matched(ones[1:], rest, renaming, search, may_leave):
-                yield last, [ratio, *ratios], left
-    if may_leave:
+    def _matched(
+        self, ones: Sequence[Monomial], others: Sequence[Monomial], known: Renaming, may_leave: bool = True
+    ) -> Iterator[tuple[Renaming, list[Fraction], tuple[Monomial, Monomial] | None]]:
+        """Yields renamings that turn each monomial into a printed one up to a factor, but for one if they
+        may."""
+        if not ones:
+            yield known, [], None
+            return
+        if len(ones) == 1 and may_leave:
+            matched = list(self.search.monomials(ones[0], others[0], known))
+            yield from ((renaming, [ratio], None) for renaming, ratio in matched)
+            if not matched:
+                yield known, [], (ones[0], others[0])
+            return
         for at, other in enumerate(others):
             rest = (*others[:at], *others[at + 1 :])
-            for last, ratios, left in _matched(ones[1:], rest, known, search, False):
-                assert left is None
+            for renaming, ratio in self.search.monomials(ones[0], other, known):
+                for last, ratios, left in self._matched(ones[1:], rest, renaming, may_leave):
+                    yield last, [ratio, *ratios], left
+        for at, other in enumerate(others if may_leave else ()):
+            rest = (*others[:at], *others[at + 1 :])
+            for last, ratios, _ in self._matched(ones[1:], rest, known, may_leave=False):
                 yield last, ratios, (ones[0], other)
+
+
+def _factors(own: Monomial) -> frozenset[object]:
+    parts = own.word.parts if isinstance(own.word, Node) and own.word.head == "mul" else (own.word,)
+    return frozenset((*own.powers, *parts)) - {None}
 
 
 def _with_other_cells(printed: Sum) -> Iterator[Sum]:

@@ -28,8 +28,8 @@ from workbench.source.documents import Display
 _SECONDS = 3.0
 #: A formula with fewer symbols needs all its letters, and its words within so many characters before it.
 _SMALL, _BEFORE = 5, 600
-#: A formula with fewer symbols needs so many of its letters.
-_MEDIUM, _HALF = 8, Fraction(1, 2)
+#: A formula with fewer symbols, or fewer symbols and addends, needs more than so many of its letters.
+_MEDIUM, _MANY, _HALF = 8, 11, Fraction(1, 2)
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
@@ -65,7 +65,7 @@ def _nearest(
     before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
     for standard in known:
         for own in sums:
-            found = compared(standard.sum, own, by_letter=standard.size < _SMALL)
+            found = compared(standard.sum, own, standard.left, by_letter=standard.size < _SMALL)
             if found is not None and found.is_equal:
                 return None
             if nearest is None and found is not None and _is_likely(standard, found, before):
@@ -81,7 +81,8 @@ def _is_likely(standard: StandardFormula, found: Found, before: str) -> bool:
     """True if a printed formula can hardly be another one by chance. before: the words before it."""
     if standard.size < _SMALL:
         return standard.is_meant_in(before)
-    return standard.size >= _MEDIUM or found.renaming.alike >= _HALF
+    is_large = standard.size >= _MEDIUM or standard.size + len(standard.sum.monomials) >= _MANY
+    return is_large or found.renaming.alike > _HALF
 
 
 def _sums(said: Relation, definitions: Definitions) -> Iterator[Sum]:

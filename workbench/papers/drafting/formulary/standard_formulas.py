@@ -13,7 +13,7 @@ from typing import Any
 from workbench.core.terms import Relation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
-from workbench.papers.drafting.formulary.normal_sums import Sum, equation_sum, leaves_of
+from workbench.papers.drafting.formulary.normal_sums import Monomial, Sum, equation_sum, leaves_of, normal_sum
 
 #: A capital letter that is not part of an escape.
 _CAPITAL = re.compile(r"(?<!\\)[A-Z]")
@@ -53,6 +53,11 @@ class StandardFormula:
     @cached_property
     def sum(self) -> Sum:
         return equation_sum(self.statement)
+
+    @cached_property
+    def left(self) -> frozenset[Monomial]:
+        """The monomials of its left side."""
+        return frozenset(normal_sum(self.statement.left).monomials)
 
     @cached_property
     def size(self) -> int:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
+from functools import lru_cache
+from itertools import chain
 
 from workbench.papers.drafting.formulary.misprints import misprints_of
 from workbench.papers.drafting.formulary.normal_sums import NO_CELL, Monomial, Node, Sum, leaves_of
@@ -17,35 +19,42 @@ _STEPS = 20_000
 _FACTORS = frozenset(map(Fraction, ("-1", "2", "-2", "1/2", "-1/2")))
 
 
-@dataclass(frozen=True)
-class Found:
-    """How a standard formula becomes a printed one. is_equal: by names alone, else by a misprint, too."""
+def is_renamed(standard: Sum, printed: Sum, by_letter: bool = False) -> bool:
+    """True if a standard formula is a printed one but for names. by_letter: symbols keep their letters."""
+    if _shapes(standard) != _shapes(printed):
+        return False
+    comparison = _Comparison(standard, frozenset(), Renaming(by_letter=by_letter))
+    return next(comparison.equal(printed), None) is not None
 
-    renaming: Renaming
-    is_equal: bool
 
-
-def compared(
+def misprint_of(
     standard: Sum, printed: Sum, left: Collection[Monomial] = (), by_letter: bool = False
-) -> Found | None:
-    """Returns the renaming by which a standard formula is a printed one, or is but for one usual misprint.
+) -> Renaming | None:
+    """Returns the renaming by which a printed formula is one usual misprint of a standard formula.
 
     left: the monomials of the left side, which is printed right.   by_letter: symbols keep their letters.
     """
-    if len(standard.monomials) != len(printed.monomials) or len(standard.monomials) < 2:
+    count = len(standard.monomials)
+    if count != len(printed.monomials) or count < 2 or (_shapes(standard) - _shapes(printed)).total() > 1:
         return None
     comparison = _Comparison(standard, frozenset(left), Renaming(by_letter=by_letter))
-    near: Found | None = None
-    for found in comparison.found(printed):
-        if found.is_equal:
-            return found
-        near = near or found
-    if near is None:
-        for turned in _with_other_cells(printed):
-            for found in comparison.found(turned):
-                if found.is_equal:
-                    return Found(found.renaming, is_equal=False)
-    return near
+    found = next(comparison.near(printed), None)
+    if found is None and _shapes(standard) == _shapes(printed):
+        found = next(chain.from_iterable(map(comparison.equal, _with_other_cells(printed))), None)
+    return found
+
+
+@lru_cache(maxsize=1 << 12)
+def _shapes(own: Sum) -> Counter[object]:
+    """Returns what of each monomial no renaming changes. A misprint changes that of one."""
+    return Counter(
+        (tuple(sorted(n for _, n in each.powers)), each.word is None, getattr(each.word, "head", ""))
+        for each in own.monomials
+    )
+
+
+#: A renaming, the factor for each monomial, and the two monomials that are left.
+_Match = tuple[Renaming, list[Fraction], tuple[Monomial, Monomial] | None]
 
 
 class _Comparison:
@@ -56,7 +65,14 @@ class _Comparison:
         self.leaves = list(dict.fromkeys(leaves_of(standard)))
         self.left, self.known, self.search = left, known, Search(_STEPS)
 
-    def found(self, printed: Sum) -> Iterator[Found]:
+    def equal(self, printed: Sum) -> Iterator[Renaming]:
+        """Yields the renamings that give a printed formula, or a multiple of it."""
+        for renaming, ratios, _ in self._matched(self.order, printed.monomials, self.known, may_leave=False):
+            if len(set(ratios)) == 1:
+                yield renaming
+
+    def near(self, printed: Sum) -> Iterator[Renaming]:
+        """Yields the renamings that give a printed formula after one misprint."""
         for renaming, ratios, left in self._matched(self.order, printed.monomials, self.known):
             if left is not None:
                 if len({*ratios}) == 1 and left[0] not in self.left:
@@ -66,10 +82,9 @@ class _Comparison:
             if len(self.order) == 2 and self.left:
                 common = ratios[next(at for at, each in enumerate(self.order) if each in self.left)]
             others = [own for own, each in zip(self.order, ratios, strict=True) if each != common]
-            if not others:
-                yield Found(renaming, is_equal=True)
-            elif {each / common for each in ratios} <= {*_FACTORS, 1} and self._is_one_change(others):
-                yield Found(renaming, is_equal=False)
+            factors = {each / common for each in ratios} - {1}
+            if factors and factors <= _FACTORS and self._is_one_change(others):
+                yield renaming
 
     def _is_one_change(self, changed: Sequence[Monomial]) -> bool:
         """True if one factor is changed: of one monomial, of the right side, or of a bracket."""
@@ -81,17 +96,17 @@ class _Comparison:
 
     def _misprinted(
         self, own: Monomial, printed: Monomial, ratio: Fraction, renaming: Renaming
-    ) -> Iterator[Found]:
+    ) -> Iterator[Renaming]:
         """Yields the renamings that turn a misprint of a monomial into the printed one."""
         bases = {leaf.base for leaf in self.leaves}
         for changed in misprints_of(own, self.leaves):
             for found, factor in self.search.monomials(changed, printed, renaming):
                 if factor == ratio and bases <= found.of.keys():
-                    yield Found(found, is_equal=False)
+                    yield found
 
     def _matched(
         self, ones: Sequence[Monomial], others: Sequence[Monomial], known: Renaming, may_leave: bool = True
-    ) -> Iterator[tuple[Renaming, list[Fraction], tuple[Monomial, Monomial] | None]]:
+    ) -> Iterator[_Match]:
         """Yields renamings that turn each monomial into a printed one up to a factor, but for one if they
         may."""
         if not ones:

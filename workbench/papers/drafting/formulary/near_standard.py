@@ -18,9 +18,14 @@ from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
-from workbench.papers.drafting.formulary.comparison import Found, compared
+from workbench.papers.drafting.formulary.comparison import is_renamed, misprint_of
 from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum
-from workbench.papers.drafting.formulary.standard_formulas import StandardFormula, standard_formulas
+from workbench.papers.drafting.formulary.renamings import Renaming
+from workbench.papers.drafting.formulary.standard_formulas import (
+    StandardFormula,
+    operations_in,
+    standard_formulas,
+)
 from workbench.papers.drafting.meanings.contradictions import Contradiction, display_of
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.source.documents import Display
@@ -56,33 +61,35 @@ def near_standard_formulas(ingested: Ingested, paper: TextPaper) -> Iterator[Con
 
 def _nearest(
     claim: Claim, display: Display, known: list[StandardFormula]
-) -> tuple[StandardFormula, Found] | None:
+) -> tuple[StandardFormula, Renaming] | None:
+    """Returns the standard formula that a printed one is a misprint of; None if it is another one."""
     said = claim.printed.statement
     if not isinstance(said, Relation) or said.operator != "=" or _is_negative(said.left):
         return None
     sums = list(_sums(said, claim.notation.definitions))
-    nearest = None
+    operations = {operations_in(own) for own in sums}
+    alike = [each for each in known if each.operations in operations]
+    pairs = [(each, own, each.size < _SMALL) for each in alike for own in sums]
+    if any(is_renamed(each.sum, own, by_letter) for each, own, by_letter in pairs):
+        return None
     before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
-    for standard in known:
-        for own in sums:
-            found = compared(standard.sum, own, standard.left, by_letter=standard.size < _SMALL)
-            if found is not None and found.is_equal:
-                return None
-            if nearest is None and found is not None and _is_likely(standard, found, before):
-                nearest = (standard, found)
-    return nearest
+    for each, own, by_letter in pairs:
+        found = misprint_of(each.sum, own, each.left, by_letter)
+        if found is not None and _is_likely(each, found, before):
+            return each, found
+    return None
 
 
 def _is_negative(own: Term) -> bool:
     return isinstance(own, Apply) and own.head == "neg"
 
 
-def _is_likely(standard: StandardFormula, found: Found, before: str) -> bool:
+def _is_likely(standard: StandardFormula, found: Renaming, before: str) -> bool:
     """True if a printed formula can hardly be another one by chance. before: the words before it."""
     if standard.size < _SMALL:
         return standard.is_meant_in(before)
     is_large = standard.size >= _MEDIUM or standard.size + len(standard.sum.monomials) >= _MANY
-    return is_large or found.renaming.alike > _HALF
+    return is_large or found.alike > _HALF
 
 
 def _sums(said: Relation, definitions: Definitions) -> Iterator[Sum]:
@@ -105,7 +112,7 @@ def _in_full(said: Relation, definitions: Definitions) -> Relation:
     return Relation(said.operator, replaced(said.left, change), replaced(said.right, change))
 
 
-def _contradiction(claim: Claim, standard: StandardFormula, found: Found) -> Contradiction:
+def _contradiction(claim: Claim, standard: StandardFormula, found: Renaming) -> Contradiction:
     """Returns what would hold if the printed formula did. Raises IllFormed."""
     assert isinstance(claim.printed.statement, Relation)
     printed = _in_full(claim.printed.statement, claim.notation.definitions)
@@ -133,9 +140,9 @@ def _with_free_symbols(said: Relation) -> Relation:
     return Relation(said.operator, change(said.left), change(said.right))
 
 
-def _renamed(term: Term, found: Found) -> Term:
+def _renamed(term: Term, found: Renaming) -> Term:
     def change(part: Symbol) -> Term | None:
-        base, order = found.renaming.of.get(part, (part, 0))
+        base, order = found.of.get(part, (part, 0))
         return construct.derivative(base, Linear(order)) if order else base
 
     return replaced(term, change)

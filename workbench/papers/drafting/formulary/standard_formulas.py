@@ -13,8 +13,24 @@ from typing import Any
 from workbench.core.terms import Relation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
-from workbench.papers.drafting.formulary.normal_sums import Monomial, Sum, equation_sum, leaves_of, normal_sum
+from workbench.papers.drafting.formulary.normal_sums import (
+    NO_CELL,
+    Monomial,
+    Node,
+    Sum,
+    equation_sum,
+    leaves_of,
+    normal_sum,
+)
 
+#: Operations that no misprint loses, by the LaTeX of formulas here.
+_OPERATIONS = {
+    "block": re.compile(r"\\begin"),
+    "cross": re.compile(r"\\times|skew"),
+    "sin": re.compile(r"\\(?:sin|cos|tan|cot|sec|csc)(?![a-zA-Z])"),
+}
+#: Marks that may be those of a skew tensor.
+_MARKED = re.compile(r"\\(?:wide)?(?:tilde|hat)")
 #: A capital letter that is not part of an escape.
 _CAPITAL = re.compile(r"(?<!\\)[A-Z]")
 
@@ -55,6 +71,13 @@ class StandardFormula:
         return equation_sum(self.statement)
 
     @cached_property
+    def operations(self) -> frozenset[str]:
+        """The operations that it has, of those that no misprint loses."""
+        if _MARKED.search(self.formula):
+            return operations_in(self.sum)
+        return frozenset(name for name, sign in _OPERATIONS.items() if sign.search(self.formula))
+
+    @cached_property
     def left(self) -> frozenset[Monomial]:
         """The monomials of its left side."""
         return frozenset(normal_sum(self.statement.left).monomials)
@@ -67,6 +90,22 @@ class StandardFormula:
     def is_meant_in(self, text: str) -> bool:
         """True if a text, in lower case, has the words."""
         return _pattern(self.words).search(text) is not None
+
+
+def operations_in(own: Sum) -> frozenset[str]:
+    """Returns the operations in a sum, of those that no misprint loses."""
+    found = set()
+    waiting: list[object] = [own]
+    while waiting:
+        match waiting.pop():
+            case Sum(monomials=monomials):
+                found |= {"block" for each in monomials if each.cell != NO_CELL}
+                waiting += [part for each in monomials for part, _ in each.powers]
+                waiting += [each.word for each in monomials]
+            case Node(head=head, parts=parts):
+                found.add({"skew": "cross", "cos": "sin"}.get(head, head))
+                waiting += parts
+    return frozenset(found & _OPERATIONS.keys())
 
 
 @cache

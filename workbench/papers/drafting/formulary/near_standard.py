@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from time import process_time
@@ -22,8 +22,9 @@ from workbench.papers.drafting.formulary.comparison import is_renamed, misprint_
 from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum
 from workbench.papers.drafting.formulary.renamings import Renaming
 from workbench.papers.drafting.formulary.standard_formulas import (
+    Profile,
     StandardFormula,
-    operations_in,
+    profile_of,
     standard_formulas,
 )
 from workbench.papers.drafting.meanings.contradictions import Contradiction, display_of
@@ -67,9 +68,8 @@ def _nearest(
     if not isinstance(said, Relation) or said.operator != "=" or _is_negative(said.left):
         return None
     sums = list(_sums(said, claim.notation.definitions))
-    operations = {operations_in(own) for own in sums}
-    alike = [each for each in known if each.operations in operations]
-    pairs = [(each, own, each.size < _SMALL) for each in alike for own in sums]
+    alike = [(each, own) for own in sums for each in _alike(known, profile_of(own))]
+    pairs = [(each, own, each.size < _SMALL) for each, own in alike]
     if any(is_renamed(each.sum, own, by_letter) for each, own, by_letter in pairs):
         return None
     before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
@@ -78,6 +78,10 @@ def _nearest(
         if found is not None and _is_likely(each, found, before):
             return each, found
     return None
+
+
+def _alike(known: Sequence[StandardFormula], printed: Profile) -> Iterator[StandardFormula]:
+    return (each for each in known if each.profile.may_be(printed))
 
 
 def _is_negative(own: Term) -> bool:

@@ -337,18 +337,25 @@ def _in_cells(own: Sum) -> Sum:
     return _collected(found)
 
 
-def leaves_of(part: Part | Monomial | None) -> Iterator[Leaf]:
-    """Yields the leaves of a part or a monomial, each as often as it occurs."""
-    match part:
-        case Leaf():
-            yield part
-        case Node(parts=parts):
-            for each in parts:
-                yield from leaves_of(each)
-        case Sum(monomials=monomials):
-            for one in monomials:
-                yield from leaves_of(one)
+def parts_of(own: Part | Monomial | None) -> Iterator[Part]:
+    """Yields a part and the parts in it, each as often as it occurs."""
+    match own:
         case Monomial(powers=powers, word=word):
-            for each, _ in powers:
-                yield from leaves_of(each)
-            yield from leaves_of(word)
+            for each in (*(part for part, _ in powers), word):
+                yield from parts_of(each)
+            return
+        case None:
+            return
+    yield own
+    inner: tuple[Part | Monomial, ...] = ()
+    if isinstance(own, Node):
+        inner = own.parts
+    elif isinstance(own, Sum):
+        inner = own.monomials
+    for one in inner:
+        yield from parts_of(one)
+
+
+def leaves_of(own: Part | Monomial) -> Iterator[Leaf]:
+    """Yields the leaves of a part or a monomial, each as often as it occurs."""
+    return (each for each in parts_of(own) if isinstance(each, Leaf))

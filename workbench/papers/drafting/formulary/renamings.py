@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from workbench.core.terms import Symbol, Term
+from workbench.core.types import PI
 from workbench.papers.drafting.formulary.normal_sums import Leaf, Monomial, Node, Part, Sum
 
 #: Operations whose two parts may change places, and the sign that this gives.
@@ -53,6 +54,8 @@ def letter_of(own: Term) -> str:
 
 def _are_alike(one: Term, other: Term) -> bool:
     """True if a symbol may stand for another one: both are numbers, columns, or square matrices."""
+    if PI in (getattr(own, "declaration", None) for own in (one, other)):
+        return one == other
     shapes = [
         (own.type.kind == "scalar", own.type.is_column, own.type.is_square, own.type.kind == "quaternion")
         for own in (one, other)

@@ -21,6 +21,7 @@ from workbench.papers.drafting.formulary.normal_sums import (
     equation_sum,
     leaves_of,
     normal_sum,
+    parts_of,
 )
 
 #: Operations that no misprint loses, by the LaTeX of formulas here.
@@ -29,10 +30,28 @@ _OPERATIONS = {
     "cross": re.compile(r"\\times|skew"),
     "sin": re.compile(r"\\(?:sin|cos|tan|cot|sec|csc)(?![a-zA-Z])"),
 }
-#: Marks that may be those of a skew tensor.
-_MARKED = re.compile(r"\\(?:wide)?(?:tilde|hat)")
+#: What makes symbols, or tensors of them, that are not declared.
+_MARKED = re.compile(r"\\(?:wide)?(?:tilde|hat)|\\pi|\}_|(?<![a-zA-Z\\_])t(?![a-zA-Z_])")
+_INDEX = re.compile(r"[{^']")
 #: A capital letter that is not part of an escape.
 _CAPITAL = re.compile(r"(?<!\\)[A-Z]")
+
+
+@dataclass(frozen=True)
+class Profile:
+    """What no renaming changes.
+
+    operations: those of its operations that no misprint loses.   numbers, others: the counts of its symbols.
+    """
+
+    operations: frozenset[str]
+    numbers: int
+    others: int
+
+    def may_be(self, printed: Profile) -> bool:
+        """True if a printed formula may be one of this profile, or a misprint of one."""
+        is_near = abs(self.numbers - printed.numbers) + abs(self.others - printed.others) <= 1
+        return is_near and self.operations == printed.operations
 
 
 @dataclass(frozen=True)
@@ -71,11 +90,14 @@ class StandardFormula:
         return equation_sum(self.statement)
 
     @cached_property
-    def operations(self) -> frozenset[str]:
-        """The operations that it has, of those that no misprint loses."""
-        if _MARKED.search(self.formula):
-            return operations_in(self.sum)
-        return frozenset(name for name, sign in _OPERATIONS.items() if sign.search(self.formula))
+    def profile(self) -> Profile:
+        """What each printed form of it has, read from its LaTeX as far as that tells."""
+        if _MARKED.search(self.formula) or any(_INDEX.search(name) for name in self.symbols):
+            return profile_of(self.sum)
+        found = {name for name, sign in _OPERATIONS.items() if sign.search(self.formula)}
+        kinds = [kind for name, kind in self.symbols.items() if _symbol(name).search(self.formula)]
+        numbers = sum(kind == "scalar" for kind in kinds)
+        return Profile(frozenset(found), numbers, len(kinds) - numbers)
 
     @cached_property
     def left(self) -> frozenset[Monomial]:
@@ -92,20 +114,22 @@ class StandardFormula:
         return _pattern(self.words).search(text) is not None
 
 
-def operations_in(own: Sum) -> frozenset[str]:
-    """Returns the operations in a sum, of those that no misprint loses."""
-    found = set()
-    waiting: list[object] = [own]
-    while waiting:
-        match waiting.pop():
-            case Sum(monomials=monomials):
-                found |= {"block" for each in monomials if each.cell != NO_CELL}
-                waiting += [part for each in monomials for part, _ in each.powers]
-                waiting += [each.word for each in monomials]
-            case Node(head=head, parts=parts):
-                found.add({"skew": "cross", "cos": "sin"}.get(head, head))
-                waiting += parts
-    return frozenset(found & _OPERATIONS.keys())
+def profile_of(own: Sum) -> Profile:
+    """Returns the operations and counts of a sum."""
+    found = {"block" for each in own.monomials if each.cell != NO_CELL}
+    for part in parts_of(own):
+        if isinstance(part, Node):
+            found.add({"skew": "cross", "cos": "sin"}.get(part.head, part.head))
+    bases = {leaf.base for leaf in leaves_of(own)}
+    numbers = sum(each.type.kind == "scalar" for each in bases)
+    return Profile(frozenset(found & _OPERATIONS.keys()), numbers, len(bases) - numbers)
+
+
+@cache
+def _symbol(name: str) -> re.Pattern[str]:
+    """Returns a pattern of a symbol that is no part of another one."""
+    before = r"(?<![a-zA-Z\\])" if name[0] != "\\" else ""
+    return re.compile(rf"{before}{re.escape(name)}(?![a-zA-Z_'])" if name[-1].isalpha() else re.escape(name))
 
 
 @cache

@@ -11,7 +11,7 @@ from itertools import chain
 
 from workbench.papers.drafting.formulary.misprints import misprints_of
 from workbench.papers.drafting.formulary.normal_sums import NO_CELL, Monomial, Node, Sum, leaves_of
-from workbench.papers.drafting.formulary.renamings import Renaming, Search
+from workbench.papers.drafting.formulary.renamings import Renaming, Search, letter_of
 
 #: The steps of a comparison.
 _STEPS = 20_000
@@ -83,7 +83,9 @@ class _Comparison:
                 common = ratios[next(at for at, each in enumerate(self.order) if each in self.left)]
             others = [own for own, each in zip(self.order, ratios, strict=True) if each != common]
             factors = {each / common for each in ratios} - {1}
-            if factors and factors <= _FACTORS and self._is_one_change(others):
+            if not factors or not factors <= _FACTORS or self._is_of_others(others, renaming):
+                continue
+            if self._is_one_change(others):
                 yield renaming
 
     def _is_one_change(self, changed: Sequence[Monomial]) -> bool:
@@ -93,6 +95,15 @@ class _Comparison:
         rest = [each for each in self.order if each not in changed and each not in self.left]
         of_bracket = frozenset.intersection(*map(_factors, changed)).difference(*map(_factors, rest))
         return len(changed) == 1 or not rest or bool(of_bracket)
+
+    def _is_of_others(self, changed: Sequence[Monomial], renaming: Renaming) -> bool:
+        """True if the changed monomials have a symbol of their own, with another letter.
+
+        A symbol may have the factor in it: g = −τ.
+        """
+        rest = {leaf.base for each in self.order if each not in changed for leaf in leaves_of(each)}
+        own = {leaf.base for each in changed for leaf in leaves_of(each)} - rest
+        return any(letter_of(each) != letter_of(renaming.of[each][0]) for each in own)
 
     def _misprinted(
         self, own: Monomial, printed: Monomial, ratio: Fraction, renaming: Renaming

@@ -22,7 +22,10 @@ def misprints_of(own: Monomial, leaves: Sequence[Leaf]) -> Iterator[Monomial]:
     for at, (part, exponent) in enumerate(powers):
         rest = (*powers[:at], *powers[at + 1 :])
         for other in dict.fromkeys((exponent + 1, exponent - 1, -exponent)):
-            yield replace(own, powers=rest if other == 0 else (*rest, (part, other)))
+            if other:
+                yield replace(own, powers=(*rest, (part, other)))
+            elif _may_be_lost(part):
+                yield replace(own, powers=rest)
         for changed in _misprints(part, leaves):
             if changed not in (each for each, _ in rest):
                 yield replace(own, powers=(*rest, (changed, exponent)))
@@ -34,6 +37,11 @@ def misprints_of(own: Monomial, leaves: Sequence[Leaf]) -> Iterator[Monomial]:
             yield replace(own, powers=(*powers, (leaf, 1)))
     if own.word is not None:
         yield from (replace(own, word=changed) for changed in _misprints(own.word, leaves))
+
+
+def _may_be_lost(part: Part) -> bool:
+    """True for a symbol, and a sine or cosine."""
+    return isinstance(part, Leaf) or (isinstance(part, Node) and part.head in _CIRCULAR)
 
 
 def _misprints(part: Part, leaves: Sequence[Leaf]) -> Iterator[Part]:

@@ -7,7 +7,6 @@ from contextlib import suppress
 from fractions import Fraction
 from time import process_time
 
-from workbench.context.claims import Claim
 from workbench.core import construct
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.integer_expressions import Linear
@@ -20,7 +19,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.drafting.formulary.comparison import is_renamed, misprint_of
 from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum
-from workbench.papers.drafting.formulary.renamings import Renaming
+from workbench.papers.drafting.formulary.renamings import Renaming, letter_of
 from workbench.papers.drafting.formulary.standard_formulas import (
     Profile,
     StandardFormula,
@@ -34,8 +33,10 @@ from workbench.source.documents import Display
 _SECONDS = 3.0
 #: A formula with fewer symbols needs all its letters, and its words within so many characters before it.
 _SMALL, _BEFORE = 5, 600
-#: A formula with fewer symbols, or fewer symbols and addends, needs more than so many of its letters.
-_MEDIUM, _MANY, _HALF = 8, 11, Fraction(1, 2)
+#: A formula with fewer symbols and addends needs the letter of its left side.
+_LARGE = 11
+#: The share of its letters that a formula needs, by the count of its symbols and addends.
+_SHARES = ((20, Fraction(0)), (_LARGE, Fraction(1, 2)), (0, Fraction(2, 3)))
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
@@ -50,25 +51,32 @@ def near_standard_formulas(ingested: Ingested, paper: TextPaper) -> Iterator[Con
     meant = {
         each.words: each.is_meant_in(prose) for each in {e.words: e for e in standard_formulas()}.values()
     }
-    known = [each for each in standard_formulas() if meant[each.words]]
+    usual = [each for each in standard_formulas() if meant[each.words]]
+    statements = {each.id: each.printed.statement for each in paper.claims}
     for claim in paper.claims:
         if process_time() > end:
             return
         display = display_of(claim, ingested)
-        if display is not None and (found := _nearest(claim, display, known)) is not None:
+        first = statements[claim.chain[0]] if claim.chain else None
+        said = claim.printed.statement
+        if not isinstance(said, Relation) or said.operator != "=" or display is None:
+            continue
+        if isinstance(first, Relation):
+            said = Relation("=", first.left, said.right)
+        known = claim.notation.definitions
+        if (found := _nearest(said, known, display, usual)) is not None:
             with suppress(IllFormed):
-                yield _contradiction(claim, *found)
+                yield _contradiction(claim.id, _in_full(said, known), *found)
 
 
 def _nearest(
-    claim: Claim, display: Display, known: list[StandardFormula]
+    said: Relation, definitions: Definitions, display: Display, usual: Sequence[StandardFormula]
 ) -> tuple[StandardFormula, Renaming] | None:
     """Returns the standard formula that a printed one is a misprint of; None if it is another one."""
-    said = claim.printed.statement
-    if not isinstance(said, Relation) or said.operator != "=" or _is_negative(said.left):
+    if _is_negative(said.left):
         return None
-    sums = list(_sums(said, claim.notation.definitions))
-    alike = [(each, own) for own in sums for each in _alike(known, profile_of(own))]
+    sums = list(_sums(said, definitions))
+    alike = [(each, own) for own in sums for each in _alike(usual, profile_of(own))]
     pairs = [(each, own, each.size < _SMALL) for each, own in alike]
     if any(is_renamed(each.sum, own, by_letter) for each, own, by_letter in pairs):
         return None
@@ -80,8 +88,8 @@ def _nearest(
     return None
 
 
-def _alike(known: Sequence[StandardFormula], printed: Profile) -> Iterator[StandardFormula]:
-    return (each for each in known if each.profile.may_be(printed))
+def _alike(usual: Sequence[StandardFormula], printed: Profile) -> Iterator[StandardFormula]:
+    return (each for each in usual if each.profile.may_be(printed))
 
 
 def _is_negative(own: Term) -> bool:
@@ -91,9 +99,12 @@ def _is_negative(own: Term) -> bool:
 def _is_likely(standard: StandardFormula, found: Renaming, before: str) -> bool:
     """True if a printed formula can hardly be another one by chance. before: the words before it."""
     if standard.size < _SMALL:
-        return standard.is_meant_in(before)
-    is_large = standard.size >= _MEDIUM or standard.size + len(standard.sum.monomials) >= _MANY
-    return is_large or found.alike > _HALF
+        return len(found.letters) > 1 and standard.is_meant_in(before)
+    weight = standard.size + len(standard.sum.monomials)
+    own = standard.statement.left
+    if weight < _LARGE and own in found.of and letter_of(own) != letter_of(found.of[own][0]):
+        return False
+    return found.alike >= next(share for least, share in _SHARES if weight >= least)
 
 
 def _sums(said: Relation, definitions: Definitions) -> Iterator[Sum]:
@@ -116,10 +127,10 @@ def _in_full(said: Relation, definitions: Definitions) -> Relation:
     return Relation(said.operator, replaced(said.left, change), replaced(said.right, change))
 
 
-def _contradiction(claim: Claim, standard: StandardFormula, found: Renaming) -> Contradiction:
+def _contradiction(
+    claim: str, printed: Relation, standard: StandardFormula, found: Renaming
+) -> Contradiction:
     """Returns what would hold if the printed formula did. Raises IllFormed."""
-    assert isinstance(claim.printed.statement, Relation)
-    printed = _in_full(claim.printed.statement, claim.notation.definitions)
     own = standard.statement
     right = Relation("=", _renamed(own.left, found), _renamed(own.right, found))
     formula = f"${to_latex(right)}$"
@@ -127,8 +138,8 @@ def _contradiction(claim: Claim, standard: StandardFormula, found: Renaming) -> 
     right, printed = _with_free_symbols(right), _with_free_symbols(printed)
     if right.left == printed.left:
         both = construct.relation("=", right.right, printed.right)
-        return Contradiction(claim.id, both, (), Definitions(), reason, standard.name)
-    return Contradiction(claim.id, printed, (right,), Definitions(), reason, standard.name)
+        return Contradiction(claim, both, (), Definitions(), reason, standard.name)
+    return Contradiction(claim, printed, (right,), Definitions(), reason, standard.name)
 
 
 def _with_free_symbols(said: Relation) -> Relation:

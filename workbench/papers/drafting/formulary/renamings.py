@@ -31,6 +31,10 @@ class Renaming:
         pairs = [letter_of(own) == letter_of(new) for own, (new, _) in self.of.items()]
         return Fraction(sum(pairs), len(pairs)) if pairs else Fraction(0)
 
+    @property
+    def letters(self) -> frozenset[str]:
+        return frozenset(map(letter_of, self.of))
+
     def with_leaf(self, one: Leaf, other: Leaf) -> Renaming | None:
         """Returns the renaming that also turns one leaf into another; None if there is none."""
         known = self.of.get(one.base)

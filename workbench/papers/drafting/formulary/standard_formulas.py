@@ -101,8 +101,9 @@ class StandardFormula:
 
     @cached_property
     def left(self) -> frozenset[Monomial]:
-        """The monomials of its left side."""
-        return frozenset(normal_sum(self.statement.left).monomials)
+        """The monomial of its left side, if that is one."""
+        found = normal_sum(self.statement.left).monomials
+        return frozenset(found if len(found) == 1 else ())
 
     @cached_property
     def size(self) -> int:

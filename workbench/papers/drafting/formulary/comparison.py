@@ -97,13 +97,15 @@ class _Comparison:
         return len(changed) == 1 or not rest or bool(of_bracket)
 
     def _is_of_others(self, changed: Sequence[Monomial], renaming: Renaming) -> bool:
-        """True if the changed monomials have a symbol of their own, with another letter.
+        """True if the changed monomials have a symbol of their own, alone or with another letter.
 
         A symbol may have the factor in it: g = −τ.
         """
         rest = {leaf.base for each in self.order if each not in changed for leaf in leaves_of(each)}
-        own = {leaf.base for each in changed for leaf in leaves_of(each)} - rest
-        return any(letter_of(each) != letter_of(renaming.of[each][0]) for each in own)
+        leaves = [list(leaves_of(each)) for each in changed]
+        own = {leaf.base for each in leaves for leaf in each} - rest
+        is_alone = any(len(each) == 1 and each[0].base in own for each in leaves)
+        return is_alone or any(letter_of(each) != letter_of(renaming.of[each][0]) for each in own)
 
     def _misprinted(
         self, own: Monomial, printed: Monomial, ratio: Fraction, renaming: Renaming

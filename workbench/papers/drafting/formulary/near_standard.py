@@ -36,7 +36,7 @@ _SMALL, _BEFORE = 5, 600
 #: A formula with fewer symbols and addends needs the letter of its left side.
 _LARGE = 11
 #: The share of its letters that a formula needs, by the count of its symbols and addends.
-_SHARES = ((20, Fraction(0)), (_LARGE, Fraction(1, 2)), (0, Fraction(2, 3)))
+_SHARES = ((20, Fraction(0)), (_LARGE, Fraction(1, 2)), (0, Fraction(3, 4)))
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 

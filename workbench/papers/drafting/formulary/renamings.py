@@ -10,6 +10,10 @@ from workbench.core.terms import Symbol, Term
 from workbench.core.types import PI
 from workbench.papers.drafting.formulary.normal_sums import Leaf, Monomial, Node, Part, Sum
 
+#: The usual letters of angles.
+_ANGLES = frozenset(
+    rf"\{letter}" for letter in ("theta", "vartheta", "phi", "varphi", "psi", "alpha", "beta", "gamma", "nu")
+)
 #: Operations whose two parts may change places, and the sign that this gives.
 _TURNED = {"dot": 1, "cross": -1}
 
@@ -52,8 +56,9 @@ class Renaming:
 
 
 def letter_of(own: Term) -> str:
-    """Returns the letter of a symbol without typeface, accents and labels."""
-    return own.declaration.name.letter.lower() if isinstance(own, Symbol) else ""
+    """Returns the letter of a symbol without typeface, accents and labels; the same one for all angles."""
+    letter = own.declaration.name.letter if isinstance(own, Symbol) else ""
+    return "angle" if letter in _ANGLES else letter.lower()
 
 
 def _are_alike(one: Term, other: Term) -> bool:

@@ -14,7 +14,7 @@ from workbench.context.facts import Act, Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.formula_subject import names_of
 from workbench.context.free_symbols import names_in, terms_of
-from workbench.context.introducing_words import is_denied, is_exception, is_let, is_over, reaches
+from workbench.context.introducing_words import is_denied, is_exception, is_let, is_over, is_supposed, reaches
 from workbench.context.read_formulas import read_statement
 from workbench.context.stated_bounds import ORDERS, UNEQUAL, bounds_of, links_of
 from workbench.core.formula_errors import IllFormedAt, ReadError
@@ -158,7 +158,7 @@ def conditions_of(
     display: Display, statement: Statement, notation: Notation, spoken: InlineFormulas
 ) -> Iterator[Fact]:
     """Yields the facts that formulas in sentences state of a statement's symbols, after unfolding
-    definitions.
+    definitions, and the case of which its own sentence speaks.
 
     Sources are the formulas in the sentence of the display, and in the words that introduce its list; earlier
     inequalities in its section or an enclosing one, and earlier equations for rates.
@@ -180,15 +180,18 @@ def conditions_of(
             told = spoken.said(formula, step, notation, with_equations=False)
             is_near = not any(map(_is_value, told)) or reaches(formula, display.start)
             found += told if is_near else []
+    of_sentence: list[Fact] = []
     spans = [*leads, (begins, last)]
     for formula in (each for start, end in spans for each in spoken.before(path, end, start)):
         if is_over(formula, display.start) or not sections.holds(formula.start, display.start):
             continue
         for step in spoken.steps(formula, notation) if formula.rows else ():
-            found += spoken.said(formula, step, notation, with_equations=True)
+            told = spoken.said(formula, step, notation, with_equations=True)
+            found += told
+            of_sentence += told if formula.start >= begins and is_supposed(formula) else []
     for _ in found:  # what is said of the symbols by which the sentence defines others counts, too
         own = own.union(*(fact.about for fact in found if fact.act is Act.DEFINE and fact.about & own))
-    yield from (fact for fact in found if fact.about & own)
+    yield from (fact for fact in found if fact.about & own or fact in of_sentence)
 
 
 def _between(words: str, line: int, notation: Notation) -> Iterator[Fact]:

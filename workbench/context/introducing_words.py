@@ -7,6 +7,7 @@ import re
 from workbench.source.documents import Display
 from workbench.source.documents.condition_words import (
     CASES,
+    CONTRASTS,
     DEFINES,
     DENY_WHAT_FOLLOWS,
     DENY_WHAT_PRECEDES,
@@ -32,6 +33,8 @@ _DENY_LAST = re.compile(DENY_WHAT_PRECEDES, re.IGNORECASE)
 _ENDS_CASE = re.compile(rf"\b(?:{ENDS_CASE})\b", re.IGNORECASE)
 _ENDS_OTHER = re.compile(rf"\b(?:{ENDS_CASE_OF_ANOTHER})\b", re.IGNORECASE)
 _IN_SECTION = re.compile(rf"\b(?:{IN_SECTION})\b", re.IGNORECASE)
+#: A clause behind a display, for another case.
+_CONTRASTS = re.compile(rf"(?:\$\$|\\\]|\\end\s*\{{[^}}]*\}}|```)\s*(?:{CONTRASTS})\b[^.]*$", re.IGNORECASE)
 #: The end of a display that ends its sentence.
 _FULL_STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$|\n[ \t]*\n)")
 #: The marks around a formula in a sentence.
@@ -109,11 +112,19 @@ def is_denied(formula: Display) -> bool:
 
 
 def is_supposed(formula: Display) -> bool:
-    """True if the words before the formula make it a condition: "for f = g", "suppose that f = g"."""
+    """True if the words before the formula make it a condition: "for f = g", "suppose that f = g".
+
+    So do those of the clause that a formula in brackets explains: "if the ring is held (f = g)", "with the
+    ring held (f = g)".
+    """
     words = _words_before(formula)
-    if words is None or not (words["case"] or words["excepts"] or words["supposes"]):
+    if words is None:
         return False
-    return _BREAKS.search(_words_between(words, formula)) is None
+    between = _words_between(words, formula)
+    is_case = (words["case"] or words["excepts"] or words["supposes"]) is not None
+    if _OPENING.sub("", between).rstrip().endswith("("):
+        return (is_case or words["explains"] is not None) and "," not in between
+    return is_case and _BREAKS.search(between) is None
 
 
 def _words_between(words: re.Match[str], formula: Display) -> str:
@@ -134,10 +145,15 @@ def is_over(formula: Display, start: int) -> bool:
 def reaches(formula: Display, start: int) -> bool:
     """True if a value that a sentence supposes may count for the display at `start`.
 
-    That of an item of a list with its display counts in the item only, and a case for no earlier sentence."""
+    That of an item of a list with its display counts in the item only, and a case for no earlier sentence.
+    What "whereas if f = 0" says behind a display counts for the next one.
+    """
     if is_over(formula, start):
         return False
     case, text = place_of_case(formula), formula.source.prose
+    is_next = holds_display(text, formula.end, paragraph_around(text, formula.start)[1])
+    if is_next and _CONTRASTS.search(text[start : formula.start]):
+        return False
     if case is None or start in case:
         return True
     item = item_around(text, formula.start)

@@ -20,6 +20,8 @@ CASES = (
 )
 #: The formula is supposed for what follows.
 SUPPOSES = r"suppos\w+|assum\w+"
+#: The words behind a display that begin another case.
+CONTRASTS = "whereas|while|but|and|or|instead|conversely|alternatively|however"
 #: The formula holds, and the statement beside it follows from it.
 REASONS = "since|because|as"
 #: The statement is meant for the case that the formula does not hold.

@@ -19,12 +19,12 @@ _STEPS = 20_000
 _FACTORS = frozenset(map(Fraction, ("-1", "2", "-2", "1/2", "-1/2")))
 
 
-def is_renamed(standard: Sum, printed: Sum, by_letter: bool = False) -> bool:
-    """True if a standard formula is a printed one but for names. by_letter: symbols keep their letters."""
-    if _shapes(standard) != _shapes(printed):
-        return False
-    comparison = _Comparison(standard, frozenset(), Renaming(by_letter=by_letter))
-    return next(comparison.equal(printed), None) is not None
+def renamings(standard: Sum, printed: Sum, by_letter: bool = False) -> Iterator[Renaming]:
+    """Yields the renamings by which a standard formula is a printed one. by_letter: symbols keep their
+    letters."""
+    if _shapes(standard) == _shapes(printed):
+        comparison = _Comparison(standard, frozenset(), Renaming(by_letter=by_letter, may_lower=True))
+        yield from comparison.equal(printed)
 
 
 def misprint_of(
@@ -85,7 +85,7 @@ class _Comparison:
             factors = {each / common for each in ratios} - {1}
             if not factors or not factors <= _FACTORS or self._is_of_others(others, renaming):
                 continue
-            if self._is_one_change(others):
+            if self._is_one_change(others) and not self._has_lone_symbol(others):
                 yield renaming
 
     def _is_one_change(self, changed: Sequence[Monomial]) -> bool:
@@ -97,15 +97,19 @@ class _Comparison:
         return len(changed) == 1 or not rest or bool(of_bracket)
 
     def _is_of_others(self, changed: Sequence[Monomial], renaming: Renaming) -> bool:
-        """True if the changed monomials have a symbol of their own, alone or with another letter.
+        """True if the changed monomials have a symbol of their own, with another letter.
 
         A symbol may have the factor in it: g = −τ.
         """
         rest = {leaf.base for each in self.order if each not in changed for leaf in leaves_of(each)}
+        own = {leaf.base for each in changed for leaf in leaves_of(each)} - rest
+        return any(letter_of(each) != letter_of(renaming.of[each][0]) for each in own)
+
+    def _has_lone_symbol(self, changed: Sequence[Monomial]) -> bool:
+        """True if one of the changed monomials is a symbol that stands nowhere else."""
+        rest = {leaf.base for each in self.order if each not in changed for leaf in leaves_of(each)}
         leaves = [list(leaves_of(each)) for each in changed]
-        own = {leaf.base for each in leaves for leaf in each} - rest
-        is_alone = any(len(each) == 1 and each[0].base in own for each in leaves)
-        return is_alone or any(letter_of(each) != letter_of(renaming.of[each][0]) for each in own)
+        return any(len(each) == 1 and each[0].base not in rest for each in leaves)
 
     def _misprinted(
         self, own: Monomial, printed: Monomial, ratio: Fraction, renaming: Renaming
@@ -114,7 +118,7 @@ class _Comparison:
         bases = {leaf.base for leaf in self.leaves}
         for changed in misprints_of(own, self.leaves):
             for found, factor in self.search.monomials(changed, printed, renaming):
-                if factor == ratio and bases <= found.of.keys():
+                if factor == ratio and bases <= found.of.keys() and not self._is_of_others([own], found):
                     yield found
 
     def _matched(

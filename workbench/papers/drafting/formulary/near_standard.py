@@ -17,7 +17,7 @@ from workbench.core.types import Declaration
 from workbench.language.definitions import Definitions, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
-from workbench.papers.drafting.formulary.comparison import is_renamed, misprint_of
+from workbench.papers.drafting.formulary.comparison import misprint_of, renamings
 from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum
 from workbench.papers.drafting.formulary.renamings import Renaming, letter_of
 from workbench.papers.drafting.formulary.standard_formulas import (
@@ -72,18 +72,26 @@ def near_standard_formulas(ingested: Ingested, paper: TextPaper) -> Iterator[Con
 def _nearest(
     said: Relation, definitions: Definitions, display: Display, usual: Sequence[StandardFormula]
 ) -> tuple[StandardFormula, Renaming] | None:
-    """Returns the standard formula that a printed one is a misprint of; None if it is another one."""
+    """Returns the standard formula that a printed one is a misprint of; None if it is another one.
+
+    A formula that is another one by exchanged names is a misprint of one of the same names.
+    """
     if _is_negative(said.left):
         return None
     sums = list(_sums(said, definitions))
     alike = [(each, own) for own in sums for each in _alike(usual, profile_of(own))]
     pairs = [(each, own, each.size < _SMALL) for each, own in alike]
-    if any(is_renamed(each.sum, own, by_letter) for each, own, by_letter in pairs):
+    others = [found for each, own, by_letter in pairs for found in renamings(each.sum, own, by_letter)]
+    if any(found.keeps_names for found in others):
         return None
     before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
     for each, own, by_letter in pairs:
+        if others and each.weight < _LARGE:
+            continue
         found = misprint_of(each.sum, own, each.left, by_letter)
-        if found is not None and _is_likely(each, found, before):
+        if found is None or (others and not found.keeps_names):
+            continue
+        if _is_likely(each, found, before):
             return each, found
     return None
 
@@ -100,11 +108,10 @@ def _is_likely(standard: StandardFormula, found: Renaming, before: str) -> bool:
     """True if a printed formula can hardly be another one by chance. before: the words before it."""
     if standard.size < _SMALL:
         return len(found.letters) > 1 and standard.is_meant_in(before)
-    weight = standard.size + len(standard.sum.monomials)
     own = standard.statement.left
-    if weight < _LARGE and own in found.of and letter_of(own) != letter_of(found.of[own][0]):
+    if standard.weight < _LARGE and own in found.of and letter_of(own) != letter_of(found.of[own][0]):
         return False
-    return found.alike >= next(share for least, share in _SHARES if weight >= least)
+    return found.alike >= next(share for least, share in _SHARES if standard.weight >= least)
 
 
 def _sums(said: Relation, definitions: Definitions) -> Iterator[Sum]:

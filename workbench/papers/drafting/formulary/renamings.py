@@ -24,16 +24,23 @@ class Renaming:
 
     of: symbol → the new one, and the order of its derivative that it stands for.
     by_letter: a symbol keeps its letter, in any typeface and with any label.
+    may_lower: a symbol with another letter may stand for a rate.
     """
 
     of: Mapping[Term, tuple[Term, int]] = field(default_factory=dict)
     by_letter: bool = False
+    may_lower: bool = False
 
     @property
     def alike(self) -> Fraction:
         """The share of the symbols that keep their letters."""
         pairs = [letter_of(own) == letter_of(new) for own, (new, _) in self.of.items()]
         return Fraction(sum(pairs), len(pairs)) if pairs else Fraction(0)
+
+    @property
+    def keeps_names(self) -> bool:
+        """True if each symbol keeps its letter and its labels."""
+        return all(_name_of(own) == _name_of(new) and not more for own, (new, more) in self.of.items())
 
     @property
     def letters(self) -> frozenset[str]:
@@ -46,7 +53,9 @@ class Renaming:
             base, more = known
             return self if base == other.base and one.order + more == other.order else None
         more = other.order - one.order
-        if more < 0 or not _are_alike(one.base, other.base) or (one.order and more):
+        if not _are_alike(one.base, other.base) or (one.order and more > 0):
+            return None
+        if more < 0 and (not self.may_lower or letter_of(one.base) == letter_of(other.base)):
             return None
         if (other.base, more) in self.of.values():
             return None
@@ -59,6 +68,11 @@ def letter_of(own: Term) -> str:
     """Returns the letter of a symbol without typeface, accents and labels; the same one for all angles."""
     letter = own.declaration.name.letter if isinstance(own, Symbol) else ""
     return "angle" if letter in _ANGLES else letter.lower()
+
+
+def _name_of(own: Term) -> tuple[object, ...]:
+    name = own.declaration.name if isinstance(own, Symbol) else None
+    return (name and (name.letter, name.sub, name.sup), getattr(own, "index", ()))
 
 
 def _are_alike(one: Term, other: Term) -> bool:

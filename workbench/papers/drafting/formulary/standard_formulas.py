@@ -110,6 +110,11 @@ class StandardFormula:
         """The count of its symbols, each as often as it occurs."""
         return sum(1 for each in self.sum.monomials for _ in leaves_of(each))
 
+    @cached_property
+    def weight(self) -> int:
+        """The count of its symbols and addends."""
+        return self.size + len(self.sum.monomials)
+
     def is_meant_in(self, text: str) -> bool:
         """True if a text, in lower case, has the words."""
         return _pattern(self.words).search(text) is not None

@@ -6,7 +6,6 @@ import re
 import tomllib
 from collections import Counter
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -15,21 +14,21 @@ from workbench.app.checked import Checked
 from workbench.context.free_symbols import free_in, terms_of
 from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
+from workbench.papers.drafting.formulary.standard_formulas import (
+    StandardFormula,
+    profile_of,
+    standard_formulas,
+)
 
-FOLDER = Path(workbench.__file__).parent / "papers" / "drafting" / "formulary"
-KEYS = {"name", "words", "source", "symbols", "formula", "given", "definition"}
-Entry = dict[str, Any]
-ENTRIES: list[tuple[str, Entry]] = [
-    (f"{path.stem}-{number}", entry)
-    for path in sorted(FOLDER.glob("*.toml"))
-    for number, entry in enumerate(tomllib.loads(path.read_text("utf-8"))["formula"], start=1)
-]
-PROVED = [(where, entry) for where, entry in ENTRIES if "definition" not in entry]
-DEFINED = [(where, entry) for where, entry in ENTRIES if "definition" in entry]
+FOLDER = Path(workbench.__file__).parent / "papers" / "drafting" / "formulary" / "formulas"
+KEYS = {"name", "words", "source", "symbols", "form"}
+FORMULAS = standard_formulas()
+PROVED = [each for each in FORMULAS if not each.definition]
+DEFINED = [each for each in FORMULAS if each.definition]
 
 
-def checked(entry: Entry, formula: str) -> Checked:
-    result = workbench.check(formula, symbols=entry["symbols"], assume=entry.get("given", []))
+def checked(own: StandardFormula, formula: str) -> Checked:
+    result = workbench.check(formula, symbols=own.symbols, assume=own.given)
     assert isinstance(result, Checked)
     return result
 
@@ -41,45 +40,46 @@ def with_one_sign_changed(formula: str) -> str:
     return f"{changed[0]} = 0" if right == "0" else f"{left} = {changed[1]}"
 
 
-@pytest.mark.parametrize(("where", "entry"), PROVED, ids=[where for where, _ in PROVED])
-def test_a_formula_is_proved_and_a_changed_one_not(where: str, entry: Entry) -> None:
-    right = checked(entry, entry["formula"])
+@pytest.mark.parametrize("own", PROVED, ids=[each.formula for each in PROVED])
+def test_formula_is_proved_and_changed_one_not(own: StandardFormula) -> None:
+    right = checked(own, own.formula)
     assert right.outcome is Outcome.PROVED, right
-    wrong = checked(entry, with_one_sign_changed(entry["formula"]))
+    wrong = checked(own, with_one_sign_changed(own.formula))
     assert wrong.outcome in (Outcome.REFUTED, Outcome.UNCHECKED), wrong
-    assert_each_symbol_is_used(right, entry)
 
 
-@pytest.mark.parametrize(("where", "entry"), DEFINED, ids=[where for where, _ in DEFINED])
-def test_a_definition_is_well_formed(where: str, entry: Entry) -> None:
-    read = checked(entry, entry["formula"])
-    assert entry["definition"] is True and "given" not in entry
+@pytest.mark.parametrize("own", DEFINED, ids=[each.formula for each in DEFINED])
+def test_definition_is_well_formed_and_not_provable(own: StandardFormula) -> None:
+    read = checked(own, own.formula)
+    assert not own.given
     assert read.outcome in (Outcome.REFUTED, Outcome.UNCHECKED), f"give its proof: {read}"
-    assert_each_symbol_is_used(read, entry)
 
 
-def assert_each_symbol_is_used(read: Checked, entry: Entry) -> None:
-    claim = read.result.claim
-    terms = [
-        t
-        for formula in (claim.printed, *claim.assume)
-        if formula.statement
-        for t in terms_of(formula.statement)
-    ]
-    used = {str(declaration.name) for declaration in free_in(terms, Definitions([]))}
-    assert len(used - {"t"}) == len(entry["symbols"]), used
+def test_profile_read_from_latex_is_that_of_the_terms() -> None:
+    for own in FORMULAS:
+        assert own.profile.may_be(profile_of(own.sum)), own.formula
 
 
 def test_each_entry_has_all_keys_and_words_that_compile() -> None:
-    for where, entry in ENTRIES:
-        assert entry.keys() <= KEYS and KEYS - {"given", "definition"} <= entry.keys(), where
-        assert "given" in entry or "definition" in entry, where
-        assert re.compile(entry["words"], re.IGNORECASE).search("") is None, where
-        assert all(
-            entry[key] == entry[key].strip() != "" for key in ("name", "words", "source", "formula")
-        ), where
+    for path in FOLDER.glob("*.toml"):
+        for entry in tomllib.loads(path.read_text("utf-8"))["formula"]:
+            assert entry.keys() == KEYS, entry
+            assert all(form.keys() - {"formula"} in ({"given"}, {"definition"}) for form in entry["form"]), (
+                entry
+            )
+            assert re.compile(entry["words"]).search("") is None, entry
+            names = {str(each.name) for form in entry["form"] for each in declared_in(entry, form)}
+            assert names - {"t"} == {*map(str, entry["symbols"])}, entry["name"]
+
+
+def declared_in(entry: dict, form: dict) -> frozenset:
+    """Returns the declarations of the symbols in a form and in what it follows from."""
+    own = StandardFormula(entry["name"], entry["words"], entry["source"], entry["symbols"], form["formula"])
+    claim = workbench.check(own.formula, symbols=own.symbols, assume=form.get("given", ())).result.claim
+    statements = (each.statement for each in (claim.printed, *claim.assume))
+    return free_in([term for each in statements if each for term in terms_of(each)], Definitions([]))
 
 
 def test_no_formula_stands_twice_under_the_same_kinds() -> None:
-    counted = Counter((entry["formula"], str(entry["symbols"])) for _, entry in ENTRIES)
+    counted = Counter((each.formula, str(each.symbols)) for each in FORMULAS)
     assert [formula for (formula, _), count in counted.items() if count > 1] == []

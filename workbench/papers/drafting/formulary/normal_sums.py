@@ -226,9 +226,40 @@ def _joined(head: str, a: Part, b: Part) -> Part:
     if len(factors) > 1 and _is_row(last) and _is_column(factors[-2]):
         dyad = Node("outer", (factors[-2], last.parts[0]))  # type: ignore[union-attr]
         return _mul([*factors[:-2], dyad])
+    factors = _multiplied_out(factors)
     while len(factors) > 1 and _is(factors[-2], "skew") and _is_column(factors[-1]):
         factors[-2:] = [Node("cross", (factors[-2].parts[0], factors[-1]))]  # type: ignore[union-attr]
     return _mul(factors)
+
+
+def _multiplied_out(factors: list[Part]) -> list[Part]:
+    """Returns the factors with one matrix for each two neighbours that are written with their entries."""
+    found: list[Part] = []
+    for each in factors:
+        last = found[-1] if found else None
+        match last, each:
+            case Node("block", left, (int(rows), int(inner))), Node("block", right, (int(own), int(columns))):
+                if inner == own:
+                    cells = (
+                        _collected(
+                            [
+                                one
+                                for k in range(inner)
+                                for one in _entry_product(left[i * inner + k], right[k * columns + j])
+                            ]
+                        )
+                        for i in range(rows)
+                        for j in range(columns)
+                    )
+                    found[-1] = Node("block", tuple(cells), (rows, columns))
+                    continue
+        found.append(each)
+    return found
+
+
+def _entry_product(one: Part, other: Part) -> tuple[Monomial, ...]:
+    assert isinstance(one, Sum) and isinstance(other, Sum)
+    return _product("mul", one, other).monomials
 
 
 def _mul(factors: list[Part]) -> Part:

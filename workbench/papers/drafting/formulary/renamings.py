@@ -130,8 +130,8 @@ class Search:
         """Yields the renamings that turn one sum into another up to a factor, with the factor."""
         if len(one.monomials) == len(other.monomials):
             for renaming, ratios in self._pairs(one.monomials, other.monomials, known):
-                if len(set(ratios)) == 1:
-                    yield renaming, ratios[0]
+                if len(set(ratios)) <= 1:
+                    yield renaming, next(iter(ratios), Fraction(1))
 
     def _pairs(
         self, ones: Sequence[Monomial], others: Sequence[Monomial], known: Renaming

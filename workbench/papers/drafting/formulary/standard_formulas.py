@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import resources
@@ -62,7 +62,7 @@ class StandardFormula:
         name: What it is the formula for.
         words: A regular expression for words by which texts speak of it.
         source: Where it is derived.
-        symbols: Symbol → kind, as in a model.
+        symbols: Symbol → kind, as in a model; also those of its other forms.
         formula: In LaTeX.
         given: The assumptions from which it follows.
         definition: True if nothing proves it, as it says what its left side is.
@@ -146,9 +146,14 @@ def _pattern(words: str) -> re.Pattern[str]:
 @cache
 def standard_formulas() -> tuple[StandardFormula, ...]:
     """Returns the formulas of all subjects."""
-    found = []
-    folder = resources.files(__package__ or "")
-    for file in sorted((each for each in folder.iterdir() if each.name.endswith(".toml")), key=str):
-        for entry in tomllib.loads(file.read_text(encoding="utf-8"))["formula"]:
-            found.append(StandardFormula(**{**entry, "given": tuple(entry.get("given", ()))}))
-    return tuple(found)
+    folder = resources.files(__package__ or "") / "formulas"
+    files = sorted((each for each in folder.iterdir() if each.name.endswith(".toml")), key=str)
+    return tuple(each for file in files for each in _formulas_in(file.read_text(encoding="utf-8")))
+
+
+def _formulas_in(text: str) -> Iterator[StandardFormula]:
+    """Yields the forms of each formula of a file, which share its name, words, source and symbols."""
+    for entry in tomllib.loads(text)["formula"]:
+        shared = {key: value for key, value in entry.items() if key != "form"}
+        for form in entry["form"]:
+            yield StandardFormula(**shared, **{**form, "given": tuple(form.get("given", ()))})

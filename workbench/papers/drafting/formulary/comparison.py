@@ -97,13 +97,14 @@ class _Comparison:
         return len(changed) == 1 or not rest or bool(of_bracket)
 
     def _is_of_others(self, changed: Sequence[Monomial], renaming: Renaming) -> bool:
-        """True if the changed monomials have a symbol of their own, with another letter.
+        """True if the changed monomials have a number of their own, with another letter.
 
-        A symbol may have the factor in it: g = −τ.
+        A constant may have a factor in it: k = 2 c.
         """
         rest = {leaf.base for each in self.order if each not in changed for leaf in leaves_of(each)}
-        own = {leaf.base for each in changed for leaf in leaves_of(each)} - rest
-        return any(letter_of(each) != letter_of(renaming.of[each][0]) for each in own)
+        own = {leaf.base for each in changed for leaf in leaves_of(each) if not leaf.order} - rest
+        numbers = (each for each in own if each.type.kind == "scalar")
+        return any(letter_of(each) != letter_of(renaming.of[each][0]) for each in numbers)
 
     def _has_lone_symbol(self, changed: Sequence[Monomial]) -> bool:
         """True if one of the changed monomials is a symbol that stands nowhere else."""

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbench.papers.drafting.draft_model import Ingested, ingested
-from workbench.papers.drafting.formulary.near_standard import near_standard_formulas
 from workbench.papers.drafting.meanings.borne_out import with_meanings
 from workbench.papers.drafting.meanings.contradictions import Contradiction, contradictions_in
 from workbench.papers.drafting.meanings.permuted_rows import contradicted_rows
@@ -78,8 +77,7 @@ def draft_from(ingested: Ingested) -> Draft:
     meant = with_meanings(ingested, draft.paper)
     draft = draft if meant is ingested else _loaded(meant)
     found = (draft.ingested, draft.paper)
-    makers = (contradictions_in, contradicted_rows, near_standard_formulas)
-    return replace(draft, contradicted=tuple(each for make in makers for each in make(*found)))
+    return replace(draft, contradicted=(*contradictions_in(*found), *contradicted_rows(*found)))
 
 
 def _loaded(ingested: Ingested) -> Draft:

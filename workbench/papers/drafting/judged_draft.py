@@ -29,6 +29,7 @@ from workbench.papers.drafting.drafted_doubts import (
     subject_alone,
 )
 from workbench.papers.drafting.drafted_texts import Draft
+from workbench.papers.drafting.formulary.near_standard import near_standard_formulas
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.meanings.contradictions import display_of
 from workbench.papers.drafting.meanings.names_in_claims import (
@@ -84,6 +85,7 @@ _OPERATIONS: Mapping[object, frozenset[str]] = {
 }
 
 
+_MAY_BE_MISPRINTS = frozenset({Outcome.DEFINITION, Outcome.REFUTED, Outcome.UNCHECKED})
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 
@@ -94,6 +96,9 @@ def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[Claim
     formula bears out is one more doubt if another falsehood rests on it, too, unless one usual change makes
     the claim true, or if it is a definition of another section.
     """
+    wanted = {each.claim.id for each in results if each.verdict.outcome in _MAY_BE_MISPRINTS}
+    found = near_standard_formulas(draft.ingested, draft.paper, wanted)
+    draft = replace(draft, contradicted=(*draft.contradicted, *found))
     results = [replace(result, verdict=contradicted(draft, result)) for result in results]
     judged = [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
     records = Records.of(draft, judged)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator
 from contextlib import suppress
 from fractions import Fraction
-from time import process_time
+from functools import lru_cache
+from itertools import chain
 
 from workbench.core import construct
 from workbench.core.codes.context_codes import ContextCode
@@ -18,59 +19,60 @@ from workbench.language.definitions import Definitions, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.drafting.formulary.comparison import misprint_of, renamings
-from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum
+from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum, leaves_of
 from workbench.papers.drafting.formulary.renamings import Renaming, letter_of
 from workbench.papers.drafting.formulary.standard_formulas import (
-    Profile,
+    LONG,
     StandardFormula,
     profile_of,
     standard_formulas,
 )
 from workbench.papers.drafting.meanings.contradictions import Contradiction, display_of
 from workbench.papers.texts.text_paper import TextPaper
-from workbench.source.documents import Display
 
-_SECONDS = 3.0
 #: A formula with fewer symbols needs all its letters, and its words within so many characters before it.
 _SMALL, _BEFORE = 5, 600
 #: A formula with fewer symbols and addends needs the letter of its left side.
 _LARGE = 11
 #: The share of its letters that a formula needs, by the count of its symbols and addends.
-_SHARES = ((20, Fraction(0)), (_LARGE, Fraction(1, 2)), (0, Fraction(3, 4)))
+_SHARES = ((LONG, Fraction(0)), (_LARGE, Fraction(1, 2)), (0, Fraction(3, 4)))
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
 
-def near_standard_formulas(ingested: Ingested, paper: TextPaper) -> Iterator[Contradiction]:
+def near_standard_formulas(
+    ingested: Ingested, paper: TextPaper, wanted: Collection[str]
+) -> Iterator[Contradiction]:
     """Yields the formulas that differ from a standard formula by names and one usual misprint.
 
-    Those that differ from another standard formula by names alone are right.
+    Those that differ from another standard formula by names alone are right.   wanted: ids of claims.
     """
-    end = process_time() + _SECONDS
     prose = "\n".join(source.prose for source in ingested.text.sources).lower()
-    meant = {
-        each.words: each.is_meant_in(prose) for each in {e.words: e for e in standard_formulas()}.values()
-    }
-    usual = [each for each in standard_formulas() if meant[each.words]]
     statements = {each.id: each.printed.statement for each in paper.claims}
-    for claim in paper.claims:
-        if process_time() > end:
-            return
-        display = display_of(claim, ingested)
-        first = statements[claim.chain[0]] if claim.chain else None
-        said = claim.printed.statement
+    for claim in (each for each in paper.claims if each.id in wanted):
+        said, display = claim.printed.statement, display_of(claim, ingested)
         if not isinstance(said, Relation) or said.operator != "=" or display is None:
             continue
-        if isinstance(first, Relation):
-            said = Relation("=", first.left, said.right)
-        known = claim.notation.definitions
-        if (found := _nearest(said, known, display, usual)) is not None:
+        first = statements[claim.chain[0]] if claim.chain else None
+        said = Relation("=", first.left if isinstance(first, Relation) else said.left, said.right)
+        in_full = _in_full(said, claim.notation.definitions)
+        before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
+        if (found := _nearest(said, in_full, prose, before)) is not None:
             with suppress(IllFormed):
-                yield _contradiction(claim.id, _in_full(said, known), *found)
+                yield _contradiction(claim.id, in_full, *found)
 
 
+@lru_cache(maxsize=8)
+def _usual_in(prose: str) -> tuple[StandardFormula, ...]:
+    """Returns the formulas of which a text speaks."""
+    by_words = {each.words: each for each in standard_formulas()}
+    said = {words for words, each in by_words.items() if each.is_meant_in(prose)}
+    return tuple(each for each in standard_formulas() if each.words in said)
+
+
+@lru_cache(maxsize=1 << 12)
 def _nearest(
-    said: Relation, definitions: Definitions, display: Display, usual: Sequence[StandardFormula]
+    said: Relation, in_full: Relation, prose: str, before: str
 ) -> tuple[StandardFormula, Renaming] | None:
     """Returns the standard formula that a printed one is a misprint of; None if it is another one.
 
@@ -78,26 +80,37 @@ def _nearest(
     """
     if _is_negative(said.left):
         return None
-    sums = list(_sums(said, definitions))
-    alike = [(each, own) for own in sums for each in _alike(usual, profile_of(own))]
-    pairs = [(each, own, each.size < _SMALL) for each, own in alike]
-    others = [found for each, own, by_letter in pairs for found in renamings(each.sum, own, by_letter)]
-    if any(found.keeps_names for found in others):
+    sums: list[Sum] = []
+    with suppress(TooLong, ZeroDivisionError):
+        sums = list(dict.fromkeys(map(equation_sum, (said, in_full))))
+    found = list(chain.from_iterable(_misprints_in(own, prose, before) for own in sums))
+    if not found:
         return None
-    before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
-    for each, own, by_letter in pairs:
-        if others and each.weight < _LARGE:
-            continue
-        found = misprint_of(each.sum, own, each.left, by_letter)
-        if found is None or (others and not found.keeps_names):
-            continue
-        if _is_likely(each, found, before):
-            return each, found
-    return None
+    others = list(chain.from_iterable(_equal_to(own, prose) for own in sums))
+    if any(each.keeps_names for each in others):
+        return None
+    if others:  # by an exchange of names
+        found = [(each, own) for each, own in found if each.weight >= _LARGE and own.keeps_names]
+    return next(iter(found), None)
 
 
-def _alike(usual: Sequence[StandardFormula], printed: Profile) -> Iterator[StandardFormula]:
-    return (each for each in usual if each.profile.may_be(printed))
+def _misprints_in(own: Sum, prose: str, before: str) -> Iterator[tuple[StandardFormula, Renaming]]:
+    """Yields the formulas that a printed one is a misprint of."""
+    letters = {letter_of(leaf.base) for leaf in leaves_of(own)}
+    profile = profile_of(own)
+    for each in _usual_in(prose):
+        if each.profile.may_be(profile) and each.may_keep_letters(letters):
+            found = misprint_of(each.sum, own, each.left, each.size < _SMALL)
+            if found is not None and _is_likely(each, found, before):
+                yield each, found
+
+
+def _equal_to(own: Sum, prose: str) -> Iterator[Renaming]:
+    """Yields the renamings that make a printed formula of another one."""
+    profile = profile_of(own)
+    for each in _usual_in(prose):
+        if each.profile.may_be(profile):
+            yield from renamings(each.sum, own, each.size < _SMALL)
 
 
 def _is_negative(own: Term) -> bool:
@@ -112,16 +125,6 @@ def _is_likely(standard: StandardFormula, found: Renaming, before: str) -> bool:
     if standard.weight < _LARGE and own in found.of and letter_of(own) != letter_of(found.of[own][0]):
         return False
     return found.alike >= next(share for least, share in _SHARES if standard.weight >= least)
-
-
-def _sums(said: Relation, definitions: Definitions) -> Iterator[Sum]:
-    """Yields the sum of an equation as it is printed, and with the meaning of abbreviations."""
-    with suppress(TooLong, ZeroDivisionError):
-        own = equation_sum(said)
-        yield own
-        full = equation_sum(_in_full(said, definitions))
-        if full != own:
-            yield full
 
 
 def _in_full(said: Relation, definitions: Definitions) -> Relation:

@@ -66,7 +66,10 @@ class Renaming:
 
 def letter_of(own: Term) -> str:
     """Returns the letter of a symbol without typeface, accents and labels; the same one for all angles."""
-    letter = own.declaration.name.letter if isinstance(own, Symbol) else ""
+    return as_letter(own.declaration.name.letter) if isinstance(own, Symbol) else ""
+
+
+def as_letter(letter: str) -> str:
     return "angle" if letter in _ANGLES else letter.lower()
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import resources
@@ -23,16 +23,24 @@ from workbench.papers.drafting.formulary.normal_sums import (
     normal_sum,
     parts_of,
 )
+from workbench.papers.drafting.formulary.renamings import as_letter
 
 #: Operations that no misprint loses, by the LaTeX of formulas here.
 _OPERATIONS = {
     "block": re.compile(r"\\begin"),
     "cross": re.compile(r"\\times|skew"),
+    "root": re.compile(r"\\sqrt"),
     "sin": re.compile(r"\\(?:sin|cos|tan|cot|sec|csc)(?![a-zA-Z])"),
 }
-#: What makes symbols, or tensors of them, that are not declared.
-_MARKED = re.compile(r"\\(?:wide)?(?:tilde|hat)|\\pi|\}_|(?<![a-zA-Z\\_])t(?![a-zA-Z_])")
-_INDEX = re.compile(r"[{^']")
+#: A dot over a symbol, a mark that makes a skew tensor of one, and a family of symbols.
+_DOTS = re.compile(r"\\d*dot\{([^{}]*)\}")
+_SKEW = re.compile(r"\\(?:wide)?(?:tilde|hat)\{[^{}]*\}(?:_\w)?")
+_FAMILY = re.compile(r"_\{?[ijk]")
+#: Numbers that are not declared.
+_KNOWN = ("\\pi", "t")
+_LETTER = re.compile(r"\\[a-zA-Z]+|[a-zA-Z]")
+#: How often a symbol of its LaTeX may stand in its sum, and the weight of a formula that needs no letters.
+_MOST_COPIES, LONG = 3, 20
 #: A capital letter that is not part of an escape.
 _CAPITAL = re.compile(r"(?<!\\)[A-Z]")
 
@@ -90,14 +98,35 @@ class StandardFormula:
         return equation_sum(self.statement)
 
     @cached_property
+    def plain(self) -> str:
+        """Its LaTeX without dots over symbols."""
+        return _DOTS.sub(r"\1", self.formula)
+
+    @cached_property
+    def counts(self) -> Mapping[str, int]:
+        """How often its LaTeX has each of its symbols."""
+        known = (*self.symbols, *(name for name in _KNOWN if name not in self.symbols))
+        found = {name: len(_symbol(name).findall(self.plain)) for name in known}
+        return {name: count for name, count in found.items() if count}
+
+    @cached_property
     def profile(self) -> Profile:
         """What each printed form of it has, read from its LaTeX as far as that tells."""
-        if _MARKED.search(self.formula) or any(_INDEX.search(name) for name in self.symbols):
+        if any(_FAMILY.search(name) for name in self.symbols):
             return profile_of(self.sum)
-        found = {name for name, sign in _OPERATIONS.items() if sign.search(self.formula)}
-        kinds = [kind for name, kind in self.symbols.items() if _symbol(name).search(self.formula)]
+        found = {name for name, sign in _OPERATIONS.items() if sign.search(self.plain)}
+        if any(mark not in self.symbols for mark in _SKEW.findall(self.plain)):
+            found.add("cross")
+        own = [self.symbols.get(name, "scalar") for name in self.counts]
+        kinds = [kind if isinstance(kind, str) else kind["kind"] for kind in own]
         numbers = sum(kind == "scalar" for kind in kinds)
         return Profile(frozenset(found), numbers, len(kinds) - numbers)
+
+    def may_keep_letters(self, letters: Collection[str]) -> bool:
+        """True if it is long, or half of its symbols have one of the letters."""
+        is_long = _MOST_COPIES * sum(self.counts.values()) >= LONG
+        own = [as_letter(_LETTER.findall(name)[0]) for name in self.counts]
+        return is_long or 2 * sum(each in letters for each in own) >= len(own)
 
     @cached_property
     def left(self) -> frozenset[Monomial]:
@@ -134,7 +163,7 @@ def profile_of(own: Sum) -> Profile:
 @cache
 def _symbol(name: str) -> re.Pattern[str]:
     """Returns a pattern of a symbol that is no part of another one."""
-    before = r"(?<![a-zA-Z\\])" if name[0] != "\\" else ""
+    before = r"(?<![a-zA-Z\\_])(?<!_\{)" if name[0] != "\\" else r"(?<!_)(?<!_\{)"
     return re.compile(rf"{before}{re.escape(name)}(?![a-zA-Z_'])" if name[-1].isalpha() else re.escape(name))
 
 

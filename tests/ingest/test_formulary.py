@@ -57,7 +57,8 @@ def test_definition_is_well_formed_and_not_provable(own: StandardFormula) -> Non
 
 def test_profile_read_from_latex_is_that_of_the_terms() -> None:
     for own in FORMULAS:
-        assert own.profile.may_be(profile_of(own.sum)), own.formula
+        if own.sum.monomials and "\\pm" not in own.formula:
+            assert own.profile.may_be(profile_of(own.sum)), own.formula
 
 
 def test_each_entry_has_all_keys_and_words_that_compile() -> None:

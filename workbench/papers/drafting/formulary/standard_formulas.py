@@ -15,6 +15,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
 from workbench.papers.drafting.formulary.normal_sums import (
     NO_CELL,
+    Leaf,
     Monomial,
     Node,
     Sum,
@@ -29,7 +30,7 @@ from workbench.papers.drafting.formulary.renamings import as_letter
 _OPERATIONS = {
     "block": re.compile(r"\\begin"),
     "cross": re.compile(r"\\times|skew"),
-    "root": re.compile(r"\\sqrt"),
+    "root": re.compile(r"\\sqrt|\^\{\d+/2\}"),
     "sin": re.compile(r"\\(?:sin|cos|tan|cot|sec|csc)(?![a-zA-Z])"),
 }
 #: A dot over a symbol, a mark that makes a skew tensor of one, and a family of symbols.
@@ -38,9 +39,17 @@ _SKEW = re.compile(r"\\(?:wide)?(?:tilde|hat)\{[^{}]*\}(?:_\w)?")
 _FAMILY = re.compile(r"_\{?[ijk]")
 #: Numbers that are not declared.
 _KNOWN = ("\\pi", "t")
+#: Kinds of a left side → what it is.
+_SHAPES = {
+    "scalar": "number",
+    "vector": "column",
+    "tensor": "square",
+    "rotation": "square",
+    "transform": "square",
+}
 _LETTER = re.compile(r"\\[a-zA-Z]+|[a-zA-Z]")
 #: How often a symbol of its LaTeX may stand in its sum, and the weight of a formula that needs no letters.
-_MOST_COPIES, LONG = 3, 20
+_MOST_COPIES, LONG = 2, 20
 #: A capital letter that is not part of an escape.
 _CAPITAL = re.compile(r"(?<!\\)[A-Z]")
 
@@ -50,16 +59,20 @@ class Profile:
     """What no renaming changes.
 
     operations: those of its operations that no misprint loses.   numbers, others: the counts of its symbols.
+    shape: what its addends are, if that is known: numbers, columns, square matrices, or others.
     """
 
     operations: frozenset[str]
     numbers: int
     others: int
+    shape: str = ""
 
     def may_be(self, printed: Profile) -> bool:
-        """True if a printed formula may be one of this profile, or a misprint of one."""
-        is_near = abs(self.numbers - printed.numbers) + abs(self.others - printed.others) <= 1
-        return is_near and self.operations == printed.operations
+        """True if a printed formula may be one of this profile, or a misprint of one, which may lose a
+        symbol."""
+        lost = (self.numbers - printed.numbers, self.others - printed.others)
+        is_alike = "" in (self.shape, printed.shape) or self.shape == printed.shape
+        return sum(lost) in (0, 1) and min(lost) >= 0 and is_alike and self.operations == printed.operations
 
 
 @dataclass(frozen=True)
@@ -112,15 +125,17 @@ class StandardFormula:
     @cached_property
     def profile(self) -> Profile:
         """What each printed form of it has, read from its LaTeX as far as that tells."""
-        if any(_FAMILY.search(name) for name in self.symbols):
+        kinds = str(self.symbols.values())
+        if _FAMILY.search(" ".join(self.symbols)) or "quaternion" in kinds or self.plain.count("begin") > 1:
             return profile_of(self.sum)
         found = {name for name, sign in _OPERATIONS.items() if sign.search(self.plain)}
         if any(mark not in self.symbols for mark in _SKEW.findall(self.plain)):
             found.add("cross")
         own = [self.symbols.get(name, "scalar") for name in self.counts]
-        kinds = [kind if isinstance(kind, str) else kind["kind"] for kind in own]
-        numbers = sum(kind == "scalar" for kind in kinds)
-        return Profile(frozenset(found), numbers, len(kinds) - numbers)
+        numbers = sum((kind if isinstance(kind, str) else kind["kind"]) == "scalar" for kind in own)
+        left = self.symbols.get(self.plain.partition("=")[0].strip(), "")
+        shape = left if isinstance(left, str) else left["kind"]
+        return Profile(frozenset(found), numbers, len(own) - numbers, _SHAPES.get(shape, ""))
 
     def may_keep_letters(self, letters: Collection[str]) -> bool:
         """True if it is long, or half of its symbols have one of the letters."""
@@ -156,15 +171,23 @@ def profile_of(own: Sum) -> Profile:
         if isinstance(part, Node):
             found.add({"skew": "cross", "cos": "sin"}.get(part.head, part.head))
     bases = {leaf.base for leaf in leaves_of(own)}
+    lone = [each for each in own.monomials if each.cell == NO_CELL]
+    words = [each.word for each in lone]
+    shape = "number" if lone and None in words else ""
+    for word in words:
+        if isinstance(word, Leaf):
+            own_type = word.base.type
+            shape = "column" if own_type.is_column else "square" if own_type.is_square else "other"
     numbers = sum(each.type.kind == "scalar" for each in bases)
-    return Profile(frozenset(found & _OPERATIONS.keys()), numbers, len(bases) - numbers)
+    return Profile(frozenset(found & _OPERATIONS.keys()), numbers, len(bases) - numbers, shape)
 
 
 @cache
 def _symbol(name: str) -> re.Pattern[str]:
     """Returns a pattern of a symbol that is no part of another one."""
-    before = r"(?<![a-zA-Z\\_])(?<!_\{)" if name[0] != "\\" else r"(?<!_)(?<!_\{)"
-    return re.compile(rf"{before}{re.escape(name)}(?![a-zA-Z_'])" if name[-1].isalpha() else re.escape(name))
+    before = r"(?<![a-zA-Z\\_])" if name[0] != "\\" else "(?<!_)"
+    behind = r"(?![a-zA-Z_'])" if name[-1].isalpha() else r"(?!\d)" if name[-1].isdigit() else ""
+    return re.compile(rf"{before}(?<!_\{{){re.escape(name)}{behind}")
 
 
 @cache

@@ -41,6 +41,10 @@ _TWO_RATES = re.compile(
     rf"\\dot(?P<one>{_ONE})=(?P<mark>\\(?:mathring|breve|check))(?P=one)"
     rf"\+(?P<spin>(?:\\[a-z]+)?{_ONE})\\times(?P<other>.+)"
 )
+#: The rates of one vector in a frame and, without a label, in another one.
+_TWO_FRAMES = re.compile(
+    rf"\\frac\s*\{{\s*d\s*(?P<own>[^{{}}=]+?)\s*\}}\s*\{{\s*dt\s*\}}\s*&?=[^\n=]*\{{\}}\s*\^\s*{_SCRIPT}\s*d\s*(?P=own)"
+)
 _ALONE = r"(?<![\\A-Za-z/_^{{]){}(?![A-Za-z])"
 
 
@@ -75,7 +79,8 @@ def frames(formulas: str) -> Iterator[Proposal]:
     if not (seen or rates or triads or turns):
         return
     labels = Counter(rates or [_label(match["F"]) for match in seen] or [seen_from for _, seen_from in turns])
-    base = labels.most_common(1)[0][0] if labels else _NOWHERE
+    is_elsewhere = not labels or (len(labels) == 1 and _TWO_FRAMES.search(formulas) is not None)
+    base = _NOWHERE if is_elsewhere else labels.most_common(1)[0][0]
     names = [name for name in frames if name != base]
     axes = _axes(triads, base, names)
     entries = {"base": f"'{base}'", "names": _list(names), "dot": f"'{base}'", **spelled["frames"], **axes}

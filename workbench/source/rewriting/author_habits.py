@@ -202,6 +202,25 @@ def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     return [*made, *([tokens[place], *braced(rest[0], rest)] if rest else [])], end
 
 
+def _prime_of_a_list(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """Rewrites (a, b, c)' to (a, b, c)^T: a list has no rate. f(a, b)' is the value of a function."""
+    if tokens[place].text != "'" or place == 0 or tokens[place - 1].text not in _CLOSING:
+        return None
+    depth, at, is_list = 1, place - 2, False
+    while at >= 0 and depth:
+        depth += (tokens[at].text in _CLOSING) - (tokens[at].text in _OPENING)
+        is_list = is_list or (depth == 1 and tokens[at].text == ",")
+        at -= 1
+    before = at if at >= 0 and tokens[at].text not in GAPS else ahead(tokens, at + 1)
+    is_function = before is not None and (_is_letter(tokens[before]) or tokens[before].text in ("}", "'"))
+    if not is_list or is_function:
+        return None
+    return [tokens[place].standing_for(text) for text in ("^", "T")], place + 1
+
+
+_OPENING, _CLOSING = frozenset("(["), frozenset(")]")
+
+
 def _of_time(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """Rewrites R(t)^T to R^T: the argument t only states a dependence."""
     if tokens[place].text not in ("(", "\\left", "{"):
@@ -328,5 +347,6 @@ _PATTERNS = (
     _note,
     _formulas_in_text,
     _prime,
+    _prime_of_a_list,
     _of_time,
 )

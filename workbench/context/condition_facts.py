@@ -14,7 +14,15 @@ from workbench.context.facts import Act, Duration, Fact, Origin, Provider
 from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.formula_subject import names_of
 from workbench.context.free_symbols import names_in, terms_of
-from workbench.context.introducing_words import is_denied, is_exception, is_let, is_over, is_supposed, reaches
+from workbench.context.introducing_words import (
+    is_denied,
+    is_exception,
+    is_let,
+    is_of_next,
+    is_over,
+    is_supposed,
+    reaches,
+)
 from workbench.context.read_formulas import read_statement
 from workbench.context.stated_bounds import ORDERS, UNEQUAL, bounds_of, links_of
 from workbench.core.formula_errors import IllFormedAt, ReadError
@@ -183,7 +191,9 @@ def conditions_of(
     of_sentence: list[Fact] = []
     spans = [*leads, (begins, last)]
     for formula in (each for start, end in spans for each in spoken.before(path, end, start)):
-        if is_over(formula, display.start) or not sections.holds(formula.start, display.start):
+        if is_over(formula, display.start) or is_of_next(formula, display.start):
+            continue
+        if not sections.holds(formula.start, display.start):
             continue
         for step in spoken.steps(formula, notation) if formula.rows else ():
             told = spoken.said(formula, step, notation, with_equations=True)

@@ -142,17 +142,23 @@ def is_over(formula: Display, start: int) -> bool:
     return bool(ends) and holds_display(text, formula.end, ends[-1].start())
 
 
+def is_of_next(formula: Display, start: int) -> bool:
+    """True if a contrast, as "whereas if f = 0", stands between the display at `start` and the formula, and
+    another display behind it."""
+    text = formula.source.prose
+    is_next = holds_display(text, formula.end, paragraph_around(text, formula.start)[1])
+    return is_next and _CONTRASTS.search(text[start : formula.start]) is not None
+
+
 def reaches(formula: Display, start: int) -> bool:
     """True if a value that a sentence supposes may count for the display at `start`.
 
     That of an item of a list with its display counts in the item only, and a case for no earlier sentence.
-    What "whereas if f = 0" says behind a display counts for the next one.
     """
     if is_over(formula, start):
         return False
     case, text = place_of_case(formula), formula.source.prose
-    is_next = holds_display(text, formula.end, paragraph_around(text, formula.start)[1])
-    if is_next and _CONTRASTS.search(text[start : formula.start]):
+    if is_of_next(formula, start):
         return False
     if case is None or start in case:
         return True

@@ -43,7 +43,7 @@ _TWO_RATES = re.compile(
 )
 #: The rates of one vector in a frame and, without a label, in another one.
 _TWO_FRAMES = re.compile(
-    rf"\\frac\s*\{{\s*d\s*(?P<own>[^{{}}=]+?)\s*\}}\s*\{{\s*dt\s*\}}\s*&?=[^\n=]*\{{\}}\s*\^\s*{_SCRIPT}\s*d\s*(?P=own)"
+    rf"\\frac\s*\{{\s*d\s*(?P<own>(?:[^{{}}=]|\{{[^{{}}]*\}})+?)\s*\}}\s*\{{\s*dt\s*\}}\s*&?=[^\n=]*\{{\}}\s*\^\s*{_SCRIPT}\s*d\s*(?P=own)"
 )
 _ALONE = r"(?<![\\A-Za-z/_^{{]){}(?![A-Za-z])"
 

@@ -33,6 +33,7 @@ from workbench.papers.drafting.formulary.near_standard import near_standard_form
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.meanings.contradictions import display_of
 from workbench.papers.drafting.meanings.names_in_claims import (
+    by_definitions,
     names_of,
     reached_names,
     symbols_of,
@@ -153,7 +154,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     is_soft = bool(soft) and len({*unless, *said} - {*soft}) == 1
     if is_soft and verdict.outcome is Outcome.REFUTED and is_misprint(claim):
         said, unless = [], unless[:1]
-    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless))
+    reason = verdict.reason or (by_definitions(draft, claim) if verdict.outcome is Outcome.REFUTED else None)
+    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*said, *unless), reason=reason)
 
 
 def _doubts_of(draft: Draft, result: ClaimResult, doubts: Sequence[str], is_misfit: bool) -> list[Reason]:

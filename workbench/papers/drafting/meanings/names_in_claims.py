@@ -7,9 +7,15 @@ from dataclasses import replace
 
 from workbench.context.claims import Claim
 from workbench.context.free_symbols import terms_of
+from workbench.core.codes.context_codes import ContextCode
 from workbench.core.names import Name
+from workbench.core.reasons import Reason
 from workbench.core.terms import Symbol, Term, sides_of
+from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.meanings.usual_misprints import definitions_of
+
+#: The most definitions that a message names.
+_MOST_SYMBOLS = 3
 
 
 def written(name: Name) -> str:
@@ -40,3 +46,11 @@ def reached_names(claim: Claim) -> set[str]:
     """Returns the names of a claim's symbols, and of those in their definitions."""
     reached = {written(each.declaration.name) for each in reached_terms(claim) if isinstance(each, Symbol)}
     return reached | {*names_of(claim)}
+
+
+def by_definitions(draft: Draft, claim: Claim) -> Reason | None:
+    """Returns the definitions of the symbols of a false claim: one of them may be the misprint."""
+    own = {*names_of(claim)}
+    given = [each for each in draft.ingested.definitions if each.sure and each.symbol in own]
+    told = [f"${each.symbol}$ (line {each.line})" for each in given if each.line != claim.line]
+    return ContextCode.BY_DEFINITIONS(symbols=", ".join(told[:_MOST_SYMBOLS])) if told else None

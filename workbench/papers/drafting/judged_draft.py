@@ -29,7 +29,7 @@ from workbench.papers.drafting.drafted_doubts import (
     subject_alone,
 )
 from workbench.papers.drafting.drafted_texts import Draft
-from workbench.papers.drafting.formulary.near_standard import near_standard_formulas
+from workbench.papers.drafting.formulary.near_standard import with_standard_formulas
 from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
 from workbench.papers.drafting.meanings.contradictions import display_of
 from workbench.papers.drafting.meanings.names_in_claims import (
@@ -86,7 +86,6 @@ _OPERATIONS: Mapping[object, frozenset[str]] = {
 }
 
 
-_MAY_BE_MISPRINTS = frozenset({Outcome.DEFINITION, Outcome.REFUTED, Outcome.UNCHECKED})
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 
@@ -97,23 +96,17 @@ def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[Claim
     formula bears out is one more doubt if another falsehood rests on it, too, unless one usual change makes
     the claim true, or if it is a definition of another section.
     """
-    wanted = {each.claim.id for each in results if each.verdict.outcome in _MAY_BE_MISPRINTS}
-    found = near_standard_formulas(draft.ingested, draft.paper, wanted)
-    draft = replace(draft, contradicted=(*draft.contradicted, *found))
     results = [replace(result, verdict=contradicted(draft, result)) for result in results]
     judged = [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
     records = Records.of(draft, judged)
-    return [replace(result, verdict=records.doubted(result)) for result in judged]
+    doubted = [replace(result, verdict=records.doubted(result)) for result in judged]
+    return with_standard_formulas(draft, doubted)
 
 
 def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     verdict, claim = result.verdict, result.claim
     if verdict.outcome not in _RESTS_ON_KINDS:
         return verdict
-    if verdict.code is ContextCode.UNUSUAL:
-        meant = (each.standard for each in draft.contradicted if each.claim == claim.id and each.standard)
-        unless = [DoubtCode.OTHER_QUANTITY(name=name) for name in dict.fromkeys(meant)]
-        return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=tuple(unless))
     inference, latex = draft.ingested.inference, claim.printed.latex
     confirmed, names = draft.ingested.confirmed, names_of(claim)
     if names and confirmed.issuperset(names):
@@ -310,7 +303,7 @@ class Records:
     def doubted(self, result: ClaimResult) -> Verdict:
         """Returns the verdict with the guesses that are not borne out as doubts."""
         verdict, claim = result.verdict, result.claim
-        if not _is_warning(result) or verdict.code is ContextCode.UNUSUAL:
+        if not _is_warning(result):
             return verdict
         inference, confirmed = self.draft.ingested.inference, self.draft.ingested.confirmed
         defined = {each.symbol for each in self.draft.ingested.definitions if each.sure}

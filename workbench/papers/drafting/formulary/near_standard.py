@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import chain
 
 from workbench.core import construct
 from workbench.core.codes.context_codes import ContextCode
+from workbench.core.codes.doubt_codes import DoubtCode
 from workbench.core.integer_expressions import Linear
 from workbench.core.names import Name
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, IllFormed, Relation, Symbol, Term
 from workbench.core.types import Declaration
+from workbench.core.verdict import Grade, Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.draft_model import Ingested
+from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.formulary.comparison import misprint_of, renamings
 from workbench.papers.drafting.formulary.normal_sums import Sum, TooLong, equation_sum, leaves_of
 from workbench.papers.drafting.formulary.renamings import Renaming, letter_of
@@ -29,6 +33,9 @@ from workbench.papers.drafting.formulary.standard_formulas import (
 )
 from workbench.papers.drafting.meanings.contradictions import Contradiction, display_of
 from workbench.papers.texts.text_paper import TextPaper
+from workbench.prover.decide.decide import Judge
+from workbench.prover.explain.decide_under_facts import judged_or_unchecked
+from workbench.prover.results.claim_results import ClaimResult
 
 #: A formula with fewer symbols needs all its letters, and its words within so many characters before it.
 _SMALL, _BEFORE = 5, 600
@@ -40,9 +47,37 @@ _SHARES = ((LONG, Fraction(0)), (_LARGE, Fraction(1, 2)), (0, Fraction(3, 4)))
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
 
+def with_standard_formulas(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:
+    """Returns the results, where a formula that nothing decides is false if it is near a standard formula."""
+    is_open = {each.claim.id for each in results if _is_open(each.verdict)}
+    found = dict(near_standard_formulas(draft.ingested, draft.paper, is_open))
+    return [
+        replace(each, verdict=_refuted(each.verdict, *found[each.claim.id]))
+        if each.claim.id in found
+        else each
+        for each in results
+    ]
+
+
+def _is_open(verdict: Verdict) -> bool:
+    is_told = verdict.grade in (Grade.ERROR, Grade.WARNING)
+    return verdict.outcome in (Outcome.DEFINITION, Outcome.REFUTED, Outcome.UNCHECKED) and not is_told
+
+
+def _refuted(verdict: Verdict, other: Contradiction, standard: StandardFormula) -> Verdict:
+    """Returns the verdict under a standard formula, if it refutes the printed one."""
+    judge = Judge(other.known)
+    found = judged_or_unchecked(partial(judge.judge, other.statement, other.assume))
+    if found.outcome is not Outcome.REFUTED:
+        return verdict
+    unless = (DoubtCode.OTHER_QUANTITY(name=standard.name),)
+    basis = min(found.basis, Strength.HINTED)
+    return replace(found, reason=other.reason, read_back=verdict.read_back, basis=basis, unless=unless)
+
+
 def near_standard_formulas(
     ingested: Ingested, paper: TextPaper, wanted: Collection[str]
-) -> Iterator[Contradiction]:
+) -> Iterator[tuple[str, tuple[Contradiction, StandardFormula]]]:
     """Yields the formulas that differ from a standard formula by names and one usual misprint.
 
     Those that differ from another standard formula by names alone are right.   wanted: ids of claims.
@@ -59,7 +94,7 @@ def near_standard_formulas(
         before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
         if (found := _nearest(said, in_full, prose, before)) is not None:
             with suppress(IllFormed):
-                yield _contradiction(claim.id, in_full, *found)
+                yield claim.id, (_contradiction(claim.id, in_full, *found), found[0])
 
 
 @lru_cache(maxsize=8)
@@ -148,8 +183,8 @@ def _contradiction(
     right, printed = _with_free_symbols(right), _with_free_symbols(printed)
     if right.left == printed.left:
         both = construct.relation("=", right.right, printed.right)
-        return Contradiction(claim, both, (), Definitions(), reason, standard.name)
-    return Contradiction(claim, printed, (right,), Definitions(), reason, standard.name)
+        return Contradiction(claim, both, (), Definitions(), reason)
+    return Contradiction(claim, printed, (right,), Definitions(), reason)
 
 
 def _with_free_symbols(said: Relation) -> Relation:

@@ -53,7 +53,6 @@ class Contradiction:
         statement, assume: What would hold if the formula did.
         known: The definitions of its symbols.
         reason: The other formula.
-        standard: What a standard formula is for, if it is the other one.
     """
 
     claim: str
@@ -61,7 +60,6 @@ class Contradiction:
     assume: tuple[Statement, ...]
     known: Definitions
     reason: Reason
-    standard: str = ""
 
 
 @dataclass(frozen=True)

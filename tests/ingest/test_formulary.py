@@ -6,12 +6,14 @@ import re
 import tomllib
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import workbench
 from workbench.app.checked import Checked
 from workbench.context.free_symbols import free_in, terms_of
+from workbench.core.types import Declaration
 from workbench.core.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.papers.drafting.formulary.standard_formulas import (
@@ -73,10 +75,11 @@ def test_each_entry_has_all_keys_and_words_that_compile() -> None:
             assert names - {"t"} == {*map(str, entry["symbols"])}, entry["name"]
 
 
-def declared_in(entry: dict, form: dict) -> frozenset:
+def declared_in(entry: dict[str, Any], form: dict[str, Any]) -> frozenset[Declaration]:
     """Returns the declarations of the symbols in a form and in what it follows from."""
-    own = StandardFormula(entry["name"], entry["words"], entry["source"], entry["symbols"], form["formula"])
-    claim = workbench.check(own.formula, symbols=own.symbols, assume=form.get("given", ())).result.claim
+    found = workbench.check(form["formula"], symbols=entry["symbols"], assume=form.get("given", ()))
+    assert isinstance(found, Checked)
+    claim = found.result.claim
     statements = (each.statement for each in (claim.printed, *claim.assume))
     return free_in([term for each in statements if each for term in terms_of(each)], Definitions([]))
 

@@ -42,7 +42,7 @@ _SMALL, _BEFORE = 5, 600
 #: A formula with fewer symbols and addends needs the letter of its left side.
 _LARGE = 11
 #: The share of its letters that a formula needs, by the count of its symbols and addends.
-_SHARES = ((LONG, Fraction(0)), (_LARGE, Fraction(1, 2)), (0, Fraction(3, 4)))
+_SHARES = ((LONG, Fraction(0)), (_LARGE, Fraction(3, 5)), (0, Fraction(3, 4)))
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
@@ -109,10 +109,7 @@ def _usual_in(prose: str) -> tuple[StandardFormula, ...]:
 def _nearest(
     said: Relation, in_full: Relation, prose: str, before: str
 ) -> tuple[StandardFormula, Renaming] | None:
-    """Returns the standard formula that a printed one is a misprint of; None if it is another one.
-
-    A formula that is another one by exchanged names is a misprint of one of the same names.
-    """
+    """Returns the standard formula that a printed one is a misprint of; None if it is another one."""
     if _is_negative(said.left):
         return None
     sums: list[Sum] = []
@@ -121,12 +118,8 @@ def _nearest(
     found = list(chain.from_iterable(_misprints_in(own, prose, before) for own in sums))
     if not found:
         return None
-    others = list(chain.from_iterable(_equal_to(own, prose) for own in sums))
-    if any(each.keeps_names for each in others):
-        return None
-    if others:  # by an exchange of names
-        found = [(each, own) for each, own in found if each.weight >= _LARGE and own.keeps_names]
-    return next(iter(found), None)
+    is_other = any(next(_equal_to(own, prose), None) is not None for own in sums)
+    return None if is_other else found[0]
 
 
 def _misprints_in(own: Sum, prose: str, before: str) -> Iterator[tuple[StandardFormula, Renaming]]:
@@ -179,7 +172,7 @@ def _contradiction(
     own = standard.statement
     right = Relation("=", _renamed(own.left, found), _renamed(own.right, found))
     formula = f"${to_latex(right)}$"
-    reason = ContextCode.UNUSUAL(name=standard.name, formula=formula, source=standard.source)
+    reason = ContextCode.UNUSUAL(name=standard.name, formula=formula, source=standard.entry.source)
     right, printed = _with_free_symbols(right), _with_free_symbols(printed)
     if right.left == printed.left:
         both = construct.relation("=", right.right, printed.right)

@@ -38,11 +38,6 @@ class Renaming:
         return Fraction(sum(pairs), len(pairs)) if pairs else Fraction(0)
 
     @property
-    def keeps_names(self) -> bool:
-        """True if each symbol keeps its letter and its labels."""
-        return all(_name_of(own) == _name_of(new) and not more for own, (new, more) in self.of.items())
-
-    @property
     def letters(self) -> frozenset[str]:
         return frozenset(map(letter_of, self.of))
 
@@ -71,11 +66,6 @@ def letter_of(own: Term) -> str:
 
 def as_letter(letter: str) -> str:
     return "angle" if letter in _ANGLES else letter.lower()
-
-
-def _name_of(own: Term) -> tuple[object, ...]:
-    name = own.declaration.name if isinstance(own, Symbol) else None
-    return (name and (name.letter, name.sub, name.sup), getattr(own, "index", ()))
 
 
 def _are_alike(one: Term, other: Term) -> bool:

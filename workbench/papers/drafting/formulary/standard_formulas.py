@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import resources
 from typing import Any
@@ -36,9 +37,10 @@ _OPERATIONS = {
 #: A dot over a symbol, a mark that makes a skew tensor of one, and a family of symbols.
 _DOTS = re.compile(r"\\d*dot\{([^{}]*)\}")
 _SKEW = re.compile(r"\\(?:wide)?(?:tilde|hat)\{[^{}]*\}(?:_\w)?")
-_FAMILY = re.compile(r"_\{?[ijk]")
+_WORDS = re.compile(r"\\(?:begin|end|operatorname|mathbf|text)\{[^{}]*\}")
+_FAMILY = re.compile(r"_\{?[ijk]|\^")
 #: Numbers that are not declared.
-_KNOWN = ("\\pi", "t")
+_UNDECLARED = ("\\pi", "t")
 #: Kinds of a left side → what it is.
 _SHAPES = {
     "scalar": "number",
@@ -47,6 +49,7 @@ _SHAPES = {
     "rotation": "square",
     "transform": "square",
 }
+_SYMBOL = re.compile(r"(?:\\Delta )?(?:\\[a-zA-Z]+|[a-zA-Z])(?:_(?:\{[^{}]*\}|\\[a-zA-Z]+|\w))?'*")
 _LETTER = re.compile(r"\\[a-zA-Z]+|[a-zA-Z]")
 #: How often a symbol of its LaTeX may stand in its sum, and the weight of a formula that needs no letters.
 _MOST_COPIES, LONG = 2, 20
@@ -75,34 +78,72 @@ class Profile:
         return sum(lost) in (0, 1) and min(lost) >= 0 and is_alike and self.operations == printed.operations
 
 
-@dataclass(frozen=True)
-class StandardFormula:
-    """A formula that texts of the field print.
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """What the forms of a formula share.
 
     Attributes:
         name: What it is the formula for.
         words: A regular expression for words by which texts speak of it.
         source: Where it is derived.
-        symbols: Symbol → kind, as in a model; also those of its other forms.
-        formula: In LaTeX.
-        given: The assumptions from which it follows.
-        definition: True if nothing proves it, as it says what its left side is.
+        symbols: Symbol → kind, as in a model.
     """
 
     name: str
     words: str
     source: str
-    symbols: Mapping[str, str | Mapping[str, Any]] = field(hash=False)
+    symbols: Mapping[str, str | Mapping[str, Any]]
+
+    @cached_property
+    def table(self) -> SymbolTable:
+        kinds = self.symbols.items()
+        return SymbolTable.build({name: {"kind": it} if isinstance(it, str) else it for name, it in kinds})
+
+    @cached_property
+    def has_families(self) -> bool:
+        return any(_FAMILY.search(name) for name in self.symbols)
+
+    @cached_property
+    def has_quaternions(self) -> bool:
+        return "quaternion" in str(self.symbols.values())
+
+    @cached_property
+    def spelled(self) -> Mapping[str, str]:
+        """Its symbols, and the numbers that need no declaration, by their spelling without braces."""
+        return {re.sub(r"[{} ]", "", name): name for name in (*_UNDECLARED, *self.symbols)}
+
+
+@dataclass(frozen=True, eq=False)
+class StandardFormula:
+    """A form of a formula that texts of the field print.
+
+    Attributes:
+        entry: What its other forms have, too.
+        formula: In LaTeX.
+        given: The assumptions from which it follows.
+        definition: True if nothing proves it, as it says what its left side is.
+    """
+
+    entry: Entry
     formula: str
     given: tuple[str, ...] = ()
     definition: bool = False
 
+    @property
+    def name(self) -> str:
+        return self.entry.name
+
+    @property
+    def words(self) -> str:
+        return self.entry.words
+
+    @property
+    def symbols(self) -> Mapping[str, str | Mapping[str, Any]]:
+        return self.entry.symbols
+
     @cached_property
     def statement(self) -> Relation:
-        table = SymbolTable.build(
-            {name: {"kind": kind} if isinstance(kind, str) else kind for name, kind in self.symbols.items()}
-        )
-        (said,) = read_formula(self.formula, table).statements
+        (said,) = read_formula(self.formula, self.entry.table).statements
         assert isinstance(said, Relation), self.formula
         return said
 
@@ -112,23 +153,22 @@ class StandardFormula:
 
     @cached_property
     def plain(self) -> str:
-        """Its LaTeX without dots over symbols."""
-        return _DOTS.sub(r"\1", self.formula)
+        """Its LaTeX without words and dots over symbols."""
+        return _WORDS.sub(" ", _DOTS.sub(r"\1", self.formula))
 
     @cached_property
     def counts(self) -> Mapping[str, int]:
         """How often its LaTeX has each of its symbols."""
-        known = (*self.symbols, *(name for name in _KNOWN if name not in self.symbols))
-        found = {name: len(_symbol(name).findall(self.plain)) for name in known}
-        return {name: count for name, count in found.items() if count}
+        spelled = self.entry.spelled
+        found = (re.sub(r"[{} ]", "", each) for each in _SYMBOL.findall(self.plain))
+        return Counter(spelled[each] for each in found if each in spelled)
 
     @cached_property
     def profile(self) -> Profile:
         """What each printed form of it has, read from its LaTeX as far as that tells."""
-        kinds = str(self.symbols.values())
-        if _FAMILY.search(" ".join(self.symbols)) or "quaternion" in kinds or self.plain.count("begin") > 1:
+        if self.entry.has_families or ("begin" in self.formula and self.entry.has_quaternions):
             return profile_of(self.sum)
-        found = {name for name, sign in _OPERATIONS.items() if sign.search(self.plain)}
+        found = {name for name, sign in _OPERATIONS.items() if sign.search(self.formula)}
         if any(mark not in self.symbols for mark in _SKEW.findall(self.plain)):
             found.add("cross")
         own = [self.symbols.get(name, "scalar") for name in self.counts]
@@ -183,14 +223,6 @@ def profile_of(own: Sum) -> Profile:
 
 
 @cache
-def _symbol(name: str) -> re.Pattern[str]:
-    """Returns a pattern of a symbol that is no part of another one."""
-    before = r"(?<![a-zA-Z\\_])" if name[0] != "\\" else "(?<!_)"
-    behind = r"(?![a-zA-Z_'])" if name[-1].isalpha() else r"(?!\d)" if name[-1].isdigit() else ""
-    return re.compile(rf"{before}(?<!_\{{){re.escape(name)}{behind}")
-
-
-@cache
 def _pattern(words: str) -> re.Pattern[str]:
     return re.compile(_CAPITAL.sub(lambda letter: letter[0].lower(), words))
 
@@ -204,8 +236,8 @@ def standard_formulas() -> tuple[StandardFormula, ...]:
 
 
 def _formulas_in(text: str) -> Iterator[StandardFormula]:
-    """Yields the forms of each formula of a file, which share its name, words, source and symbols."""
-    for entry in tomllib.loads(text)["formula"]:
-        shared = {key: value for key, value in entry.items() if key != "form"}
-        for form in entry["form"]:
-            yield StandardFormula(**shared, **{**form, "given": tuple(form.get("given", ()))})
+    """Yields the forms of each formula of a file."""
+    for own in tomllib.loads(text)["formula"]:
+        entry = Entry(own["name"], own["words"], own["source"], own["symbols"])
+        for form in own["form"]:
+            yield StandardFormula(entry, **{**form, "given": tuple(form.get("given", ()))})

@@ -126,6 +126,7 @@ class SyntaxCode(Code):
     LETTER_IS_SYMBOL = "{name} is a symbol too; {what}"
     LIKELY_MEANT = "{fault}; likely meant: {intent}"
     LIMIT_WITHOUT_PLACE = "a limit without its place: expected \\lim_{{h \\to 0}} f"
+    MAP_OF_OTHERS = "{name} is not known to be a function of {place}"
     MATRIX_BEFORE_PRODUCT_QUATERNIONS = "a matrix before a product of quaternions: bracket one of them"
     MEMBER_HERE_DECLARED = "a member of {name} is a {dual}{kind}; here it is a {got}, as declared"
     MINIMUM_OR_MAXIMUM_FORMULA = "of a minimum or maximum a formula says what it is: expected such a side"

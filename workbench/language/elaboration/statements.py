@@ -23,6 +23,7 @@ from workbench.core.terms import (
 from workbench.core.types import SCALAR, Type, type_of_kind
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
+from workbench.language.elaboration.operators.derivatives_of_maps import has_differentials
 from workbench.language.elaboration.operators.differentials import as_rates, refuse_italic
 from workbench.language.elaboration.operators.evaluations import Apart, under_places
 from workbench.language.elaboration.operators.extremum_operators import extrema, is_extremal
@@ -298,7 +299,7 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
     reader.evaluations, reader.takes_bars = [], True
-    reader.italic_differentials = []
+    reader.italic_differentials, reader.has_differentials = [], has_differentials(chain)
     terms = reader.with_units(as_rates(reader, [reader.term(side) for side in chain.sides]))
     reader.takes_bars = False
     if any(term.type == type_of_kind("matrix 4×1") for term in terms):

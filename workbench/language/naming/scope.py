@@ -88,6 +88,7 @@ class Scope(ABC):
         self.tensor_operand: int | None = None  # offset of the last operator on a bare tensor
         self.reaches = Reaches()
         self.italic_differentials: list[int] = []  # offsets of the d of the statement so far
+        self.has_differentials = False  # whether the statement has any, besides derivatives of maps
 
     def allows(self, relaxation: Relaxation) -> bool:
         """True if the paper uses this reading."""

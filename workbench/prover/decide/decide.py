@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import cast
@@ -51,9 +50,10 @@ from workbench.prover.decide.linear_integrals import holds_integral, judge_integ
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
 from workbench.prover.decide.matrix_exponentials import judge_matrix_exponentials
 from workbench.prover.decide.premise_consequences import (
-    equal_sines_and_cosines,
+    ByPremise,
     is_constant,
-    with_premise_as_definition,
+    judge_by_inverse,
+    judge_by_premise,
 )
 
 
@@ -195,6 +195,8 @@ class Judge(Setting):
         raise NotExact("a statement of this form")
 
     def _equation(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        if (found := self._by_premise(said, assume, judge_by_inverse)) is not None:
+            return found
         try:
             verdict = Equation(self, said, assume).verdict()
         except NotExact:
@@ -207,24 +209,15 @@ class Judge(Setting):
         is_open = verdict.outcome is Outcome.UNCHECKED and said.left != said.right
         return (self._by_premise(said, assume) if is_open else None) or verdict
 
-    def _by_premise(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict | None:
-        """Returns the verdict if a premise defines a symbol, else None."""
-        with suppress(NotExact, Unsatisfiable, ZeroDivisionError):
-            if (found := with_premise_as_definition(said, assume, self.definitions, self.bound)) is not None:
-                premise, others, definitions = found
-                verdict = replace(self, definitions=definitions)._judge(said, tuple(others))
-                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
-                    evidence = Evidence("premise", "put in as a definition", {"formula": to_latex(premise)})
-                    return replace(verdict, evidence=(evidence, *verdict.evidence))
-        with suppress(NotExact, IllFormed, Unsatisfiable, ZeroDivisionError):
-            turns = equal_sines_and_cosines(said, assume, self.definitions)
-            if turns and not set(turns) <= set(assume):
-                verdict = self._judge(said, (*assume, *turns))
-                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
-                    formulas = ", ".join(map(to_latex, turns))
-                    evidence = Evidence("premise", "equal angles", {"formula": formulas})
-                    return replace(verdict, evidence=(evidence, *verdict.evidence))
-        return None
+    def _by_premise(
+        self, said: Relation, assume: tuple[Statement, ...], by: ByPremise = judge_by_premise
+    ) -> Verdict | None:
+        """Returns the verdict if a premise says what a symbol is, else None."""
+
+        def judge(other: Statement, supposed: tuple[Statement, ...], definitions: Lookup) -> Verdict:
+            return replace(self, definitions=definitions)._judge(other, supposed)
+
+        return by(said, assume, self.definitions, self.bound, judge)
 
     def _logarithm(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         def judge(statement: Statement, definitions: Lookup) -> Verdict:

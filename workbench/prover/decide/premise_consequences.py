@@ -8,12 +8,13 @@ A X B = c I is c A⁻¹ B⁻¹, where det A and det B are not 0. Also, equal ang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import reduce
+from itertools import product
 
-from workbench.core.construct import apply, identity, number, power, relation, symbol, zero
+from workbench.core.construct import apply, identity, number, power, relation, symbol, with_children, zero
 from workbench.core.names import Name
 from workbench.core.terms import (
     Apply,
@@ -34,6 +35,7 @@ from workbench.engines.inventory import Lookup, NotExact, WithDefinitions, reach
 from workbench.engines.inventory.assumptions import Assumptions, Unsatisfiable
 from workbench.engines.inventory.divisions import never_divides
 from workbench.engines.inventory.inventory import take_inventory
+from workbench.language.definitions import expand
 from workbench.language.printing.printer import to_latex
 
 #: Function that judges a statement under some assumptions and definitions.
@@ -70,7 +72,44 @@ def judge_by_premise(
             verdict = judge(said, (*assume, *turns), definitions)
             if verdict.outcome in _SETTLED:
                 return _resting_on(verdict, "equal angles", turns)
+    with suppress(*_OPEN):
+        return _by_roots(said, assume, definitions, judge)
     return None
+
+
+def _by_roots(
+    said: Relation, assume: tuple[Statement, ...], definitions: Lookup, judge: Judge
+) -> Verdict | None:
+    """Returns the verdict with x for √u, where the premises give u = x² of a positive symbol x; else None."""
+    premises = Assumptions(assume).equations
+    known = [part for each in premises for side in (each.left, each.right) for part in side.symbols()]
+    sizes = [each for each in dict.fromkeys(known) if each.type == SCALAR and each.declaration.positive]
+    sides = [expand(side, definitions) for side in (said.left, said.right)]
+    roots = dict.fromkeys(part for side in sides for part in side.walk() if _is_root(part))
+    found: dict[Term, Symbol] = {}
+    squares: list[Relation] = []
+    for root, size in product(roots, sizes):
+        square = relation("=", root.children[0], power(size, 2))
+        if root not in found and judge(square, assume, definitions).outcome is Outcome.PROVED:
+            found[root] = size
+            squares.append(square)
+    if not found:
+        return None
+    made = relation("=", *(_with_values(side, found) for side in sides))
+    verdict = judge(made, assume, definitions)
+    if verdict.outcome is Outcome.DEFINITION:  # x = x, so that the claim is √u = x
+        verdict = judge(squares[0], assume, definitions)
+    is_open = verdict.outcome not in (*_SETTLED, Outcome.CONDITIONAL)
+    return None if is_open else _resting_on(verdict, "roots of squares", squares)
+
+
+def _is_root(part: Term) -> bool:
+    return isinstance(part, Apply) and part.head == "root" and part.children[0].type == SCALAR
+
+
+def _with_values(term: Term, values: Mapping[Term, Symbol]) -> Term:
+    """Returns the term with the values of its parts."""
+    return values.get(term) or with_children(term, lambda child: _with_values(child, values))
 
 
 def judge_by_inverse(

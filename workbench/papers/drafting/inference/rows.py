@@ -38,6 +38,8 @@ _WORDS = {
 _SIGNS = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "compose", "∧": "wedge", "∨": "wedge", "*": "compose"}
 #: The infix signs with the highest precedence.
 _TIGHT = frozenset("×⊗∧∨")
+#: Operations whose values are numbers.
+_NUMBERS = frozenset(("number", "function"))
 _TIMES = frozenset(("t", "\\tau"))
 
 
@@ -194,7 +196,7 @@ class RowWalker:
         return found[0] if len(found) == 1 else self.forest.anything(*found)
 
     def _signed(self, sign: str, left: Operation, right: Operation) -> Operation:
-        is_of_numbers = sign == "×" and "number" in (left.op, right.op)  # 2 × 3
+        is_of_numbers = sign == "×" and not _NUMBERS.isdisjoint((left.op, right.op))  # 2 × 3
         return self.make("mul" if is_of_numbers else _SIGNS.get(sign, "any"), left, right)
 
     def _times(self, left: Operation, right: Operation) -> Operation:

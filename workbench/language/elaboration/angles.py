@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Sequence
+from typing import Any
+
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
-from workbench.core.operations import CIRCULAR
+from workbench.core.operations import CIRCULAR, FUNCTIONS
 from workbench.core.terms import Derivative, Symbol, Term
-from workbench.language.grammar.syntax import Bracket, Node
+from workbench.language.grammar.latex_forms import latex_of
+from workbench.language.grammar.syntax import Bracket, Leaf, Node, Product, Scripted, Sum, core, is_function
+from workbench.language.naming.patterns import parts_of
 from workbench.language.naming.scope import Scope
 
 #: Letters that are angles after a sine.
@@ -75,3 +80,51 @@ def ends_with_angle(argument: Term, following: Term) -> bool:
 
 def _is_time(term: Term) -> bool:
     return isinstance(term, Symbol) and term.declaration.clock
+
+
+def angles_in(node: Any) -> Iterator[tuple[str, str]]:
+    """Yields m and \\theta for each \\cos m\\theta of a formula, where \\theta denotes an angle."""
+    items = node.items if isinstance(node, Product) else ()
+    for place, item in enumerate(items):
+        behind = items[place + 1 : place + 3]
+        if (
+            _is_circular(item)
+            and len(behind) == 2
+            and all(isinstance(each, Leaf | Scripted) for each in behind)
+        ):
+            factor, angle = map(written, behind)
+            if angle in _ANGLES:
+                yield factor, angle
+    for part in parts_of(node):
+        yield from angles_in(part)
+
+
+def written(node: Node) -> str:
+    """Returns a node as text without spaces."""
+    return latex_of(node).replace(" ", "")
+
+
+def end_of_angle(items: Sequence[Node], place: int, known: Collection[tuple[str, str]]) -> int | None:
+    """Returns where the angle (m - n) \\theta ends that begins with the bracket at a place.
+
+    The formula shows \\cos m\\theta, too. Returns None for other brackets.
+    """
+    addends = _addends(items[place])
+    angles = {angle for factor, angle in known if factor in addends}
+    for end in range(place + 1, len(items)):
+        if not isinstance(items[end], Leaf | Scripted) or is_function(items[end]):
+            return None
+        if written(items[end]) in angles:
+            return end + 1
+    return None
+
+
+def _addends(bracket: Node) -> set[str]:
+    match bracket:
+        case Bracket(kind="(", parts=(Sum(addends=addends),)):
+            return {written(core(each)) for _, _, each in addends}
+    return set()
+
+
+def _is_circular(item: Node) -> bool:
+    return isinstance(item, Leaf) and is_function(item) and FUNCTIONS.get(item.name) in CIRCULAR

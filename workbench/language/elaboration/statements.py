@@ -21,6 +21,7 @@ from workbench.core.terms import (
     Term,
 )
 from workbench.core.types import SCALAR, Type, type_of_kind
+from workbench.language.elaboration.angles import angles_in
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
 from workbench.language.elaboration.operators.derivatives_of_maps import has_differentials
@@ -299,6 +300,7 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
     reader.evaluations, reader.takes_bars = [], True
+    reader.reaches.known = frozenset(angles_in(chain))
     reader.italic_differentials, reader.has_differentials = [], has_differentials(chain)
     terms = reader.with_units(as_rates(reader, [reader.term(side) for side in chain.sides]))
     reader.takes_bars = False

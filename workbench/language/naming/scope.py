@@ -61,10 +61,12 @@ class Reaches:
     Attributes:
         angles: The two factors of each.
         behind: An addend and the factor, with the function and its offset.
+        known: m and \\theta of each \\cos m\\theta of the statement.
     """
 
     angles: set[frozenset[str]] = field(default_factory=set)
     behind: dict[frozenset[str], tuple[str, int]] = field(default_factory=dict)
+    known: frozenset[tuple[str, str]] = frozenset()
 
 
 class Scope(ABC):

@@ -32,7 +32,7 @@ from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting, at_places_apart
-from workbench.prover.decide.closed_formulas import judge_closed
+from workbench.prover.decide.closed_formulas import judge_closed, refuted_at_numbers
 from workbench.prover.decide.disequation import judge_inequation
 from workbench.prover.decide.elementary_equations import (
     difference,
@@ -152,16 +152,20 @@ class Judge(Setting):
         except ZeroDivisionError:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DENOMINATOR_ZERO())
         except NotExact:
-            if (closed := judge_closed(statement, assume, self.definitions, self.second_engine)) is None:
+            closed = judge_closed(statement, assume, self.definitions, self.second_engine)
+            if (found := closed or refuted_at_numbers(statement, assume, self.definitions)) is None:
                 raise
-            return closed
+            return found
         # A point that assigns a value to π is not a counterexample.
         values = verdict.counterexample.values if verdict.counterexample else ()
         is_refuted = verdict.outcome is Outcome.REFUTED and not values
         is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
         if is_settled or verdict.code is VerdictCode.SAME_TERM:
             return verdict
-        return judge_closed(statement, assume, self.definitions, self.second_engine) or verdict
+        closed = judge_closed(statement, assume, self.definitions, self.second_engine)
+        if closed is None and verdict.code is VerdictCode.NOT_FROM_FUNCTIONS:
+            closed = refuted_at_numbers(statement, assume, self.definitions)
+        return closed or verdict
 
     def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
         match statement:

@@ -265,10 +265,11 @@ class Judge(Setting):
 
     def _approximated(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         compared = to_first_order(said, assume, self.definitions)
-        verdict = self._judge(compared.relation, assume)
+        is_same = compared.relation.left == compared.relation.right and said.left != said.right
+        verdict = self._judge(difference(compared.relation) if is_same else compared.relation, assume)
         if verdict.outcome is Outcome.REFUTED and compared.has_plain_side:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DIFFERENT_TO_FIRST_ORDER())
-        order = f"to first order in {compared.names}"
+        order = f"{compared.order} in {compared.names}"
         evidence = Evidence("dual numbers", f"{order} and their rates, taken together")
         holds = verdict.outcome not in (Outcome.REFUTED, Outcome.UNCHECKED)
         return generalization(verdict, order if holds else None, (*verdict.evidence, evidence))

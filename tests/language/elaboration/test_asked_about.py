@@ -254,3 +254,11 @@ def test_a_power_of_invisible_braces_is_rejected(braced: str, power: str) -> Non
         read_term(f"{{{braced}}}^{{{power}}}", TABLE)
     assert read_term(f"({braced})^{{{power}}}", TABLE) is not None
     assert read_term(f"{{({braced})}}^{{{power}}}", TABLE) is not None
+
+
+ADJOINT = TABLE.with_specs({r"\operatorname{Ad}_g": {"kind": "matrix 6×6"}, "y": {"kind": "matrix 6×1"}})
+
+
+def test_a_bracket_behind_an_adjoint_matrix_is_a_factor() -> None:
+    one, other = (read(rf"\operatorname{{Ad}}_g {each} = y", ADJOINT) for each in ("(y)", "y"))
+    assert one == other

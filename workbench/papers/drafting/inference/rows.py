@@ -38,6 +38,8 @@ _WORDS = {
 _SIGNS = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "compose", "∧": "wedge", "∨": "wedge", "*": "compose"}
 #: The infix signs with the highest precedence.
 _TIGHT = frozenset("×⊗∧∨")
+#: Words for matrices that act on the bracket after them, as Ad_g(x).
+_MATRICES = frozenset(("Ad", "ad"))
 #: Operations whose values are numbers.
 _NUMBERS = frozenset(("number", "function"))
 _TIMES = frozenset(("t", "\\tau"))
@@ -157,6 +159,8 @@ class RowWalker:
         word = self.term(
             replace(node, nucleus=_letter(leaf)) if isinstance(node, Scripted) else _letter(leaf)
         )
+        if name in _MATRICES and isinstance(node, Scripted) and node.sub is not None:
+            return self.make("mul", word, inner)
         return self.make("apply", word, inner, text="sure")
 
     def _applied(self, node: Node, bracket: Bracket) -> Operation | None:

@@ -137,6 +137,7 @@ class SyntaxCode(Code):
     MINIMUM_OR_MAXIMUM_WITHIN = "a minimum or maximum within another one"
     MIXED_NUMBER_OR_PRODUCT = "a mixed number or a product? write \\cdot for the product"
     MODEL_UNUSABLE = "what the model says of it cannot be used"
+    MODULUS = "an equation modulo anything but 2\\pi, or of other than angles"
     MORE_THAN_NINE_ACCENTS = "more than nine accents on one another"
     MORE_THAN_ONE_SYMBOL = "{styles} of more than one symbol{hint}"
     MUST_FOLLOWED_BRACKET_GOT = "\\{size} must be followed by a bracket, got {text}"

@@ -6,11 +6,25 @@ from collections.abc import Collection, Iterator, Sequence
 from typing import Any
 
 from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.construct import apply, block, relation
 from workbench.core.formula_errors import Fault
 from workbench.core.operations import CIRCULAR, FUNCTIONS
-from workbench.core.terms import Derivative, Symbol, Term
+from workbench.core.terms import Conjunction, Derivative, Relation, Statement, Symbol, Term
+from workbench.core.types import SCALAR
 from workbench.language.grammar.latex_forms import latex_of
-from workbench.language.grammar.syntax import Bracket, Leaf, Node, Product, Scripted, Sum, core, is_function
+from workbench.language.grammar.syntax import (
+    Bracket,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Sum,
+    core,
+    in_a_row,
+    is_function,
+)
+from workbench.language.grammar.vocabulary import MODULO
 from workbench.language.naming.patterns import parts_of
 from workbench.language.naming.scope import Scope
 
@@ -128,3 +142,36 @@ def _addends(bracket: Node) -> set[str]:
 
 def _is_circular(item: Node) -> bool:
     return isinstance(item, Leaf) and is_function(item) and FUNCTIONS.get(item.name) in CIRCULAR
+
+
+def without_modulus(side: Node) -> tuple[Node, list[Node]]:
+    """Returns a side without \\bmod 2\\pi behind its addends, and the moduli."""
+    match side:
+        case Product(items=items) if (place := _place_of_modulus(items)) is not None:
+            before, after = items[:place], items[place + 1 :]
+            return in_a_row(side.at, before), [in_a_row(side.at, after)]
+        case Sum(addends=addends):
+            parts = [(sign, at, *without_modulus(addend)) for sign, at, addend in addends]
+            found = [each for *_, moduli in parts for each in moduli]
+            return Sum(side.at, tuple((sign, at, body) for sign, at, body, _ in parts)), found
+    return side, []
+
+
+def _place_of_modulus(items: Sequence[Node]) -> int | None:
+    """Returns the place of the sign between two parts of a product."""
+    found = [n for n, item in enumerate(items) if isinstance(item, Infix) and item.operator == MODULO]
+    return found[0] if len(found) == 1 and 0 < found[0] < len(items) - 1 else None
+
+
+def is_full_turn(modulus: Node) -> bool:
+    return written(modulus).strip("{}") == "2\\pi"
+
+
+def modulo_turns(said: Statement, at: int) -> Statement:
+    """Returns the equations of angles with the cosines and sines of their sides. Raises Fault for others."""
+    if isinstance(said, Conjunction):
+        return Conjunction(tuple(modulo_turns(part, at) for part in said.parts))
+    if not isinstance(said, Relation) or said.operator != "=" or said.left.type != SCALAR:
+        raise Fault(SyntaxCode.MODULUS(), at)
+    sides = [[[apply(head, side)] for head in ("cos", "sin")] for side in (said.left, said.right)]
+    return relation("=", *map(block, sides))

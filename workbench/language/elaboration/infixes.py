@@ -9,7 +9,7 @@ from workbench.core.operations import FUNCTIONS, OF_TENSORS, SIGNS
 from workbench.core.shapes import scalar_and_vector
 from workbench.core.terms import Apply, Head, Integer, Number, Power, Term
 from workbench.language.grammar.syntax import Infix
-from workbench.language.grammar.vocabulary import OWN_SIGNS
+from workbench.language.grammar.vocabulary import MODULO, OWN_SIGNS
 from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.scope import Scope
 
@@ -30,6 +30,8 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):
         own = explained(scope, sign, result, operand)
+        if own is None and sign.operator == MODULO:
+            raise Fault(SyntaxCode.MODULUS(), sign.at)
         if own is None and sign.operator in OWN_SIGNS:
             what = f"{sign.operator} of a {result.type} and a {operand.type}"
             raise Fault(SyntaxCode.SIGN_OF_THE_TEXT(what=what, OWN_SIGNS=OWN_SIGNS[sign.operator]), sign.at)

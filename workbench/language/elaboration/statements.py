@@ -21,7 +21,7 @@ from workbench.core.terms import (
     Term,
 )
 from workbench.core.types import SCALAR, Type, type_of_kind
-from workbench.language.elaboration.angles import angles_in
+from workbench.language.elaboration.angles import angles_in, is_full_turn, modulo_turns, without_modulus
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
 from workbench.language.elaboration.operators.derivatives_of_maps import has_differentials
@@ -290,6 +290,11 @@ def _statement(reader: Elaborator, clause: Node) -> Statement:
 
 
 def _chain(reader: Elaborator, chain: Chain) -> Statement:
+    sides, moduli = zip(*map(without_modulus, chain.sides), strict=True)
+    if any(moduli):
+        if not all(is_full_turn(each) for own in moduli for each in own):
+            raise Fault(SyntaxCode.MODULUS(), chain.at)
+        return modulo_turns(_chain(reader, replace(chain, sides=sides)), chain.at)
     for sign, at in chain.relations:
         if sign == "≈" and not any(each.small for each in reader.table.symbols.values()):
             message = SyntaxCode.APPROXIMATION()

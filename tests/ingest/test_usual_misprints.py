@@ -31,9 +31,8 @@ _TURNS = (
     r" \end{{bmatrix}} \\ B &= \begin{{bmatrix}} \cos b & \sin b \\ {} & \cos b \end{{bmatrix}} \end{{aligned}}$$"
 )
 
-_SQUARE = (
-    r"Let $f(x) = x^T x$ for a vector $x$. Its derivative along a vector $v$ is $$D f(x)[v] = {} x^T v$$"
-)
+_SQUARE = "Let $f(x) = x^T x$ for a vector $x$. Its derivative along a vector $v$ is $${} = {} x^T v$$"
+_ALONG = [r"D f(x)[v]", r"\mathrm{d} f(x) v", r"d f(x) v", r"df_x(v)", r"Df(x) \cdot v", r"T_x f(v)"]
 
 #: A text, and the formulas that are warnings, by a part of each; none if all are right.
 TEXTS = [
@@ -69,8 +68,8 @@ TEXTS = [
     (_POLAR.format("2"), []),
     (_POLAR.format("3"), ["a_\\theta"]),
     # a derivative along a direction
-    (_SQUARE.format("2"), []),
-    (_SQUARE.format("3"), ["D f"]),
+    *((_SQUARE.format(along, "2"), []) for along in _ALONG),
+    *((_SQUARE.format(along, "3"), ["x^T v"]) for along in _ALONG),
     # several rotations
     (_TURNS.format(r"-\sin b"), []),
     (_TURNS.format(r"\sin b"), ["B ="]),

@@ -185,3 +185,24 @@ def test_circular_definitions_of_a_scope_are_rejected(tmp_path: Path) -> None:
     )
     with pytest.raises(PaperError, match="used above its definition"):
         load_paper(tmp_path / "p.toml")
+
+
+@pytest.mark.parametrize(
+    ("formula", "assumed", "expected"),
+    [
+        ("x = v", r"\dot x = v", "refuted"),
+        (r"\dot x = 2 v", r"\dot x = v", "refuted"),
+        ("x^2 = v^2", "x + v = 2 v", "proved"),
+        ("x = v", "x + v = 3 v", "refuted"),
+        ("x = v", "y = 3 v", "definition"),
+    ],
+)
+def test_a_formula_of_an_assumed_symbol_is_a_claim(
+    tmp_path: Path, formula: str, assumed: str, expected: str
+) -> None:
+    (tmp_path / "p.tex").write_text(f"\\begin{{equation}}\n{formula}\n\\end{{equation}}\n")
+    claim = f"[[claim]]\nat = '1'\nassume = ['{assumed}']\n"
+    symbols = "[symbols]\nx = 'scalar'\ny = 'scalar'\nv = 'scalar'\n"
+    (tmp_path / "p.toml").write_text("source = 'p.tex'\n" + symbols + claim)
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome.value == expected

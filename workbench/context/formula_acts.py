@@ -33,6 +33,7 @@ from workbench.language.naming.symbols import SymbolTable
 
 _EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="))
 _DEFINES = re.compile(rf":=|\\(?:{'|'.join(_EQUALS)}|stackrel|overset)(?![A-Za-z])")
+_MODULO = re.compile(r"\\[bp]?mod(?![A-Za-z])")
 _ASSIGNS = re.compile(r":=|\\coloneqq?(?![A-Za-z])")
 
 
@@ -140,7 +141,8 @@ def introduced(formula: Formula, notation: Notation) -> Definition | None:
 
 def introduces(formula: Formula, notation: Notation) -> set[Name]:
     """Returns the otherwise undefined symbols to the left of a definition sign such as :=."""
-    if formula.statement is None or not _DEFINES.search(formula.latex):
+    is_signed = _DEFINES.search(formula.latex) and not _MODULO.search(formula.latex)
+    if formula.statement is None or not is_signed:
         return set()
     bound = {symbol.declaration.name for symbol in notation.motion}
     lefts = (equation.left for equation in equations_of(formula.statement))

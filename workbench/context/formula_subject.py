@@ -31,6 +31,7 @@ from workbench.core.types import SCALAR, VECTOR, Declaration, Type
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.language.definitions import Definitions
+from workbench.language.function_places import function_of, is_elsewhere
 from workbench.language.naming.symbols import SymbolTable
 
 
@@ -156,6 +157,7 @@ class Subject:
         for term in (part for side in sides for part in parts_as_written(side)):
             if isinstance(term, Symbol):
                 count[term] += 1
+                count.update([function_of(term)[0]] if is_elsewhere(term) else ())
                 with suppress(IllFormed):
                     body = self.definitions.lookup(term)
                     behind.update(free_in([body], self.definitions) if body is not None else ())
@@ -169,8 +171,10 @@ class Subject:
         return [each for each in once if not (self.rates and each.declaration.constant)]
 
     def free_in(self, side: Term) -> set[Declaration]:
-        """Returns the free symbols of a side, with definitions and laws unfolded."""
-        return free_in([side, *self._laws_behind([side])], self.definitions)
+        """Returns the free symbols of a side, with definitions and laws unfolded, and f for f(x + h)."""
+        elsewhere = [part for part in side.walk() if isinstance(part, Symbol) and is_elsewhere(part)]
+        functions = [function_of(part)[0] for part in elsewhere]
+        return free_in([side, *functions, *self._laws_behind([side])], self.definitions)
 
     def _laws_behind(self, terms: Sequence[Term]) -> list[Term]:
         """Returns the sides of the laws for rates in the terms, and for rates in these laws."""
@@ -227,9 +231,18 @@ class Subject:
         declared = own.declaration
         if self._is_open_column(own):
             return True
+        if self._is_expansion and (is_elsewhere(own) or declared.small):  # f(x + s) follows from f
+            return False
         if declared.free or declared.clock or declared.name in self.bound or declared.name in self.framed:
             return False
         return declared in free_in([own], self.definitions) and not self.definitions.is_pi(declared)
+
+    @cached_property
+    def _is_expansion(self) -> bool:
+        """True for ≈ with a value f(x + s)."""
+        is_near = isinstance(self.statement, Relation) and self.statement.operator == "≈"
+        parts = (part for side in sides_of(self.statement) for part in side.walk())
+        return is_near and any(map(is_elsewhere, parts))
 
     def _is_open_column(self, own: Symbol) -> bool:
         """True if the symbol is a column of components that occur nowhere else."""

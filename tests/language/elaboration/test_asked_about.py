@@ -109,7 +109,7 @@ def test_a_tensor_function_after_a_number_raises_a_question(formula: str) -> Non
         read(formula, TABLE)
 
 
-@pytest.mark.parametrize("formula", [r"2 \times 3 s = 6 s", r"s \times \alpha = \alpha s"])
+@pytest.mark.parametrize("formula", [r"2 s \times 3 s = 6 s^2", r"s \times \alpha = \alpha s"])
 def test_a_cross_between_numbers_raises_a_question(formula: str) -> None:
     with pytest.raises(ReadError, match="product, write"):
         read(formula, TABLE)
@@ -254,3 +254,11 @@ def test_a_power_of_invisible_braces_is_rejected(braced: str, power: str) -> Non
         read_term(f"{{{braced}}}^{{{power}}}", TABLE)
     assert read_term(f"({braced})^{{{power}}}", TABLE) is not None
     assert read_term(f"{{({braced})}}^{{{power}}}", TABLE) is not None
+
+
+ADJOINT = TABLE.with_specs({r"\operatorname{Ad}_g": {"kind": "matrix 6×6"}, "y": {"kind": "matrix 6×1"}})
+
+
+def test_a_bracket_behind_an_adjoint_matrix_is_a_factor() -> None:
+    one, other = (read(rf"\operatorname{{Ad}}_g {each} = y", ADJOINT) for each in ("(y)", "y"))
+    assert one == other

@@ -2,11 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Sequence
+from typing import Any
+
 from workbench.core.codes.syntax_codes import SyntaxCode
+from workbench.core.construct import apply, block, relation
 from workbench.core.formula_errors import Fault
-from workbench.core.operations import CIRCULAR
-from workbench.core.terms import Derivative, Symbol, Term
-from workbench.language.grammar.syntax import Bracket, Node
+from workbench.core.operations import CIRCULAR, FUNCTIONS
+from workbench.core.terms import Conjunction, Derivative, Relation, Statement, Symbol, Term
+from workbench.core.types import SCALAR
+from workbench.language.grammar.latex_forms import latex_of
+from workbench.language.grammar.syntax import (
+    Bracket,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Sum,
+    core,
+    in_a_row,
+    is_function,
+)
+from workbench.language.grammar.vocabulary import MODULO
+from workbench.language.naming.patterns import parts_of
 from workbench.language.naming.scope import Scope
 
 #: Letters that are angles after a sine.
@@ -75,3 +94,84 @@ def ends_with_angle(argument: Term, following: Term) -> bool:
 
 def _is_time(term: Term) -> bool:
     return isinstance(term, Symbol) and term.declaration.clock
+
+
+def angles_in(node: Any) -> Iterator[tuple[str, str]]:
+    """Yields m and \\theta for each \\cos m\\theta of a formula, where \\theta denotes an angle."""
+    items = node.items if isinstance(node, Product) else ()
+    for place, item in enumerate(items):
+        behind = items[place + 1 : place + 3]
+        if (
+            _is_circular(item)
+            and len(behind) == 2
+            and all(isinstance(each, Leaf | Scripted) for each in behind)
+        ):
+            factor, angle = map(written, behind)
+            if angle in _ANGLES:
+                yield factor, angle
+    for part in parts_of(node):
+        yield from angles_in(part)
+
+
+def written(node: Node) -> str:
+    """Returns a node as text without spaces."""
+    return latex_of(node).replace(" ", "")
+
+
+def end_of_angle(items: Sequence[Node], place: int, known: Collection[tuple[str, str]]) -> int | None:
+    """Returns where the angle (m - n) \\theta ends that begins with the bracket at a place.
+
+    The formula shows \\cos m\\theta, too. Returns None for other brackets.
+    """
+    addends = _addends(items[place])
+    angles = {angle for factor, angle in known if factor in addends}
+    for end in range(place + 1, len(items)):
+        if not isinstance(items[end], Leaf | Scripted) or is_function(items[end]):
+            return None
+        if written(items[end]) in angles:
+            return end + 1
+    return None
+
+
+def _addends(bracket: Node) -> set[str]:
+    match bracket:
+        case Bracket(kind="(", parts=(Sum(addends=addends),)):
+            return {written(core(each)) for _, _, each in addends}
+    return set()
+
+
+def _is_circular(item: Node) -> bool:
+    return isinstance(item, Leaf) and is_function(item) and FUNCTIONS.get(item.name) in CIRCULAR
+
+
+def without_modulus(side: Node) -> tuple[Node, list[Node]]:
+    """Returns a side without \\bmod 2\\pi behind its addends, and the moduli."""
+    match side:
+        case Product(items=items) if (place := _place_of_modulus(items)) is not None:
+            before, after = items[:place], items[place + 1 :]
+            return in_a_row(side.at, before), [in_a_row(side.at, after)]
+        case Sum(addends=addends):
+            parts = [(sign, at, *without_modulus(addend)) for sign, at, addend in addends]
+            found = [each for *_, moduli in parts for each in moduli]
+            return Sum(side.at, tuple((sign, at, body) for sign, at, body, _ in parts)), found
+    return side, []
+
+
+def _place_of_modulus(items: Sequence[Node]) -> int | None:
+    """Returns the place of the sign between two parts of a product."""
+    found = [n for n, item in enumerate(items) if isinstance(item, Infix) and item.operator == MODULO]
+    return found[0] if len(found) == 1 and 0 < found[0] < len(items) - 1 else None
+
+
+def is_full_turn(modulus: Node) -> bool:
+    return written(modulus).strip("{}") == "2\\pi"
+
+
+def modulo_turns(said: Statement, at: int) -> Statement:
+    """Returns the equations of angles with the cosines and sines of their sides. Raises Fault for others."""
+    if isinstance(said, Conjunction):
+        return Conjunction(tuple(modulo_turns(part, at) for part in said.parts))
+    if not isinstance(said, Relation) or said.operator != "=" or said.left.type != SCALAR:
+        raise Fault(SyntaxCode.MODULUS(), at)
+    sides = [[[apply(head, side)] for head in ("cos", "sin")] for side in (said.left, said.right)]
+    return relation("=", *map(block, sides))

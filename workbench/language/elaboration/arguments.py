@@ -21,6 +21,9 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Named, Spelling
 from workbench.language.printing.printer import to_latex
 
+#: Words for matrices: what stands in the bracket behind them is a factor.
+_MATRICES = frozenset(("\\operatorname{Ad}", "\\operatorname{ad}"))
+
 
 def question_of(own: str, inside: str, line: str | None, may_multiply: bool = True) -> Reason:
     """Returns the question with both readings and the lines of a model that decide between them.
@@ -73,6 +76,8 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         function = function.body
     if isinstance(function, Symbol) and function.declaration.of:
         return _has_declared_arguments(scope, bracket, function)
+    if _is_matrix_of_words(function) and not any(is_argument(scope, part) for part in bracket.parts):
+        return False
     if bracket.parts and _is_tried_as_function(scope, bracket, term):
         return True
     match bracket.parts:
@@ -86,6 +91,13 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
         raise Fault(_both_readings(scope, term, bracket), bracket.at)
     return only_says
+
+
+def _is_matrix_of_words(function: Term) -> bool:
+    """True for Ad_g and ad_x, but not for Ad, which may be a function."""
+    own = _without_sup(function)
+    name = own.declaration.name if isinstance(own, Symbol) else None
+    return name is not None and name.base in _MATRICES and any(name.scripts)
 
 
 def _has_declared_arguments(scope: Scope, bracket: Bracket, function: Symbol) -> bool:

@@ -14,7 +14,7 @@ from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_SCALARS, OF_TENSORS, word_of
 from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term
 from workbench.language.accented_symbols import is_rate
-from workbench.language.elaboration.angles import ends_with_angle, goes_on, of_angle_between
+from workbench.language.elaboration.angles import end_of_angle, ends_with_angle, goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.operators.determinants import of_vectors
@@ -205,6 +205,9 @@ def _of_two(row: Row, leaf: Leaf, place: int) -> Factor:
 def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
     item = row.items[place]
     if isinstance(item, Bracket):
+        known = row.scope.reaches.known if head in CIRCULAR else ()
+        if (last := end_of_angle(row.items, place, known)) is not None:
+            return row.multiply([row.factor(each) for each in range(place, last)]), last
         _refuse_angle_behind(row, head, item, place)
         return row.scope.term(item), place + 1
     if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket | Fraction):

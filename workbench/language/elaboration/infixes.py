@@ -5,11 +5,11 @@ from __future__ import annotations
 from workbench.core import construct
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.formula_errors import Fault
-from workbench.core.operations import SIGNS
+from workbench.core.operations import FUNCTIONS, OF_TENSORS, SIGNS
 from workbench.core.shapes import scalar_and_vector
-from workbench.core.terms import Apply, Head, Term
+from workbench.core.terms import Apply, Head, Integer, Number, Power, Term
 from workbench.language.grammar.syntax import Infix
-from workbench.language.grammar.vocabulary import OWN_SIGNS
+from workbench.language.grammar.vocabulary import MODULO, OWN_SIGNS
 from workbench.language.naming.reading_conventions import Relaxation
 from workbench.language.naming.scope import Scope
 
@@ -30,6 +30,8 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):
         own = explained(scope, sign, result, operand)
+        if own is None and sign.operator == MODULO:
+            raise Fault(SyntaxCode.MODULUS(), sign.at)
         if own is None and sign.operator in OWN_SIGNS:
             what = f"{sign.operator} of a {result.type} and a {operand.type}"
             raise Fault(SyntaxCode.SIGN_OF_THE_TEXT(what=what, OWN_SIGNS=OWN_SIGNS[sign.operator]), sign.at)
@@ -100,6 +102,8 @@ def _of_tensors(scope: Scope, at: int, head: Head, left: Term, right: Term) -> T
         return scope.apply(at, "mul", left, construct.apply("skew", right))
     if head == "mul" and kinds == ("vector", "tensor") and has_dyads:
         return scope.apply(at, "mul", construct.apply("transpose", right), left)
+    if head == "cross" and set(kinds) == {"scalar"} and (_is_number(left) or _is_number(right)):
+        return scope.apply(at, "mul", left, right)
     if head == "cross" and set(kinds) == {"scalar"}:
         raise Fault(SyntaxCode.TWO_NUMBERS_IF_THEIR(), at)
     if head == "cross" and "quaternion" in kinds:
@@ -122,6 +126,16 @@ def _of_tensors(scope: Scope, at: int, head: Head, left: Term, right: Term) -> T
     if head == "outer" and (left.type.is_square or right.type.is_square) and "scalar" not in kinds:
         raise Fault(SyntaxCode.DYAD_OF(type=left.type, type_2=right.type), at)
     return scope.apply(at, head, left, right)
+
+
+def _is_number(term: Term) -> bool:
+    """True for a number and for a value of a function such as cos: no vector that is declared wrongly."""
+    match term:
+        case Number() | Integer():
+            return True
+        case Power() | Apply(head="neg" | "mul" | "div" | "add"):
+            return all(map(_is_number, term.children))
+    return isinstance(term, Apply) and term.head in FUNCTIONS.values() and term.head not in OF_TENSORS
 
 
 def _is_kronecker(kinds: set[str]) -> bool:

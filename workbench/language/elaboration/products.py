@@ -23,7 +23,12 @@ from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
 from workbench.language.elaboration.letters import letter
-from workbench.language.elaboration.operators.differentials import along_direction, differential
+from workbench.language.elaboration.operators.derivatives_of_maps import (
+    derivative_of_map,
+    ends_map_derivative,
+    without_brackets,
+)
+from workbench.language.elaboration.operators.differentials import differential
 from workbench.language.elaboration.operators.evaluations import is_evaluated, value_at, with_brackets
 from workbench.language.elaboration.operators.integrals import integration
 from workbench.language.elaboration.operators.nablas import along, as_del, of_field, with_sign
@@ -67,10 +72,13 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
     the end."""
     rows: list[list[Node]] = [[]]
     signs: list[Infix] = []
-    for place, item in enumerate(items := with_brackets(scope, spelled_out(scope, items))):
+    items = without_brackets(with_brackets(scope, spelled_out(scope, items)))
+    for place, item in enumerate(items):
         if isinstance(item, Infix):
             if (sign := with_sign(rows, signs, item)) is not None:
                 rows[-1][-1] = sign
+                continue
+            if item.operator == "·" and ends_map_derivative(scope, rows[-1]):
                 continue
             if not rows[-1]:
                 raise Fault(SyntaxCode.NOTHING_BEFORE(operator=item.operator), item.at)
@@ -193,7 +201,7 @@ def _factor(row: Row, place: int) -> Factor:
         return of_field(row, place, sign)
     if (directed := along(item)) is not None:
         return of_field(row, place, directed[1], directed[0])
-    if (found := along_direction(row, place) or differential(row, place)) is not None:
+    if (found := derivative_of_map(row, place) or differential(row, place)) is not None:
         return found
     if is_evaluated(item):
         return Factor(value_at(row.scope, item), item.at, place + 1, item)

@@ -21,8 +21,10 @@ from workbench.core.terms import (
     Term,
 )
 from workbench.core.types import SCALAR, Type, type_of_kind
+from workbench.language.elaboration.angles import angles_in, is_full_turn, modulo_turns, without_modulus
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
+from workbench.language.elaboration.operators.derivatives_of_maps import has_differentials
 from workbench.language.elaboration.operators.differentials import as_rates, refuse_italic
 from workbench.language.elaboration.operators.evaluations import Apart, under_places
 from workbench.language.elaboration.operators.extremum_operators import extrema, is_extremal
@@ -288,6 +290,11 @@ def _statement(reader: Elaborator, clause: Node) -> Statement:
 
 
 def _chain(reader: Elaborator, chain: Chain) -> Statement:
+    sides, moduli = zip(*map(without_modulus, chain.sides), strict=True)
+    if any(moduli):
+        if not all(is_full_turn(each) for own in moduli for each in own):
+            raise Fault(SyntaxCode.MODULUS(), chain.at)
+        return modulo_turns(_chain(reader, replace(chain, sides=sides)), chain.at)
     for sign, at in chain.relations:
         if sign == "≈" and not any(each.small for each in reader.table.symbols.values()):
             message = SyntaxCode.APPROXIMATION()
@@ -298,7 +305,8 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
     reader.evaluations, reader.takes_bars = [], True
-    reader.italic_differentials = []
+    reader.reaches.known = frozenset(angles_in(chain))
+    reader.italic_differentials, reader.has_differentials = [], has_differentials(chain)
     terms = reader.with_units(as_rates(reader, [reader.term(side) for side in chain.sides]))
     reader.takes_bars = False
     if any(term.type == type_of_kind("matrix 4×1") for term in terms):

@@ -28,6 +28,9 @@ BY_HAND = re.compile(rf"^{NUMBER.pattern}\\q?quad(?![A-Za-z])|\\q?quad\s*{NUMBER
 
 _SPACING = "enskip quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
 
+#: The sign of an equation modulo a number, which is infix or stands at the end.
+MODULO = "mod"
+
 COMMANDS: dict[str, tuple[str, str]] = {
     **{name: ("LETTER", f"\\{name}") for name in _LETTERS.split()},
     **{name: ("STYLE", f"\\{name}") for name in _STYLES.split()},
@@ -52,6 +55,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "min": ("EXTREMAL", "min"),
     "max": ("EXTREMAL", "max"),
     "cdot": ("INFIX", "·"),
+    **{name: ("INFIX", MODULO) for name in ("bmod", "mod", "pmod")},
     "times": ("INFIX", "×"),
     "otimes": ("INFIX", "⊗"),
     "circ": ("INFIX", "∘"),

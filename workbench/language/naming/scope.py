@@ -61,10 +61,12 @@ class Reaches:
     Attributes:
         angles: The two factors of each.
         behind: An addend and the factor, with the function and its offset.
+        known: m and \\theta of each \\cos m\\theta of the statement.
     """
 
     angles: set[frozenset[str]] = field(default_factory=set)
     behind: dict[frozenset[str], tuple[str, int]] = field(default_factory=dict)
+    known: frozenset[tuple[str, str]] = frozenset()
 
 
 class Scope(ABC):
@@ -88,6 +90,7 @@ class Scope(ABC):
         self.tensor_operand: int | None = None  # offset of the last operator on a bare tensor
         self.reaches = Reaches()
         self.italic_differentials: list[int] = []  # offsets of the d of the statement so far
+        self.has_differentials = False  # whether the statement has any, besides derivatives of maps
 
     def allows(self, relaxation: Relaxation) -> bool:
         """True if the paper uses this reading."""

@@ -229,7 +229,8 @@ def at_places_apart(
         raise NotExact("a function at another place below a derivative, an integral or a limit")
     verdict = judge(statement, assume)
     apart = tuple(each for each in places_apart((statement, *assume)) if each not in assume)
-    if verdict.outcome is not Outcome.REFUTED or not apart or _keeps_apart(judge, verdict, apart):
+    is_near = isinstance(statement, Relation) and statement.operator == "≈"  # its places are not apart
+    if is_near or verdict.outcome is not Outcome.REFUTED or not apart or _keeps_apart(judge, verdict, apart):
         return verdict
     try:
         return judge(statement, (*assume, *apart))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import cast
@@ -33,7 +32,7 @@ from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting, at_places_apart
-from workbench.prover.decide.closed_formulas import judge_closed
+from workbench.prover.decide.closed_formulas import judge_closed, refuted_at_numbers
 from workbench.prover.decide.disequation import judge_inequation
 from workbench.prover.decide.elementary_equations import (
     difference,
@@ -51,9 +50,10 @@ from workbench.prover.decide.linear_integrals import holds_integral, judge_integ
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
 from workbench.prover.decide.matrix_exponentials import judge_matrix_exponentials
 from workbench.prover.decide.premise_consequences import (
-    equal_sines_and_cosines,
+    ByPremise,
     is_constant,
-    with_premise_as_definition,
+    judge_by_inverse,
+    judge_by_premise,
 )
 
 
@@ -152,16 +152,20 @@ class Judge(Setting):
         except ZeroDivisionError:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DENOMINATOR_ZERO())
         except NotExact:
-            if (closed := judge_closed(statement, assume, self.definitions, self.second_engine)) is None:
+            closed = judge_closed(statement, assume, self.definitions, self.second_engine)
+            if (found := closed or refuted_at_numbers(statement, assume, self.definitions)) is None:
                 raise
-            return closed
+            return found
         # A point that assigns a value to π is not a counterexample.
         values = verdict.counterexample.values if verdict.counterexample else ()
         is_refuted = verdict.outcome is Outcome.REFUTED and not values
         is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
         if is_settled or verdict.code is VerdictCode.SAME_TERM:
             return verdict
-        return judge_closed(statement, assume, self.definitions, self.second_engine) or verdict
+        closed = judge_closed(statement, assume, self.definitions, self.second_engine)
+        if closed is None and verdict.code is VerdictCode.NOT_FROM_FUNCTIONS:
+            closed = refuted_at_numbers(statement, assume, self.definitions)
+        return closed or verdict
 
     def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
         match statement:
@@ -195,6 +199,8 @@ class Judge(Setting):
         raise NotExact("a statement of this form")
 
     def _equation(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        if (found := self._by_premise(said, assume, judge_by_inverse)) is not None:
+            return found
         try:
             verdict = Equation(self, said, assume).verdict()
         except NotExact:
@@ -207,24 +213,15 @@ class Judge(Setting):
         is_open = verdict.outcome is Outcome.UNCHECKED and said.left != said.right
         return (self._by_premise(said, assume) if is_open else None) or verdict
 
-    def _by_premise(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict | None:
-        """Returns the verdict if a premise defines a symbol, else None."""
-        with suppress(NotExact, Unsatisfiable, ZeroDivisionError):
-            if (found := with_premise_as_definition(said, assume, self.definitions, self.bound)) is not None:
-                premise, others, definitions = found
-                verdict = replace(self, definitions=definitions)._judge(said, tuple(others))
-                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
-                    evidence = Evidence("premise", "put in as a definition", {"formula": to_latex(premise)})
-                    return replace(verdict, evidence=(evidence, *verdict.evidence))
-        with suppress(NotExact, IllFormed, Unsatisfiable, ZeroDivisionError):
-            turns = equal_sines_and_cosines(said, assume, self.definitions)
-            if turns and not set(turns) <= set(assume):
-                verdict = self._judge(said, (*assume, *turns))
-                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
-                    formulas = ", ".join(map(to_latex, turns))
-                    evidence = Evidence("premise", "equal angles", {"formula": formulas})
-                    return replace(verdict, evidence=(evidence, *verdict.evidence))
-        return None
+    def _by_premise(
+        self, said: Relation, assume: tuple[Statement, ...], by: ByPremise = judge_by_premise
+    ) -> Verdict | None:
+        """Returns the verdict if a premise says what a symbol is, else None."""
+
+        def judge(other: Statement, supposed: tuple[Statement, ...], definitions: Lookup) -> Verdict:
+            return replace(self, definitions=definitions)._judge(other, supposed)
+
+        return by(said, assume, self.definitions, self.bound, judge)
 
     def _logarithm(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         def judge(statement: Statement, definitions: Lookup) -> Verdict:
@@ -268,10 +265,11 @@ class Judge(Setting):
 
     def _approximated(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         compared = to_first_order(said, assume, self.definitions)
-        verdict = self._judge(compared.relation, assume)
+        is_same = compared.relation.left == compared.relation.right and said.left != said.right
+        verdict = self._judge(difference(compared.relation) if is_same else compared.relation, assume)
         if verdict.outcome is Outcome.REFUTED and compared.has_plain_side:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.DIFFERENT_TO_FIRST_ORDER())
-        order = f"to first order in {compared.names}"
+        order = f"{compared.order} in {compared.names}"
         evidence = Evidence("dual numbers", f"{order} and their rates, taken together")
         holds = verdict.outcome not in (Outcome.REFUTED, Outcome.UNCHECKED)
         return generalization(verdict, order if holds else None, (*verdict.evidence, evidence))

@@ -26,6 +26,7 @@ from workbench.core.terms import Apply, Conjunction, Head, Number, Relation, Sta
 from workbench.core.types import PI
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact
+from workbench.language.definitions import replaced
 from workbench.language.printing.printer import to_latex
 
 Judge = Callable[[Statement], Verdict]
@@ -98,9 +99,16 @@ def on_principal_branch(verdict: Verdict, branch: str, witness: Counterexample, 
 
 
 def _unfolded(side: Term, definitions: Lookup) -> Term:
-    """Returns the inverse function by which a side is defined, else the side."""
-    body = definitions.lookup(side) if isinstance(side, Symbol) else None
-    return side if body is None or _arc(body) is None else body
+    """Returns the side with the inverse functions by which its symbols are defined, as far as they are
+    addends."""
+
+    def body_of(own: Symbol) -> Term | None:
+        body = definitions.lookup(own)
+        return (
+            body if body is not None and any(_arc(each) for _, each in _addends(body, Fraction(1))) else None
+        )
+
+    return side if _arc(side) is not None else replaced(side, body_of)
 
 
 def _of_several(left: Term, right: Term, definitions: Lookup, judge: Judge) -> Verdict:

@@ -91,20 +91,18 @@ class Explainer:
         if claim.corrected is not None:
             return base
         claim = for_members(claim)
-        act, own = (
-            claim.context.act
-            if claim.context.span is not None
-            else act_by_sign(claim.printed, claim.notation)
-        )
-        if is_all_given(claim):  # the given formulas determine all symbols
+        is_in_text, subject = claim.context.span is not None, subject_of(claim)
+        act, own = claim.context.act if is_in_text else act_by_sign(claim.printed, claim.notation)
+        is_assumed = act in GIVES and own is not None and own.declaration.name in subject.assumed
+        if is_assumed or is_all_given(claim):  # equations determine the symbol, or all symbols
             act = Act.ASSERT
         if act is Act.ASSIGN:
             return only_said(base, act, own)
         decider = Decider(claim, self._judge_of, self._second_engine)
-        explanation = _Explanation(claim, subject_of(claim), base, decider, act, own)
+        explained = _Explanation(claim, subject, base, decider, act, own)
         with within(self._seconds), suppress(OutOfDecisions):
-            return without_free_pi(claim, explanation.verdict())
-        return without_free_pi(claim, explanation.unfinished())
+            return without_free_pi(claim, explained.verdict())
+        return without_free_pi(claim, explained.unfinished())
 
 
 @dataclass

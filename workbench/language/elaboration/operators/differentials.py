@@ -75,27 +75,6 @@ def differential(row: Row, place: int) -> Factor | None:
     return Factor(scope.apply(item.at, "mul", INCREMENT, rate), item.at, factor.end, item)
 
 
-def along_direction(row: Row, place: int) -> Factor | None:
-    """Returns D f(x)[v], the derivative of f by x along v; None for other items. Raises Fault."""
-    scope, sign = row.scope, row.items[place]
-    styles, letter = unstyled(sign)
-    is_sign = styles in ((), ("\\mathrm",)) and isinstance(letter, Leaf) and letter.text in ("D", "d")
-    match row.items[place + 1 : place + 4] if is_sign else ():
-        case [name, Bracket(kind="(", parts=(at,)), Bracket(kind="[", parts=(along,))]:
-            spelling = (
-                spell(Name.styled(styles, letter.text), Scripts(), ()) if isinstance(letter, Leaf) else None
-            )
-            if spelling is None or scope.table.find(spelling) is not None or not takes_differential(name):
-                return None
-            body, by, direction = map(scope.term, (name, at, along))
-            is_place = isinstance(by, Symbol) and (by.type.is_column or by.type == SCALAR)
-            if not is_place or by.type != direction.type:
-                return None
-            slope = scope.apply(sign.at, "partial", body, by)
-            return Factor(scope.apply(sign.at, "mul", slope, direction), sign.at, place + 4, sign)
-    return None
-
-
 def _is_known(scope: Scope, item: Node, behind: Node) -> bool:
     """True if the letter d is a symbol, or if the paper's notation explains it before this node."""
     styles, _ = unstyled(item)

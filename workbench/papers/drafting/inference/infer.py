@@ -155,8 +155,9 @@ def infer(sources: Sequence[Source], prose: Prose, functions: Collection[str] = 
     read = [(each, operations_of(each.latex, walker)) for each in sources]
     labels = walker.labelled & walker.transposed
     counted = _counted([tree for _, trees in read for tree in trees], prose)
-    if labels or counted:
-        walker = Walker(labels, counted, has_signs, functions)
+    maps = walker.open_maps & walker.defined_maps
+    if labels or counted or maps:
+        walker = Walker(labels, counted, has_signs, functions, maps)
         read = [(each, operations_of(each.latex, walker)) for each in sources]
     shown = {name for each, trees in read if not each.inline for tree in trees for name in tree.names}
     read = [(each, trees) for each, trees in read if not each.inline or _counts(trees, shown)]

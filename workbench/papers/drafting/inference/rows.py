@@ -7,8 +7,10 @@ from dataclasses import replace
 
 from workbench.core.names import PREFIXES
 from workbench.core.operations import FUNCTIONS, OF_ANGLES
+from workbench.language.elaboration.operators.derivatives_of_maps import applied, without_brackets
 from workbench.language.elaboration.operators.differentials import is_differential_sign, takes_differential
 from workbench.language.elaboration.operators.integrals import parts_of_integral
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Bracket,
     Extremal,
@@ -36,18 +38,33 @@ _WORDS = {
 _SIGNS = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "compose", "∧": "wedge", "∨": "wedge", "*": "compose"}
 #: The infix signs with the highest precedence.
 _TIGHT = frozenset("×⊗∧∨")
+#: Words for matrices that act on the bracket after them, as Ad_g(x).
+_MATRICES = frozenset(("Ad", "ad"))
+#: Operations whose values are numbers.
+_NUMBERS = frozenset(("number", "function"))
 _TIMES = frozenset(("t", "\\tau"))
 
 
 class RowWalker:
     """Walks rows of factors; `Walker` interprets each factor."""
 
-    def __init__(self, forest: Forest, has_differentials: bool, functions: Collection[str] = ()) -> None:
+    def __init__(
+        self,
+        forest: Forest,
+        has_differentials: bool,
+        functions: Collection[str] = (),
+        maps: Collection[tuple[str, str]] = (),
+    ) -> None:
         self.forest, self.make = forest, forest.make
         #: letters that are functions before brackets
         self.functions = functions
         #: whether an italic d before a letter or a bracket is the sign of a differential
         self.has_differentials = has_differentials
+        #: whether a differential stands in the formula, besides derivatives of maps
+        self.shows_differentials = False
+        #: f and x of the equations that say what f(x) is, of those seen so far, and of what may be D f(x)
+        self.maps, self.defined_maps = maps, set[tuple[str, str]]()
+        self.open_maps: set[tuple[str, str]] = set()
 
     def term(self, node: Node | None) -> Operation:
         raise NotImplementedError
@@ -61,7 +78,7 @@ class RowWalker:
     def row(self, items: Sequence[Node]) -> Operation:
         """Returns the product of the items; a function takes the factor after it."""
         parts: list[Operation | str] = []
-        place = 0
+        items, place = without_brackets(items), 0
         while place < len(items):
             part, place = self._part(items, place)
             parts.append(part)
@@ -82,20 +99,23 @@ class RowWalker:
             return rest, len(items)
         if inner is not None and is_function(inner):
             return self._function(inner, behind), place + 1 + (behind is not None)
-        if (rate := self._along_direction(items[place : place + 4])) is not None:
-            return rate, place + 4
+        if (along := self._along_direction(items[place:])) is not None:
+            return along[0], place + along[1]
         if behind is not None and (pair := self._with_next(node, behind)) is not None:
             return pair, place + 2
         return self._alone(node), place + 1
 
-    def _along_direction(self, items: Sequence[Node]) -> Operation | None:
-        """Returns the operation of D f(x)[v], the derivative of f along v; None for other items."""
-        match items:
-            case [sign, name, Bracket(kind="(", parts=(at,)), Bracket(kind="[", parts=(along,))]:
-                letter = core(sign)
-                if isinstance(letter, Leaf) and letter.text in ("D", "d") and takes_differential(name):
-                    self.make("add", self.term(at), self.term(along))
-                    return self.make("rate", self.term(name))
+    def _along_direction(self, items: Sequence[Node]) -> tuple[Operation, int] | None:
+        """Returns the operation of D f(x)[v], the derivative of f along v, and how many items it has; None
+        for other items. Without square brackets, an equation must say what f(x) is."""
+        for found, along, count in applied(items):
+            is_bracketed = found.items == 3 and isinstance(items[3], Bracket) and items[3].kind == "["
+            pair = (latex_of(found.body), latex_of(core(found.at)))
+            is_differential = found.letter == "d" and self.shows_differentials
+            if is_bracketed or (pair in self.maps and not is_differential):
+                self.make("add", self.term(found.at), self.term(along))
+                return self.make("rate", self.term(found.body)), count
+            self.open_maps.add(pair)
         return None
 
     def _with_next(self, node: Node, behind: Node) -> Operation | None:
@@ -139,6 +159,8 @@ class RowWalker:
         word = self.term(
             replace(node, nucleus=_letter(leaf)) if isinstance(node, Scripted) else _letter(leaf)
         )
+        if name in _MATRICES and isinstance(node, Scripted) and node.sub is not None:
+            return self.make("mul", word, inner)
         return self.make("apply", word, inner, text="sure")
 
     def _applied(self, node: Node, bracket: Bracket) -> Operation | None:
@@ -178,7 +200,7 @@ class RowWalker:
         return found[0] if len(found) == 1 else self.forest.anything(*found)
 
     def _signed(self, sign: str, left: Operation, right: Operation) -> Operation:
-        is_of_numbers = sign == "×" and "number" in (left.op, right.op)  # 2 × 3
+        is_of_numbers = sign == "×" and not _NUMBERS.isdisjoint((left.op, right.op))  # 2 × 3
         return self.make("mul" if is_of_numbers else _SIGNS.get(sign, "any"), left, right)
 
     def _times(self, left: Operation, right: Operation) -> Operation:

@@ -7,6 +7,8 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from workbench.core.names import Name
+from workbench.language.elaboration.operators.derivatives_of_maps import has_differentials
+from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Accented,
     Binomial,
@@ -82,8 +84,9 @@ class Walker(RowWalker):
         counted: Collection[str] = (),
         has_differentials: bool = False,
         functions: Collection[str] = (),
+        maps: Collection[tuple[str, str]] = (),
     ) -> None:
-        super().__init__(Forest(), has_differentials, functions)
+        super().__init__(Forest(), has_differentials, functions, maps)
         self.marks_over_several: set[str] = set()
         self.labels, self.counted = labels, counted
         self.labelled: set[str] = set()
@@ -99,6 +102,7 @@ class Walker(RowWalker):
             case Given():
                 return [each for part in node.conditions for each in self.statement(part)]
             case Chain():
+                self.shows_differentials = has_differentials(node)
                 pairs = zip(node.relations, node.sides, node.sides[1:], strict=False)
                 return [made for (sign, _), *sides in pairs for made in self._related(sign, *sides)]
         return [self.make("said", self.term(node))]
@@ -106,6 +110,9 @@ class Walker(RowWalker):
     def _related(self, sign: str, left: Node, right: Node) -> list[Operation]:
         if sign == "∈":
             return [self.make("member", self.term(left), text=flat(plain(right)))]
+        match core(left):
+            case Product(items=(name, Bracket(kind="(", parts=(at,)))) if sign == "=":
+                self.defined_maps.add((latex_of(name), latex_of(at)))
         relation = _RELATIONS.get(sign)
         return [self.make(relation, self.term(left), self.term(right))] if relation else []
 

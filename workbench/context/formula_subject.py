@@ -256,7 +256,7 @@ class Subject:
 
     def _orders_in(self, terms: Sequence[Term]) -> dict[Symbol, int]:
         with suppress(NotExact, IllFormed):
-            return dict(take_inventory(terms, self.definitions).orders)
+            return dict(take_inventory(terms, self.definitions, slopes=False).orders)
         parts = (part for term in terms for part in self.definitions.reached(term))
         return {part: 0 for part in parts if isinstance(part, Symbol)}
 

@@ -35,9 +35,12 @@ class Inventory:
     has_roots: bool = False
 
 
-def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
-    """Returns the inventory of all terms together. Raises NotExact if an integer variable is unbound."""
-    survey = _Survey(definitions)
+def take_inventory(terms: Iterable[Term], definitions: Lookup, slopes: bool = True) -> Inventory:
+    """Returns the inventory of all terms together. Raises NotExact if an integer variable is unbound.
+
+    slopes: whether a slope of a function counts as a rate of it; it does in an engine, but ∂H/∂q has no rate.
+    """
+    survey = _Survey(definitions, slopes)
     for term in terms:
         for symbol, order in survey.orders(term).items():
             known = survey.inventory.orders.get(symbol, 0)
@@ -54,8 +57,9 @@ def has_gradient(terms: Iterable[Term]) -> bool:
 
 
 class _Survey:
-    def __init__(self, definitions: Lookup) -> None:
+    def __init__(self, definitions: Lookup, slopes: bool) -> None:
         self.definitions = definitions
+        self.slopes = slopes
         self.inventory = Inventory()
         self._known: dict[Term, dict[Symbol, int]] = {}
         self._sizes: dict[Term, int] = {}
@@ -97,9 +101,10 @@ class _Survey:
             if term.head == "total" and self._holds_rates(body):
                 raise NotExact("a time derivative under d/dx; it may change with x")
             by_what = seeds(by, self.definitions)
-            require_known_dependence(term.head, by_what, self.orders(body), self._moving(body))
+            differentiated = self.orders(_without_slopes(body))
+            require_known_dependence(term.head, by_what, differentiated, self._moving(body))
             for symbol in merged:
-                merged[symbol] += bool(symbol.declaration.of)
+                merged[symbol] += self.slopes and bool(symbol.declaration.of)
         return merged
 
     def add_coordinates(self) -> None:
@@ -186,6 +191,13 @@ class _Survey:
             self._turning = None
             if isinstance(angle, Apply) and angle.head == "norm":
                 self.inventory.reciprocals += 1  # sin ‖x‖/‖x‖
+
+
+def _without_slopes(term: Term) -> Term:
+    """Returns H for ∂²H/∂P∂Q, whose dependence is that of H."""
+    while isinstance(term, Apply) and term.head in PARTIALS:
+        term = term.arguments[0]
+    return term
 
 
 def _require_known_places(gradient: Apply, orders: Mapping[Symbol, int]) -> None:

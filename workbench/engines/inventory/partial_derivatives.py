@@ -72,8 +72,9 @@ def require_known_dependence(
 ) -> None:
     """Raises NotExact for a symbol whose dependence on the variable is unknown.
 
-    Only a function of f alone can be differentiated by a function f, and no rate of a point by the position
-    in a field. moving: the symbols under a time derivative.
+    By a function f only a function can be differentiated that has f as an argument, whose other arguments are
+    kept, or that is of f alone. No rate of a point can be by the position in a field.
+    moving: the symbols under a time derivative.
     """
     varied = {seed.symbol for seed in by}
     by_function = any(symbol.declaration.of for symbol in varied)
@@ -88,7 +89,8 @@ def require_known_dependence(
         if not (declaration.independent or declaration.of):
             raise NotExact(EngineCode.PARTIAL_MAY_DEPEND(name=name))
         others = {each for each in _moved_by(symbol, varied) if not each.declaration.clock} - varied
-        if by_function and (others or not declaration.of):
+        is_slot = head == "partial" and not varied.isdisjoint(declaration.of)
+        if by_function and ((others and not is_slot) or not declaration.of):
             raise NotExact(f"{name} is no function of that alone by which it is differentiated")
         if head == "total" and (others or (not declaration.of and not declaration.clock)):
             raise NotExact(f"{name} in the derivative d/dx may change with x; write \\partial if it is kept")

@@ -57,6 +57,7 @@ READ: list[tuple[str, str, str, Mapping[str, str]]] = [
     ("d(f g)", r"g\, df + f\, dg", r"g\, df - f\, dg", {}),
     (r"\operatorname{vec}(A X B)", r"(B^T \otimes A) \operatorname{vec} X", r"(A \otimes B^T) \operatorname{vec} X", {}),
     (r"\int a \times b\, dm", r"-\int b \times a\, dm", r"\int b \times a\, dm", {}),
+    (r"\int_0^1 \frac{f\, df}{g}", r"\frac{1}{g} \int_0^1 f\, df", r"\frac{2}{g} \int_0^1 f\, df", {}),
     (r"\cos\theta f", r"f \cos\theta", r"\cos(\theta f)", {}),
     (r"\langle a, b \rangle", r"b \cdot a", r"- b \cdot a", {}),
     (r"\sqrt{f^2 - 2 f g + g^2}", r"|f - g|", r"|f + g|", {}),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from workbench.core import construct
@@ -12,7 +13,18 @@ from workbench.core.terms import IllFormed, Symbol, Term, Zero
 from workbench.language.elaboration.operators.differentials import is_differential_sign, takes_differential
 from workbench.language.grammar.latex_forms import latex_of, scripted
 from workbench.language.grammar.parser import parse
-from workbench.language.grammar.syntax import Chain, Group, Integration, Node, Product, Sum, core, in_a_row
+from workbench.language.grammar.syntax import (
+    Chain,
+    Fraction,
+    Group,
+    Integration,
+    Leaf,
+    Node,
+    Product,
+    Sum,
+    core,
+    in_a_row,
+)
 from workbench.language.naming.patterns import Known
 from workbench.language.naming.scope import Scope
 
@@ -35,6 +47,25 @@ def parts_of_integral(items: Sequence[Node]) -> tuple[list[Node], Node, list[Nod
             if not inside:
                 return list(items[:place]), behind, list(items[place + 2 :])
             inside -= 1
+    return None if inside else _part_with_numerator(items)
+
+
+def _part_with_numerator(items: Sequence[Node]) -> tuple[list[Node], Node, list[Node]] | None:
+    """Returns the parts of \\int \\frac{x dt}{y}, whose differential stands in a numerator."""
+    for place, item in enumerate(items):
+        fraction = core(item)
+        above = core(fraction.numerator) if isinstance(fraction, Fraction) else None
+        if not isinstance(fraction, Fraction) or not isinstance(above, Product):
+            continue
+        below = core(fraction.denominator)
+        if isinstance(below, Product) and is_differential_sign(below.items[0]):
+            continue  # a derivative
+        found = parts_of_integral(above.items)
+        if found is not None:
+            factors, letter, behind = found
+            factors = [*factors, *behind] or [Leaf(fraction.at, "NUMBER", "1")]
+            kept = replace(fraction, numerator=in_a_row(fraction.at, factors))
+            return [*items[:place], kept], letter, list(items[place + 1 :])
     return None
 
 

@@ -28,6 +28,7 @@ SATISFIABLE = [
     [r"u \cdot a = \frac{1}{3}"],
     [r"\dot{a} \cdot a = 5"],
     [r"\det T = 2"],
+    [r"f (g^2 \cos\alpha - \dot{g}^2 \sin\alpha) = 0", r"f \neq 0", r"g \neq 0", r"\cos\alpha \neq 0"],
 ]
 IMPOSSIBLE = [
     ["f^2 = -1"],

@@ -163,6 +163,15 @@ def _simplified(
     return trial
 
 
+def with_zeros(trial: Trial, definitions: Lookup, accept: Callable[[Trial], bool], ring: Any) -> Trial:
+    """Returns the trial with entries set to 0, highest derivatives first, while it stays accepted."""
+    for parameter in sorted(trial.point, key=lambda p: -p.order):
+        if parameter.part not in SPHERES and trial.point[parameter] != 0:
+            candidate = trial_at({**trial.point, parameter: Fraction(0)}, definitions, ring)
+            trial = candidate if accepted(candidate, accept) else trial
+    return trial
+
+
 def counterexample(
     trial: Trial, relation: Relation, inventory: Inventory, turned: Collection[Symbol]
 ) -> Counterexample:

@@ -27,7 +27,7 @@ CHOICES = tuple(
     map(Fraction, ("0", "0", "1", "1", "-1", "-1", "1/2", "-1/2", "2", "-2", "1/3", "3/5", "4/5"))
 )
 
-#: Number of attempts to find a point.
+#: Number of attempts to find a point, with zeros and without.
 ATTEMPTS = 80
 
 Terms = dict[tuple[tuple[int, int], ...], Any]  # monomial ((position, exponent), …) → coefficient
@@ -37,16 +37,30 @@ def solved_points(
     engine: ExactEngine, equations: Sequence[Relation], inventory: Inventory
 ) -> Iterator[dict[Parameter, Any]]:
     """Yields points of the parameters at which the equations should hold; unconstrained parameters are
-    random."""
+    random. The last ones have few zeros, and common factors are not 0, for assumptions that exclude these.
+    """
     wanted = [p for e in equations for p in engine.residuals(e)]
     while more := [q for q in engine.ring.relations if q not in wanted and _meets(q, wanted)]:
         wanted += more
     systems = [_terms(p) for p in wanted]
     random = Random(1)
+    yield from _solved(engine, inventory, systems, random, CHOICES, 0.5)
+    cleared = [_without_common_factor(p) for p in systems]
+    yield from _solved(engine, inventory, cleared, random, tuple(filter(None, CHOICES)), 1.0)
+
+
+def _solved(
+    engine: ExactEngine,
+    inventory: Inventory,
+    systems: Sequence[Terms],
+    random: Random,
+    choices: Sequence[Fraction],
+    density: float,
+) -> Iterator[dict[Parameter, Any]]:
     for _ in range(ATTEMPTS):
-        values = _Search(random).solved(systems)
+        values = _Search(random, choices).solved(systems)
         if values is not None:
-            point = sample(inventory, RationalRing(), random, lambda _: random.random() < 0.5)
+            point = sample(inventory, RationalRing(), random, lambda _: random.random() < density)
             known = {engine.ring.names[place]: value for place, value in values.items()}
             yield {p: known.get(engine.name_of(p), value) for p, value in point.items()}
 
@@ -58,8 +72,8 @@ def _meets(relation: Polynomial, others: Sequence[Polynomial]) -> bool:
 
 
 class _Search:
-    def __init__(self, random: Random) -> None:
-        self._random = random
+    def __init__(self, random: Random, choices: Sequence[Fraction]) -> None:
+        self._random, self._choices = random, choices
         self._ring = NumberFieldRing()
         self._field: NumberField | None = None
 
@@ -74,7 +88,7 @@ class _Search:
             if not places:
                 return None
             if len(places) > 1:
-                values[self._chosen(system, places)] = self._random.choice(CHOICES)
+                values[self._chosen(system, places)] = self._random.choice(self._choices)
                 continue
             (place,) = places
             roots = self._roots(system)
@@ -157,6 +171,16 @@ def _terms(p: Polynomial) -> Terms:
     return {
         tuple((place, e) for place, e in enumerate(exponents) if e): Fraction(int(c.p), int(c.q))
         for exponents, c in p.terms()
+    }
+
+
+def _without_common_factor(p: Terms) -> Terms:
+    """Returns p / x for an x that is in each of its monomials."""
+    common = set.intersection(*(set(dict(monomial)) for monomial in p)) if len(p) > 1 else set()
+    least = {place: min(dict(monomial)[place] for monomial in p) for place in common}
+    return {
+        tuple((q, e - least.get(q, 0)) for q, e in monomial if e > least.get(q, 0)): c
+        for monomial, c in p.items()
     }
 
 

@@ -33,6 +33,7 @@ from workbench.prover.counterexamples.rational_points import (
     first_trial,
     trial_at,
     trials,
+    with_zeros,
 )
 from workbench.prover.counterexamples.real_angles import AT_REAL_POINT, real_trials, surely_differ
 from workbench.prover.counterexamples.solution_points import solved_points
@@ -132,7 +133,9 @@ class Case:
         """Returns a small point that satisfies the assumptions and is accepted; see also `first_trial`."""
         admitted = self._admitted(accept)
         found = first_trial(self.inventory, self.definitions, admitted, self._completed, positive_nowhere)
-        return found or next((trial for trial in self._solved() if accepted(trial, admitted)), None)
+        if found or (solved := next((t for t in self._solved() if accepted(t, admitted)), None)) is None:
+            return found
+        return with_zeros(solved, self.definitions, admitted, NumberFieldRing())
 
     def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:
         """Returns such a point among those with real angles and matching sines, in balls."""

@@ -75,7 +75,7 @@ class SyntaxCode(Code):
     EXPECTED_INTEGER_BOUND = "expected an integer bound"
     EXPECTED_INTEGER_EXPRESSION = "expected an integer expression; {known_variables}"
     EXPECTED_INTEGER_VARIABLES_BEFORE = "expected integer variables before \\in"
-    EXPECTED_INTEGER_VARIABLE_BEFORE = "expected an integer variable before the bound"
+    EXPECTED_INTEGER_VARIABLE_BEFORE = "expected an integer variable before the bound; for x > 0 declare x positive, or state the bound in the text"
     EXPECTED_LETTER_SUCH_X = "expected a letter, such as x, under a minimum or maximum"
     EXPECTED_MEMBER_FIRST = "expected a member first, as in \\{{ x \\in V_3 \\mid x \\cdot n = 0 \\}}"
     EXPECTED_NAME_MAP_SUCH = "expected the name of a map, such as f"
@@ -227,7 +227,10 @@ class SyntaxCode(Code):
     SUM_HAS_NO_BODY = "the sum has no body"
     SUM_HAS_NO_UPPER = "the sum has no upper bound"
     SUM_OVER_K_K = "a sum over k_1 + k_2 + … = k has no upper bound"
-    SYMBOL_WHAT_ASSUMED_SYMBOLS = "{name} is a symbol; an assumption about symbols is written with = or \\neq"
+    SYMBOL_WHAT_ASSUMED_SYMBOLS = (
+        "{name} is a symbol; an assumption about symbols is written with = or \\neq; "
+        "for {name} > 0 declare {name} positive, or state the bound in the text"
+    )
     TENSOR_RATE_IN_FRAME = "the derivative of a tensor, in which frame? write out that of each factor"
     TEX_TAKES_ONLY_FIRST = "TeX takes only the first digit of {text} here; write {{…}}"
     THREE_VECTORS_BESIDE_EACH = "three vectors beside each other; write (a b) \\cdot c"

@@ -75,7 +75,10 @@ class SyntaxCode(Code):
     EXPECTED_INTEGER_BOUND = "expected an integer bound"
     EXPECTED_INTEGER_EXPRESSION = "expected an integer expression; {known_variables}"
     EXPECTED_INTEGER_VARIABLES_BEFORE = "expected integer variables before \\in"
-    EXPECTED_INTEGER_VARIABLE_BEFORE = "expected an integer variable before the bound; for x > 0 declare x positive, or state the bound in the text"
+    EXPECTED_INTEGER_VARIABLE_BEFORE = (
+        "expected an integer variable before the bound; "
+        "for x > 0 declare x positive, or state the bound in the text"
+    )
     EXPECTED_LETTER_SUCH_X = "expected a letter, such as x, under a minimum or maximum"
     EXPECTED_MEMBER_FIRST = "expected a member first, as in \\{{ x \\in V_3 \\mid x \\cdot n = 0 \\}}"
     EXPECTED_NAME_MAP_SUCH = "expected the name of a map, such as f"

@@ -173,7 +173,7 @@ class StandardFormula:
             found.add("cross")
         own = [self.symbols.get(name, "scalar") for name in self.counts]
         numbers = sum((kind if isinstance(kind, str) else kind["kind"]) == "scalar" for kind in own)
-        left = self.symbols.get(self.plain.partition("=")[0].strip(), "")
+        left = self.symbols.get(_DOTS.sub(r"\1", self.formula).partition("=")[0].strip(), "")
         shape = left if isinstance(left, str) else left["kind"]
         return Profile(frozenset(found), numbers, len(own) - numbers, _SHAPES.get(shape, ""))
 

@@ -58,7 +58,6 @@ def _assumed(claim: Claim) -> Iterator[Name]:
         if formula.latex not in beside and formula.statement is not None:
             sides = [side for each in equations_of(formula.statement) for side in sides_of(each)]
             yield from (symbol.declaration.name for side in sides for symbol in side.symbols())
-            yield from (each.name for each in free_in(sides, claim.notation.definitions))
 
 
 def _ruled(claim: Claim) -> Iterator[Name]:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.core.construct import derivative, with_children
+from workbench.core.construct import derivative
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, Block, Derivative, Relation, Symbol, Term
 from workbench.core.types import SCALAR, Declaration
@@ -48,7 +48,7 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     law."""
     sides = (relation.left, relation.right)
     used = (part for side in sides for part in reached(side, definitions))
-    if relation.operator != "=" or any(map(_is_no_rate, used)) or _is_misprinted_rate(sides, definitions):
+    if relation.operator != "=" or any(map(_is_no_rate, used)):
         return None
     found: dict[Symbol, list[_Occurrence]] = defaultdict(list)
     named: dict[Symbol, list[_Occurrence]] = defaultdict(list)
@@ -85,27 +85,6 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
                 whole = number_behind(whole)
                 return derivative(whole, said.order) if said.order else whole
     return None
-
-
-def _is_misprinted_rate(sides: Iterable[Term], definitions: Lookup) -> bool:
-    """True if the sides differ by the orders of rates only, as m v = m r̈ does for v = ṙ.
-
-    ẍ = ẋ and m ẍ = m x may be laws."""
-    left, right = (_without_orders(side, definitions) for side in sides)
-    is_factor = isinstance(left, Apply) and left.head in ("mul", "neg", "dot", "cross")
-    return is_factor and left == right
-
-
-def _without_orders(term: Term, definitions: Lookup) -> Term:
-    """Returns the term with ẋ for each rate of a symbol x, and for each symbol that is defined as one."""
-    if isinstance(term, Derivative) and isinstance(term.body, Symbol):
-        inner = _without_orders(term.body, definitions)
-        return inner if isinstance(inner, Derivative) else derivative(inner, 1)
-    if isinstance(term, Symbol):
-        body = definitions.lookup(term)
-        is_rate = isinstance(body, Derivative) and isinstance(body.body, Symbol)
-        return _without_orders(body, definitions) if body is not None and is_rate else term
-    return with_children(term, lambda child: _without_orders(child, definitions))
 
 
 def _rates_a_definition(

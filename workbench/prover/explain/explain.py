@@ -93,8 +93,7 @@ class Explainer:
         claim = for_members(claim)
         is_in_text, subject = claim.context.span is not None, subject_of(claim)
         act, own = claim.context.act if is_in_text else act_by_sign(claim.printed, claim.notation)
-        says = act in (*GIVES, Act.CONSTRAIN) and own is not None
-        is_assumed = says and own is not None and own.declaration.name in subject.assumed
+        is_assumed = act in GIVES and own is not None and own.declaration.name in subject.assumed
         if is_assumed or is_all_given(claim):  # equations determine the symbol, or all symbols
             act = Act.ASSERT
         if act is Act.ASSIGN:

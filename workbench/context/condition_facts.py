@@ -15,12 +15,12 @@ from workbench.context.formula_acts import is_before_scope, is_by_definition
 from workbench.context.formula_subject import names_of
 from workbench.context.free_symbols import names_in, terms_of
 from workbench.context.introducing_words import (
+    is_case_of_sentence,
     is_denied,
     is_exception,
     is_let,
     is_of_next,
     is_over,
-    is_supposed,
     reaches,
 )
 from workbench.context.read_formulas import read_statement
@@ -198,7 +198,7 @@ def conditions_of(
         for step in spoken.steps(formula, notation) if formula.rows else ():
             told = spoken.said(formula, step, notation, with_equations=True)
             found += told
-            of_sentence += told if formula.start >= begins and is_supposed(formula) else []
+            of_sentence += told if formula.start >= begins and is_case_of_sentence(formula) else []
     for _ in found:  # what is said of the symbols by which the sentence defines others counts, too
         own = own.union(*(fact.about for fact in found if fact.act is Act.DEFINE and fact.about & own))
     yield from (fact for fact in found if fact.about & own or fact in of_sentence)

@@ -114,17 +114,26 @@ def is_denied(formula: Display) -> bool:
 def is_supposed(formula: Display) -> bool:
     """True if the words before the formula make it a condition: "for f = g", "suppose that f = g".
 
-    So do those of the clause that a formula in brackets explains: "if the ring is held (f = g)", "with the
-    ring held (f = g)".
+    So do those of the clause that a formula in brackets explains: "if the ring is held (f = g)".
     """
     words = _words_before(formula)
-    if words is None:
+    if words is None or not (words["case"] or words["excepts"] or words["supposes"]):
         return False
     between = _words_between(words, formula)
-    is_case = (words["case"] or words["excepts"] or words["supposes"]) is not None
-    if _OPENING.sub("", between).rstrip().endswith("("):
-        return (is_case or words["explains"] is not None) and "," not in between
-    return is_case and _BREAKS.search(between) is None
+    return _is_in_brackets(between) or _BREAKS.search(between) is None
+
+
+def is_case_of_sentence(formula: Display) -> bool:
+    """True if a formula makes its sentence one about a case: also "with the ring held (f = g)"."""
+    words = _words_before(formula)
+    if words is None or words["explains"] is None:
+        return is_supposed(formula)
+    return _is_in_brackets(_words_between(words, formula))
+
+
+def _is_in_brackets(between: str) -> bool:
+    """True if the words before a formula end with a bracket that explains their clause."""
+    return _OPENING.sub("", between).rstrip().endswith("(") and "," not in between
 
 
 def _words_between(words: re.Match[str], formula: Display) -> str:

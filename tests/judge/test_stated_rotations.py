@@ -107,7 +107,7 @@ def test_a_misprint_of_a_rotation_is_a_warning(name: str, tmp_path: Path) -> Non
 def test_other_words_state_no_rotation(words: str, tmp_path: Path) -> None:
     left, (first, second) = MATRICES["plane"]
     result = judged(tmp_path, words, left, [first, second.replace(r"\sin", r"2 \sin")])
-    assert result.verdict.outcome is Outcome.DEFINITION
+    assert result.verdict.code is not ContextCode.LACKS_PROPERTY
 
 
 def test_a_matrix_that_names_its_entries_is_no_error(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -43,6 +44,11 @@ _SMALL, _BEFORE = 5, 600
 _LARGE = 11
 #: The share of its letters that a formula needs, by the count of its symbols and addends.
 _SHARES = ((LONG, Fraction(0)), (_LARGE, Fraction(3, 5)), (0, Fraction(3, 4)))
+#: The words before a formula that is none of the standard formulas.
+_OTHER = re.compile(
+    r"\b(?:not|never|wrong|incorrect|derivative|linear\w*|approximat\w*|small|negligible)\b[^.;]*$",
+    re.IGNORECASE,
+)
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 
@@ -92,6 +98,8 @@ def near_standard_formulas(
         said = Relation("=", first.left if isinstance(first, Relation) else said.left, said.right)
         in_full = _in_full(said, claim.notation.definitions)
         before = display.source.prose[max(0, display.start - _BEFORE) : display.start].lower()
+        if _OTHER.search(before):
+            continue
         if (found := _nearest(said, in_full, prose, before)) is not None:
             with suppress(IllFormed):
                 yield claim.id, (_contradiction(claim.id, in_full, *found), found[0])

@@ -46,8 +46,7 @@ _LARGE = 11
 _SHARES = ((LONG, Fraction(0)), (_LARGE, Fraction(3, 5)), (0, Fraction(3, 4)))
 #: The words before a formula that is none of the standard formulas.
 _OTHER = re.compile(
-    r"\b(?:not|never|wrong|incorrect|derivative|linear\w*|approximat\w*|small|negligible)\b[^.;]*$",
-    re.IGNORECASE,
+    r"\b(?:not|never|wrong|incorrect|derivative|linear\w*|approximat\w*|small|negligible)\b[^.;]*$"
 )
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
@@ -123,11 +122,11 @@ def _nearest(
     sums: list[Sum] = []
     with suppress(TooLong, ZeroDivisionError):
         sums = list(dict.fromkeys(map(equation_sum, (said, in_full))))
-    found = list(chain.from_iterable(_misprints_in(own, prose, before) for own in sums))
-    if not found:
+    found = next(chain.from_iterable(_misprints_in(own, prose, before) for own in sums), None)
+    if found is None:
         return None
     is_other = any(next(_equal_to(own, prose), None) is not None for own in sums)
-    return None if is_other else found[0]
+    return None if is_other else found
 
 
 def _misprints_in(own: Sum, prose: str, before: str) -> Iterator[tuple[StandardFormula, Renaming]]:

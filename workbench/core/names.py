@@ -69,12 +69,8 @@ class Name:
     def styled(styles: Iterable[str], letter: str) -> Name:
         """Returns a name with sorted styles: \\underline outermost, the font next to the letter."""
         order = {style: place for place, style in enumerate(_OUTERMOST_FIRST)}
-        innermost_first = sorted(
-            dict.fromkeys(styles),
-            key=lambda s: -1 if is_prefix(s) else order.get(s, len(order)),
-            reverse=True,
-        )
-        return Name(letter, tuple(reversed(innermost_first)))
+        places = {style: -1 if is_prefix(style) else order.get(style, len(order)) for style in styles}
+        return Name(letter, tuple(sorted(places, key=lambda style: (places[style], style))))
 
     @property
     def base(self) -> str:

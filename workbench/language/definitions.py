@@ -38,6 +38,14 @@ class Lookup(Protocol):
     def lookup(self, symbol: Symbol) -> Term | None: ...
 
 
+def is_definition(statement: Statement, definitions: Lookup) -> bool:
+    """True if an equation is the definition of the symbol on its left that is in force."""
+    match statement:
+        case Relation(operator="=", left=Symbol() as defined, right=body):
+            return definitions.lookup(defined) == body
+    return False
+
+
 class Definitions:
     """The definitions of a paper, looked up symbol by symbol.
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from workbench.core.terms import (
@@ -28,14 +30,22 @@ _FUNCTIONS = {
 }  # fmt: skip
 
 
+def _number(symbol: Symbol) -> Any:
+    return sympy.pi
+
+
 def nearly_equal(relation: Relation) -> bool:
     """True if each entry of left − right is 0 to forty decimals."""
     difference = expression(relation.left) - expression(relation.right)
     return all(abs(sympy.N(each, _DIGITS)) < _NEAR for each in difference)
 
 
-def expression(term: Term) -> Any:
-    """Returns the term as a matrix. Raises NotExact."""
+def expression(term: Term, value_of: Callable[[Symbol], Any] = _number) -> Any:
+    """Returns the term as a matrix. Raises NotExact.
+
+    value_of: the scalar that a symbol stands for; π without it.
+    """
+    valued = partial(expression, value_of=value_of)
     match term:
         case Number(value=value):
             return sympy.Matrix([[sympy.Rational(value.numerator, value.denominator)]])
@@ -46,21 +56,21 @@ def expression(term: Term) -> Any:
         case Counting(name="binomial", arguments=(n, k)):
             return sympy.Matrix([[sympy.binomial(int(n), int(k))]])
         case Symbol():
-            return sympy.Matrix([[sympy.pi]])
+            return sympy.Matrix([[value_of(term)]])
         case Zero():
             return sympy.zeros(term.type.rows, term.type.columns)
         case Identity():
             return sympy.eye(term.type.rows)
         case Power(base=base, exponent=exponent):
-            value = expression(base)
+            value = valued(base)
             is_square = value.rows == value.cols
             return value ** int(exponent) if is_square else (value.T * value) ** (int(exponent) // 2)
         case Block(entries=rows):
-            return sympy.Matrix.vstack(*(sympy.Matrix.hstack(*map(expression, row)) for row in rows))
+            return sympy.Matrix.vstack(*(sympy.Matrix.hstack(*map(valued, row)) for row in rows))
         case Apply(head=head, arguments=arguments) if head in _FUNCTIONS and term.type.kind == "scalar":
-            return sympy.Matrix([[_FUNCTIONS[head](*(expression(each)[0] for each in arguments))]])
+            return sympy.Matrix([[_FUNCTIONS[head](*(valued(each)[0] for each in arguments))]])
         case Apply():
-            return _applied(term.head, [expression(each) for each in term.arguments])
+            return _applied(term.head, [valued(each) for each in term.arguments])
     raise NotExact("a term that is no number")
 
 

@@ -38,7 +38,9 @@ __all__ = [
 
 #: Functions that compute with the numbers that SymPy chose → their modules.
 HOMES = {
-    **dict.fromkeys(("Matrix", "eye", "symbols", "zeros", "Float", "N", "Rational", "pi", "sqrt"), "sympy"),
+    **dict.fromkeys(
+        ("Matrix", "Symbol", "eye", "symbols", "zeros", "Float", "N", "Rational", "pi", "sqrt"), "sympy"
+    ),
     **dict.fromkeys(("sin", "cos", "exp", "acos", "asin", "atan", "atan2"), "sympy"),
     **dict.fromkeys(("factorial", "binomial"), "sympy"),
     "DomainMatrix": "sympy.polys.matrices",

@@ -9,8 +9,18 @@ from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.construct import apply, block, relation
 from workbench.core.formula_errors import Fault
 from workbench.core.operations import CIRCULAR, FUNCTIONS
-from workbench.core.terms import Conjunction, Derivative, Relation, Statement, Symbol, Term
-from workbench.core.types import SCALAR
+from workbench.core.terms import (
+    Apply,
+    Conjunction,
+    Derivative,
+    Integer,
+    Number,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
+from workbench.core.types import PI, SCALAR
 from workbench.language.grammar.latex_forms import latex_of
 from workbench.language.grammar.syntax import (
     Bracket,
@@ -76,6 +86,11 @@ def is_angle(term: Term) -> bool:
     return term.type.kind == "scalar" and (letter in _ANGLES or _is_time(term))
 
 
+def multiplies_an_angle(term: Term) -> bool:
+    r"""True for a number and for \pi, as 2 and \pi of \cos 2\pi n, not for an angle like \pi/4."""
+    return isinstance(term, Number | Integer) or (isinstance(term, Symbol) and term.declaration == PI)
+
+
 def goes_on(argument: Term, following: Term) -> bool:
     """True if a factor after a sine belongs to its argument, as in \\tan l\\phi and \\sin\\omega t: the
     argument so far is a number or a length, and an angle follows."""
@@ -87,9 +102,17 @@ def goes_on(argument: Term, following: Term) -> bool:
 
 
 def ends_with_angle(argument: Term, following: Term) -> bool:
-    """True if a factor after a sine multiplies it, as in \\cos\\theta x: an angle before another symbol."""
-    is_symbol = isinstance(following, Symbol) and following.type.kind == "scalar"
-    return is_symbol and is_angle(argument) and not is_angle(following) and not _is_time(argument)
+    r"""True if a factor after a sine multiplies it: an angle before another symbol, or a fraction that is no
+    angle, as in \cos\theta x and \cos\theta \frac{x}{y}."""
+    match following:
+        case Apply(head="div", arguments=(Symbol() | Number() | Integer() as over, _)):
+            is_beside = not (is_angle(over) or multiplies_an_angle(over))
+        case Symbol() | Apply(head="div"):
+            is_beside = not is_angle(following)
+        case _:
+            return False
+    is_scalar = following.type.kind == "scalar"
+    return is_beside and is_scalar and is_angle(argument) and not _is_time(argument)
 
 
 def _is_time(term: Term) -> bool:

@@ -12,9 +12,15 @@ from workbench.core.codes.type_codes import TypeCode
 from workbench.core.formula_errors import Fault, TypeMismatch
 from workbench.core.integer_expressions import Linear
 from workbench.core.operations import CIRCULAR, OF_ANGLES, OF_SCALARS, OF_TENSORS, word_of
-from workbench.core.terms import Apply, Derivative, Head, IllFormed, Integer, Number, Power, Term
+from workbench.core.terms import Apply, Derivative, Head, IllFormed, Power, Term
 from workbench.language.accented_symbols import is_rate
-from workbench.language.elaboration.angles import end_of_angle, ends_with_angle, goes_on, of_angle_between
+from workbench.language.elaboration.angles import (
+    end_of_angle,
+    ends_with_angle,
+    goes_on,
+    multiplies_an_angle,
+    of_angle_between,
+)
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.operators.determinants import of_vectors
@@ -227,8 +233,9 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
             raise Fault(SyntaxCode.HOW_FAR_DOES_REACH(name=name), leaf.at)
         return row.multiply(run), end
     of_numbers = head in OF_SCALARS
-    numeric = isinstance(first.term, Number | Integer) and of_numbers
-    if numeric and end < len(row.items):
+    while of_numbers and end < len(row.items) and multiplies_an_angle(run[-1].term):
+        if _is_bracket(row.items[end]) or is_function(row.items[end]):
+            break
         run.append(row.factor(end))
         end = run[-1].end
     if head in CIRCULAR and end < len(row.items) and not _is_bracket(row.items[end]):

@@ -91,20 +91,14 @@ class SymbolTable:
                     other, places = read_key(alias)
                 except SpecError as error:
                     raise SpecError(DeclarationCode.FAULT_OF_ALIAS(alias=alias, error=error), key) from None
-                if len(places) != len(index):
-                    raise SpecError(
-                        DeclarationCode.HAS_INDEX_PLACES_NOT(
-                            alias=alias, places=len(places), index=len(index)
-                        ),
-                        key,
-                    )
-                if places != index:
-                    raise SpecError(DeclarationCode.INDICES_DIFFER_FROM_THOSE(alias=alias, key=key), key)
+                _require_same_places(alias, places, index, key)
                 if other in symbols:
                     if read_key(alias, letters)[0] != other:
                         continue  # T_n next to T_m and symbols m and n
                     why = "; letters that are no indices are `labels` in [frames]" if len(index) > 1 else ""
                     raise SpecError(DeclarationCode.DECLARED_TWICE(alias=alias, why=why), key)
+                if other.sup == ("", "") and not _has_slot(read_key(alias, letters)[0].sup):
+                    continue  # x^n next to a symbol n
                 is_matrix = declared.type.is_square and declared.type.rows > 1
                 if not (is_matrix and _is_labelled(other, specs)):
                     refuse_operation(other, key)
@@ -299,6 +293,20 @@ def _with_members(
             else:
                 kept[pattern] = replace(kept[pattern], apart=(*kept[pattern].apart, index))
     return kept
+
+
+def _require_same_places(alias: str, places: Sequence[Linear], index: Sequence[Linear], key: str) -> None:
+    """Raises SpecError for an alias with other index places than the key."""
+    if len(places) != len(index):
+        counts = {"places": len(places), "index": len(index)}
+        raise SpecError(DeclarationCode.HAS_INDEX_PLACES_NOT(alias=alias, **counts), key)
+    if places != index:
+        raise SpecError(DeclarationCode.INDICES_DIFFER_FROM_THOSE(alias=alias, key=key), key)
+
+
+def _has_slot(script: tuple[str, ...]) -> bool:
+    """True if an index stands in a script."""
+    return len(script) > 1
 
 
 def _is_labelled(name: Name, keys: Iterable[str]) -> bool:

@@ -43,6 +43,7 @@ from workbench.papers.drafting.formula_shapes import (
 )
 from workbench.papers.drafting.inference.infer import Inference, Source, infer
 from workbench.papers.drafting.marked_text import MarkedText
+from workbench.papers.drafting.meanings.printed_jacobians import printed_jacobians
 from workbench.papers.drafting.missing_features import feature_of
 from workbench.papers.drafting.model_proposal import Proposal, ground_of, words_of
 from workbench.papers.drafting.notation_proposals import proposals_for, unit_tensor
@@ -192,8 +193,12 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     found = [each for each in in_order_of_use(each_once(written)) if each.name not in known]
     guesses = dict(reader.guesses)
     columns_of = {each.name: cells for each in found if (cells := components_of(each.body))}
-    for jacobian, places in jacobians(made, columns_of, {each.name: each for each in found}):
-        found.append(jacobian)
+    of_rates = jacobians(made, columns_of, {each.name: each for each in found})
+    spoken = [
+        reader.read(f"{each.name} = {each.body}") for each in found if each.in_sentence or each in short
+    ]
+    for jacobian, places in (*of_rates, *printed_jacobians(made, {each.name for each in found}, spoken)):
+        found = [*(each for each in found if each.name != jacobian.name), jacobian]
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])
     free = {*guesses} - {each.symbol for each in found}

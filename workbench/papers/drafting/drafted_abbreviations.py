@@ -16,6 +16,8 @@ _RULE = re.compile(
     r"(?P<letter>(?:\\mathrm|\\mathsf)?[A-Za-z])_(?P<sub>\\?[A-Za-z]+)(?::=|=)"
     r"\\(?P<head>sin|cos)\(?(?:(?P<stem>\\?[A-Za-z]+)_)?(?P=sub)\)?"
 )
+#: Letters of an index.
+_INDICES = frozenset("ijk")
 _USUAL = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
 #: Letters of joint angles, the usual ones first.
 _ANGLES = ("\\theta", "q", "\\vartheta", "\\varphi", "\\phi", "\\alpha", "\\beta")
@@ -46,17 +48,20 @@ def abbreviations(
     They are said by a sentence, or the text has the cosine and the sine of one angle by the usual letters.
     """
     scalars = {flat(name): name for name, guess in guesses.items() if guess.kind == "scalar"}
-    found = {
+    parts = {
         name: (flat(match["letter"]), match["sub"])
         for name in scalars.values()
-        if name in lines and (match := _NAME.fullmatch(name))
+        if (match := _NAME.fullmatch(name))
     }
+    families = {letter: name for name, (letter, sub) in parts.items() if sub in _INDICES and name in lines}
+    found = {name: each for name, each in parts.items() if name in lines or each[0] in families}
     rules = {**_usual({*found.values()}), **dict(_said(sentences))}
     for name, (letter, sub) in found.items():
-        rule = rules.get(letter)
-        if rule is not None and (angle := _angle(sub, rule.stem, scalars)) is not None:
-            body = rf"\{rule.head}({angle})"
-            yield Proposed(name, body, lines[name], rule.why, True, in_sentence=rule.in_sentence)
+        rule, is_member = rules.get(letter), len(sub) == 1 and name != families.get(letter, name)
+        if rule is None or is_member or (angle := _angle(sub, rule.stem, scalars)) is None:
+            continue
+        line = lines.get(name) or lines[families[letter]]
+        yield Proposed(name, rf"\{rule.head}({angle})", line, rule.why, True, in_sentence=rule.in_sentence)
 
 
 def _said(sentences: Iterable[str]) -> Iterator[tuple[str, _Rule]]:
@@ -82,7 +87,7 @@ def _angle(sub: str, stem: str, scalars: Mapping[str, str]) -> str | None:
     """Returns the angle of a subscript: a symbol, or the sum of the angles with these numbers."""
     if (own := scalars.get(flat(sub))) is not None:
         return own
-    if not sub.isdecimal():
+    if not (sub.isdecimal() or sub in _INDICES):
         return None
     for letter in (stem,) if stem else _ANGLES:
         whole = scalars.get(f"{letter}_{sub}")

@@ -37,6 +37,7 @@ from workbench.papers.drafting.meanings.names_in_claims import (
     names_of,
     reached_names,
     symbols_of,
+    with_printed_size,
     written,
 )
 from workbench.papers.drafting.meanings.usual_misprints import (
@@ -112,6 +113,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if names and confirmed.issuperset(names):
         return verdict
     thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
+    thin = [each for each in thin if each.name != with_printed_size(claim)]
     if verdict.outcome is not Outcome.ILL_FORMED:  # with another kind, it is ill-formed
         thin = [each for each in thin if not each.alone]
     own_misfits = [each for each in inference.misfits if not is_open_misfit(each)]
@@ -318,7 +320,7 @@ class Records:
         anew = [
             name
             for name in _of_other_sections(self.draft, claim, reached)
-            if claim.source.section not in self.true.get(name, {})
+            if not any(claim.source.section in self.true.get(each, {}) for each in self._given_with(name))
         ]
         alone = subject_alone(claim)
         given = written(alone.declaration.name) if alone is not None else ""
@@ -329,6 +331,12 @@ class Records:
         names = (*shared, *anew, *several)
         doubts = dict.fromkeys(DoubtCode.SOMETHING_ELSE(name=name) for name in names)
         return replace(verdict, unless=(*verdict.unless, *list(doubts)[:_MOST_DOUBTS]))
+
+    def _given_with(self, name: str) -> Iterator[str]:
+        """Yields the symbols that the display with the definition of a symbol defines."""
+        known = [each for each in self.draft.ingested.definitions if each.sure]
+        lines = {each.line for each in known if each.symbol == name}
+        yield from (each.symbol for each in known if each.line in lines)
 
 
 def _is_warning(result: ClaimResult) -> bool:

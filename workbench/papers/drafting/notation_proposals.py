@@ -22,7 +22,7 @@ _UNITS = re.compile(
 _SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])"
 _DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"
 _LABELLED = rf"{_DOTTED}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
-_BEHIND = r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
+_BEHIND = r"(?:(?<=[A-Za-z}'*])|(?<=[_^]\d))\s*(?:\\left)?\(\s*"
 _BRACKET = re.compile(rf"{_BEHIND}({_SYMBOL}(?:\s*_\s*(?:\w|\{{\s*\w+\s*\}}))?)\s*(?:\\right)?\)")
 _WORD_WITH_BRACKET = re.compile(
     r"\\(?:mathrm|text|operatorname|mathsf|mathit|textrm|mbox)\s*\{\s*\w{2,}\s*\}"
@@ -32,6 +32,16 @@ _LIST = re.compile(rf"{_BEHIND}({_LABELLED}(?:\s*,\s*{_LABELLED})+)\s*(?:\\right
 #: (∂f/∂x)^T, in a text whose gradients are then columns.
 _TRANSPOSED_SLOPE = re.compile(
     r"\\partial\s*\{?\\?[A-Za-z{}\\() ,]*\}\s*(?:\\right)?\s*\)?\s*\^\s*\{?\s*(?:\\top|T)(?![A-Za-z])"
+)
+#: Behind a letter, a bracket around a sum or a list.
+_CALL = re.compile(
+    rf"(?P<letter>{_LABELLED})\s*(?P<space>\\[,!;:]\s*)?(?:\\left|\\[bB]igg?l?)?\(\s*(?P<inside>(?:[^()]|\([^()]*\))*?)\s*(?:\\right|\\[bB]igg?r?)?\)"
+)
+#: What no argument of a function of several symbols is: a sine in a list.
+_ENTRIES = re.compile(r"\\(?:sin|cos|tan)(?![A-Za-z]).*,|,.*\\(?:sin|cos|tan)(?![A-Za-z])", re.DOTALL)
+#: Words, functions and commands before a bracket.
+_OWN_FUNCTIONS = re.compile(
+    r"\{[A-Za-z]{2,}\}|\\(?:exp|log|ln|d?frac|sqrt|left|right|[Bb]igg?[lr]?|(?:arc)?(?:sin|cos|tan)h?|quad|qquad|det)"
 )
 _DOTS_OFF = re.compile(rf"\\d*dot\s*\{{?\s*({_SYMBOL})\s*\}}?")
 _TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc)(?<!a){name}(?![A-Za-z2])") for name in FUNCTIONS}
@@ -85,6 +95,8 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
         several = ", ".join(f"'{symbol}'" for symbol in dict.fromkeys(bare))
         found = re.compile(re.escape(inside))
         yield _conventions("arguments", f"[{several}]", "symbols in a bracket", question, found)
+    if _multiplies_lists(together):
+        yield _conventions("brackets", '"factors"', "a list of values behind a letter", _FACTORS, _CALL)
     gradient = '"row"' if _TRANSPOSED_SLOPE.search(together) else '"column"'
     question = "How does the derivative of a scalar by a column stand, as a row or a column?"
     yield _conventions("gradient", gradient, "a partial derivative", question, re.compile(r"\\partial"))
@@ -116,12 +128,21 @@ def _arguments(formulas: str) -> dict[str, None]:
     return found
 
 
+def _multiplies_lists(formulas: str) -> bool:
+    r"""True if letters stand before lists of values, as in r\,(\cos\theta, \sin\theta), and before no bracket
+    that may contain an argument."""
+    calls = [match for match in _CALL.finditer(formulas) if not _OWN_FUNCTIONS.fullmatch(match["letter"])]
+    others = [match for match in calls if not _ENTRIES.search(match["inside"])]
+    return len(others) < len(calls) and all(match["space"] or match["inside"] == "t" for match in others)
+
+
 def unit_tensor(name: str) -> Proposal:
     """Returns the proposal that a letter is the unit tensor."""
     question = f"Is {name} the unit tensor?"
     return _notation(re.escape(name), name, {}, r"\mathbf{I}", "a letter of unit tensors", question)
 
 
+_FACTORS = "Does what stands in a bracket behind a letter multiply it?"
 _QUATERNIONS = "Are quaternions Hamilton's (i j = k), scalar part first?"
 _SKEW = r"\operatorname{skew}(x)"
 _LEFT = (

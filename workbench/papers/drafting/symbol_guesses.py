@@ -26,6 +26,11 @@ _BELOW = re.compile(
     r"(?P<base>(?:\\[A-Za-z]+\s*\{?\s*)*[A-Za-z]?|\\[A-Za-z]+)\s*\}*(?:'|\^\s*\{?[\d*+-]*\}?)?"
     r"\s*_\s*(?:\{(?P<long>[^{}]*)\}|(?P<short>[A-Za-z0-9]))"
 )
+#: A letter with marks and perhaps a subscript, and its superscript: one letter.
+_ABOVE = re.compile(
+    r"(?P<base>(?:\\[A-Za-z]+\s*\{?\s*)*[A-Za-z]?|\\[A-Za-z]+)\s*\}*(?:\s*_\s*(?:\{[^{}]*\}|\w))?"
+    r"\s*\^\s*(?:\{\s*(?P<long>[A-Za-z])\s*\}|(?P<short>[A-Za-z]))"
+)
 _SUM = re.compile(r"\\(?:sum|prod)(?![A-Za-z])")
 _FLAT = re.compile(r"[\s{}]")
 _MACRO = re.compile(r"\\[A-Za-z]+")
@@ -83,27 +88,47 @@ def _why(name: str, found: Inferred) -> str:
 
 
 def labels_in(formulas: Iterable[str]) -> Iterator[Guess]:
-    """Yields the letters that stand only as the whole subscript of symbols without other members.
+    """Yields the letters that stand only as scripts of symbols, and are neither indices nor powers.
 
-    So is the m of F_m and v_m, unless the text writes F_1, F_{m+1}, F_j or m = 1, 2, …, or sums such symbols.
+    One is the superscript of a symbol that has other letters there, too: n of v^n beside v^b. Another is the
+    whole subscript of symbols without other members: m of F_m and v_m, unless the text writes F_1, F_{m+1},
+    F_j or m = 1, 2, …, or sums such symbols.
     """
     texts = [_IN_WORDS.sub(" ", latex) for latex in formulas]
     below: dict[str, set[str]] = {}
     for match in chain.from_iterable(map(_BELOW.finditer, texts)):
         said = "".join((match["long"] or match["short"] or "").split())
         below.setdefault("".join(match["base"].split()).replace("{", ""), set()).add(said)
-    alone = [_MACRO.sub(" ", _BELOW.sub(" ", text)) for text in texts]
+    frames = _letters_above(texts)
+    alone = [_MACRO.sub(" ", _ABOVE.sub(" ", _BELOW.sub(" ", text))) for text in texts]
     for letter in sorted(INDEX_LETTERS):
         bases = {base for base, own in below.items() if letter in own}
         members = {said for base in bases for said in below[base] if said != letter}
         composite = {said for own in below.values() for said in own if letter in _letters_of(said)}
         is_index = any(re.search(r"\d|^[i-np]$", said) for said in members) or composite - {letter}
-        is_written = any(
-            re.search(rf"(?<![A-Za-z]){letter}(?![A-Za-z])|{letter}\s*=", text) for text in alone
-        )
         is_summed = any(_SUM.search(text) and f"_{letter}" in _FLAT.sub("", text) for text in texts)
+        is_above = letter in frames
+        is_named = any(text.strip() == letter for text in alone) and not is_above
+        is_written = is_named or any(_alone(letter, text) for text in alone if text.strip() != letter)
+        if is_above:
+            bases, is_index = {*bases, letter}, False
         if bases and not (is_index or is_written or is_summed):
             yield Guess(letter, "scalar", "a label of symbols, and no index")
+
+
+def _alone(letter: str, text: str) -> bool:
+    """True if a letter stands in a formula without its scripts."""
+    return re.search(rf"(?<![A-Za-z]){letter}(?![A-Za-z])|{letter}\s*=", text) is not None
+
+
+def _letters_above(texts: Iterable[str]) -> set[str]:
+    """Returns the superscripts beside others that cannot be powers: the n of x^n beside x^b."""
+    above: dict[str, set[str]] = {}
+    for match in chain.from_iterable(map(_ABOVE.finditer, texts)):
+        base = "".join(match["base"].split()).replace("{", "")
+        above.setdefault(base, set()).add(match["long"] or match["short"])
+    labelled = (own for own in above.values() if own - INDEX_LETTERS - {"T", "t"})
+    return set(chain.from_iterable(labelled))
 
 
 def _letters_of(subscript: str) -> str:

@@ -30,6 +30,7 @@ from workbench.engines.inventory.exponentials_of_matrices import holds_matrix_ex
 from workbench.engines.inventory.first_order import to_first_order
 from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
+from workbench.language.definitions import is_definition
 from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting, at_places_apart
 from workbench.prover.decide.closed_formulas import judge_closed, refuted_at_numbers
@@ -40,7 +41,7 @@ from workbench.prover.decide.elementary_equations import (
     judge_functions,
     judge_roots,
 )
-from workbench.prover.decide.equation import IN_FORCE, Equation
+from workbench.prover.decide.equation import BY_DEFINITION, Equation
 from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families.families import WORST_FIRST, InstanceJudge, judge_family
 from workbench.prover.decide.families.orders_past_literals import OrderRanges
@@ -156,6 +157,8 @@ class Judge(Setting):
             if (found := closed or refuted_at_numbers(statement, assume, self.definitions)) is None:
                 raise
             return found
+        if verdict.outcome is Outcome.PROVED and is_definition(statement, self.definitions):
+            return BY_DEFINITION
         # A point that assigns a value to π is not a counterexample.
         values = verdict.counterexample.values if verdict.counterexample else ()
         is_refuted = verdict.outcome is Outcome.REFUTED and not values
@@ -234,8 +237,8 @@ class Judge(Setting):
         return verdict
 
     def _integral(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
-        if isinstance(said.left, Symbol) and self.definitions.lookup(said.left) == said.right:
-            return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
+        if is_definition(said, self.definitions):
+            return BY_DEFINITION
 
         def judge(below: Statement) -> Verdict:
             """What is assumed at an instant holds at no other place of the integral."""

@@ -19,7 +19,7 @@ from workbench.engines.inventory.elementary_functions import Replaced, holds_roo
 from workbench.engines.inventory.functions_of_scalars import FUNCTIONS
 from workbench.engines.inventory.inventory import Inventory, take_inventory
 from workbench.engines.inventory.signs import is_seen_nonnegative
-from workbench.language.definitions import expand, number_behind
+from workbench.language.definitions import expand, is_definition, number_behind
 from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import Trial, counterexample
 from workbench.prover.counterexamples.real_angles import (
@@ -30,7 +30,6 @@ from workbench.prover.counterexamples.real_angles import (
     surely_no_right_angle,
     surely_positive,
 )
-from workbench.prover.decide.equation import IN_FORCE
 from workbench.prover.decide.law_statements import law_for
 from workbench.prover.decide.premise_consequences import with_premise_as_definition
 
@@ -56,9 +55,8 @@ def judge_functions(
     """
     definitions, _ = setting
     found = without_functions(said, definitions, roots)
-    is_definition = isinstance(said.left, Symbol) and definitions.lookup(said.left) == said.right
     is_idle = said.left != said.right and found.relation.left == found.relation.right
-    if is_definition or is_idle:
+    if is_definition(said, definitions) or is_idle:
         found = replace(found, relation=difference(found.relation))
     is_last = roots or not holds_roots(said, definitions)
     try:
@@ -69,8 +67,6 @@ def judge_functions(
         return judge_functions(said, assume, setting, judge, True)
     if verdict.code is VerdictCode.NOT_FROM_FUNCTIONS and not is_last:
         return judge_functions(said, assume, setting, judge, True)
-    if is_definition and verdict.outcome is Outcome.PROVED:
-        return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
     return verdict
 
 

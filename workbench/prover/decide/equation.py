@@ -13,7 +13,7 @@ from workbench.core.verdict import EngineDisagreement, Evidence, Outcome, Streng
 from workbench.engines.inventory import Lookup, NoDefinitions, NotExact
 from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.jet.rings import PRIME
-from workbench.language.definitions import Definitions
+from workbench.language.definitions import Definitions, is_definition
 from workbench.language.printing.printer import to_latex
 from workbench.prover.counterexamples.rational_points import Trial
 from workbench.prover.counterexamples.real_angles import surely_differ
@@ -25,7 +25,9 @@ from workbench.prover.decide.inference import agreement
 from workbench.prover.decide.law_statements import law_for
 
 _NONE = NoDefinitions()
-IN_FORCE = "well-formed, and the one in force"
+BY_DEFINITION = Verdict(
+    Outcome.DEFINITION, evidence=(Evidence("definitions", "well-formed, and the one in force"),)
+)
 
 
 class Equation(Case):
@@ -44,10 +46,7 @@ class Equation(Case):
 
     def verdict(self) -> Verdict:
         relation = self.relation
-        if (
-            isinstance(relation.left, Symbol)
-            and self.setting.definitions.lookup(relation.left) == relation.right
-        ):
+        if is_definition(relation, self.setting.definitions):
             return self._definition()
         if relation.left == relation.right:
             return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SAME_TERM())
@@ -101,7 +100,7 @@ class Equation(Case):
 
     def _definition(self) -> Verdict:
         self.exact.value(self.relation.right)
-        return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
+        return BY_DEFINITION
 
     def screen(self) -> bool | None:
         """Returns whether the residual is zero at a random point modulo the prime, by the jet engine; None if

@@ -34,6 +34,8 @@ _UNIT_NUMBER, _COLUMN_AS_QUATERNION = 30, 16
 _UNIT_ONE = 25
 #: The sizes of a unit tensor.
 _UNITS: Table = {TENSOR: 0, (0, 0): 2, (2, 2): 5, (4, 4): 5, (6, 6): 5}
+#: The weight of a misfit of a matrix whose entries are printed.
+_OF_PRINTED_SIZE = 4
 _SETS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak)|operatorname)")
 
 
@@ -87,7 +89,8 @@ class Costs:
                 table = parts[0]
                 for other in parts[1:]:
                     table = combined(op, (table, other))
-                return table
+                is_printed = op == "equal" and any(map(_is_of_numbers, tree.parts, parts))
+                return {kind: _weighed(cost) for kind, cost in table.items()} if is_printed else table
             case "tuple":
                 return _stacked(parts)
             case "apply":
@@ -135,6 +138,16 @@ class Costs:
         for index, cell in enumerate(tree.parts):
             blocks.put(*divmod(index, width), cell, self.table(cell, kinds))
         return blocks.table()
+
+
+def _is_of_numbers(tree: Operation, table: Table) -> bool:
+    """True for a matrix of numbers, whose size is printed."""
+    return tree.op == "matrix" and None not in table and min(table.values()) == 0 and len(tree.parts) > 3
+
+
+def _weighed(cost: int) -> int:
+    """Returns the cost of an equation with a printed matrix, in which a misfit counts for several."""
+    return cost + (_OF_PRINTED_SIZE - 1) * (cost // MISFIT) * MISFIT
 
 
 #: The cost of several blocks of an open size n beside each other: their sum, 2 n, is taken for an open size.

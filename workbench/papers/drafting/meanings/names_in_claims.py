@@ -10,7 +10,7 @@ from workbench.context.free_symbols import terms_of
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
-from workbench.core.terms import Symbol, Term, sides_of
+from workbench.core.terms import Block, Relation, Symbol, Term, sides_of
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.meanings.usual_misprints import definitions_of
 
@@ -54,3 +54,11 @@ def by_definitions(draft: Draft, claim: Claim) -> Reason | None:
     given = [each for each in draft.ingested.definitions if each.sure and each.symbol in own]
     told = [f"${each.symbol}$ (line {each.line})" for each in given if each.line != claim.line]
     return ContextCode.BY_DEFINITIONS(symbols=", ".join(told[:_MOST_SYMBOLS])) if told else None
+
+
+def with_printed_size(claim: Claim) -> str | None:
+    """Returns the symbol that a claim equates to a printed matrix, which shows its kind."""
+    match claim.printed.statement:
+        case Relation(left=Symbol(declaration=own), right=Block()):
+            return written(own.name)
+    return None

@@ -50,7 +50,7 @@ from workbench.papers.drafting.notation_proposals import proposals_for, unit_ten
 from workbench.papers.drafting.questions import questions_of
 from workbench.papers.drafting.redefinitions import Scope, parted_quaternions, scopes_of
 from workbench.papers.drafting.sentence_kinds import Facts, facts_of
-from workbench.papers.drafting.sentence_scopes import Said, for_the_text, scopes_of_sentences
+from workbench.papers.drafting.sentence_scopes import for_the_text, scopes_of_sentences
 from workbench.papers.drafting.symbol_guesses import guesses_of, labels_in
 from workbench.papers.drafting.trial_reading import EXPONENTIAL, Outcome, Reader
 from workbench.papers.drafting.typefaces import Guess, by_typeface, without_bold
@@ -215,7 +215,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     return Ingested(
         text,
         macros,
-        {name: guess for name, guess in guesses.items() if name in shown | _used_in(said) | labels.keys()},
+        {name: guess for name, guess in guesses.items() if name in shown | used_in(said) | labels.keys()},
         made,
         found,
         list(dict.fromkeys(questions)),
@@ -285,11 +285,6 @@ def with_fences(text: Text, macros: Path | None) -> tuple[Text, dict[str, str]]:
     if not text.displays:
         raise NoDisplay(text.path)
     return text, fences
-
-
-def _used_in(said: Sequence[Said]) -> set[str]:
-    """Returns the symbols of the defining formulas in sentences."""
-    return set().union(*(formula.outcome.symbols for _, formula in said))
 
 
 @dataclass(frozen=True)

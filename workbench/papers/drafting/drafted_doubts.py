@@ -15,11 +15,12 @@ from workbench.context.formula_subject import derived
 from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.context.repeated_laws import definitions_in, laws_in, rate_in
 from workbench.core.codes.doubt_codes import DoubtCode
+from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.construct import apply, relation
 from workbench.core.reasons import Reason
 from workbench.core.terms import Derivative, IllFormed, Number, Power, Relation, Symbol, Term, sides_of
 from workbench.core.types import PI, Declaration
-from workbench.core.verdict import Outcome
+from workbench.core.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions, expand, replaced
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_definitions import gives_dimension
@@ -51,6 +52,15 @@ _NO_POWER = re.compile(r"\^\s*(?:0|\{\s*0\s*\})")
 _ZEROS = re.compile(r"\\begin\{([bp]?matrix)\}[\s0\\&]*\\end\{\1\}")
 #: The most displays of a text whose misfits are errors rather than a notation that the draft misreads.
 _MOST_MISFITS = 3
+
+
+#: Faults → the operations of which they tell; no entry: of any.
+_OPERATIONS: Mapping[object, frozenset[str]] = {
+    **dict.fromkeys((TypeCode.FUNCTION_ARGUMENT_TYPE, TypeCode.FUNCTION_ARGUMENT_COUNT), frozenset()),
+    TypeCode.TRANSPOSE: frozenset(("transpose",)),
+    Compared.SIDES: frozenset(("equal",)),
+    Compared.ADDENDS: frozenset(("add",)),
+}
 
 
 def may_say_what_symbols_are(claim: Claim) -> bool:
@@ -191,6 +201,15 @@ def _varies(claim: Claim, own: Symbol, lost: Declaration, known: Definitions) ->
 
 def judge_of(notation: Notation) -> Judge:
     return Judge(notation.definitions, bound=frozenset(each.declaration.name for each in notation.motion))
+
+
+def is_told(verdict: Verdict, misfit: TypeMismatch) -> bool:
+    """True if the fault of a verdict may be that operation, and not one that guessed signatures add."""
+    if verdict.code is None or verdict.reason is None:
+        return True
+    arguments = getattr(verdict.reason, "arguments", {})
+    told = arguments.get("what", "") if "what" in arguments else verdict.code
+    return misfit.operation in _OPERATIONS.get(told, frozenset((misfit.operation,)))
 
 
 def is_open_misfit(misfit: TypeMismatch) -> bool:

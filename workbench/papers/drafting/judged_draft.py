@@ -12,7 +12,6 @@ from workbench.context.claims import Claim
 from workbench.context.facts import Act
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.doubt_codes import DoubtCode, as_one_doubt, single_doubts
-from workbench.core.codes.type_codes import Compared, TypeCode
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.reasons import Reason
 from workbench.core.terms import IllFormed, Relation, Symbol, Term, sides_of
@@ -22,6 +21,7 @@ from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_doubts import (
     is_open_misfit,
+    is_told,
     judge_of,
     may_say_what_symbols_are,
     misread,
@@ -30,7 +30,8 @@ from workbench.papers.drafting.drafted_doubts import (
 )
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.formulary.near_standard import with_standard_formulas
-from workbench.papers.drafting.inference.infer import Thin, TypeMismatch, kind_name
+from workbench.papers.drafting.inference.infer import Thin, kind_name
+from workbench.papers.drafting.meanings.branches import holds_on_a_branch
 from workbench.papers.drafting.meanings.contradictions import display_of
 from workbench.papers.drafting.meanings.names_in_claims import (
     by_definitions,
@@ -78,15 +79,6 @@ _MOST_DOUBTS = 3
 
 #: Doubts that count for nothing if a usual change of a false equation makes it true.
 _SOFT = frozenset({DoubtCode.SAYS_WHAT_SYMBOLS_ARE})
-#: Faults → the operations of which they tell; no entry: of any.
-_OPERATIONS: Mapping[object, frozenset[str]] = {
-    **dict.fromkeys((TypeCode.FUNCTION_ARGUMENT_TYPE, TypeCode.FUNCTION_ARGUMENT_COUNT), frozenset()),
-    TypeCode.TRANSPOSE: frozenset(("transpose",)),
-    Compared.SIDES: frozenset(("equal",)),
-    Compared.ADDENDS: frozenset(("add",)),
-}
-
-
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 
@@ -120,7 +112,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     misfits = {each.latex: each.cured_by for each in own_misfits}
     given_anew = {name for each in inference.misfits if each.gives_entries for name in each.names}
     reason: Reason | None = None
-    is_own = any(each.latex == latex and _is_told(verdict, each) for each in own_misfits)
+    is_own = any(each.latex == latex and is_told(verdict, each) for each in own_misfits)
     if verdict.outcome is Outcome.ILL_FORMED and not is_own:
         reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
     elif thin and latex not in misfits:
@@ -168,6 +160,10 @@ def _doubts_of(draft: Draft, result: ClaimResult, doubts: Sequence[str], is_misf
         confirmed = draft.ingested.confirmed
         guesses = {name: each for name, each in draft.ingested.guesses.items() if name not in confirmed}
         unless += other_meanings(claim, definitions_of(claim), guesses)
+    if verdict.outcome is Outcome.REFUTED and holds_on_a_branch(
+        claim.printed.statement, definitions_of(claim)
+    ):
+        unless.append(DoubtCode.OTHER_BRANCH())
     if display is not None and _TO_SOLVE.search(display.before):
         unless.append(DoubtCode.TO_SOLVE())
     if display is not None and _OF_A_SET.search(display.before):
@@ -191,15 +187,6 @@ def _is_new(draft: Draft, display: Display | None, own: Symbol) -> bool:
     """True if no formula with a relation before a display has the symbol."""
     first = draft.ingested.inference.first.get(written(own.declaration.name))
     return any(each.display is display and each.latex == first for each in draft.ingested.formulas)
-
-
-def _is_told(verdict: Verdict, misfit: TypeMismatch) -> bool:
-    """True if the fault of a verdict may be that operation, and not one that guessed signatures add."""
-    if verdict.code is None or verdict.reason is None:
-        return True
-    arguments = getattr(verdict.reason, "arguments", {})
-    told = arguments.get("what", "") if "what" in arguments else verdict.code
-    return misfit.operation in _OPERATIONS.get(told, frozenset((misfit.operation,)))
 
 
 def _of_the_text(doubt: Reason) -> tuple[Reason, ...]:

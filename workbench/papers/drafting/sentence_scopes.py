@@ -50,3 +50,8 @@ def scopes_of_sentences(
 
 def _section(display: Display) -> tuple[str, str]:
     return display.section or "", display.heading or ""
+
+
+def used_in(said: Sequence[Said]) -> set[str]:
+    """Returns the symbols of the defining formulas in sentences."""
+    return set().union(*(formula.outcome.symbols for _, formula in said))

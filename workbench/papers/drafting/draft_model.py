@@ -50,7 +50,7 @@ from workbench.papers.drafting.notation_proposals import proposals_for, unit_ten
 from workbench.papers.drafting.questions import questions_of
 from workbench.papers.drafting.redefinitions import Scope, parted_quaternions, scopes_of
 from workbench.papers.drafting.sentence_kinds import Facts, facts_of
-from workbench.papers.drafting.sentence_scopes import for_the_text, scopes_of_sentences
+from workbench.papers.drafting.sentence_scopes import for_the_text, scopes_of_sentences, used_in
 from workbench.papers.drafting.symbol_guesses import guesses_of, labels_in
 from workbench.papers.drafting.trial_reading import EXPONENTIAL, Outcome, Reader
 from workbench.papers.drafting.typefaces import Guess, by_typeface, without_bold

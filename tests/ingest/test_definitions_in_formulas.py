@@ -17,6 +17,7 @@ DEFINITIONS = [
     (r"$$c_{12} = c_1 c_2 - s_1 s_2$$ $$\dot\theta_1 + \dot\theta_2 = 0$$", r"c_{12}"),
     (r"$$a = b f(K), \qquad K = b^2$$", "K"),
     (r"$$a = b + K$$ where $$K = b^2$$", "K"),
+    (r"We abbreviate $c_i = \cos\theta_i$: $$x = a_1 c_1 + a_2 c_2$$ $$y_i = a_i \theta_i$$", "c_{i}"),
     (r"$$\dot p = v$$ $$\ddot p = \dot v$$", "v"),
 ]
 

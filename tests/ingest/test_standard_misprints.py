@@ -103,3 +103,17 @@ def test_words_that_deny_the_standard_formula_leave_it(tmp_path: Path, words: st
     path = tmp_path / "page.md"
     path.write_text((ARM % "sin").replace("Its Jacobian is", words), encoding="utf-8")
     assert [each.verdict.outcome for each in judged_draft_of(path)] == [Outcome.DEFINITION]
+
+
+def test_other_order_of_variables_is_no_misprint(tmp_path: Path) -> None:
+    columns = [
+        (r"r\cos\theta\cos\phi", r"-r\sin\theta\sin\phi", r"\sin\theta\cos\phi"),
+        (r"r\cos\theta\sin\phi", r"r\sin\theta\cos\phi", r"\sin\theta\sin\phi"),
+        (r"-r\sin\theta", "0", r"\cos\theta"),
+    ]
+    matrix = r" \\ ".join(" & ".join(row) for row in columns)
+    path = tmp_path / "text.md"
+    path.write_text(
+        f"For spherical coordinates, the Jacobian is\n\n$$\nB = \\begin{{bmatrix}} {matrix} \\end{{bmatrix}}\n$$\n"
+    )
+    assert judged_draft_of(path)[-1].verdict.outcome is Outcome.DEFINITION

@@ -18,7 +18,6 @@ class ContextCode(Code):
     LACKS_PROPERTY = "the text says “{words}” of {symbol}, and for this matrix M, {equation} fails"
     HOLDS_BY = "holds by {facts}"
     GIVEN_OTHERWISE = "{facts} gives {symbol} already"
-    MAKES_FALSE = "{formula} (line {line}) is false by it, and holds with {right}"
     BY_DEFINITIONS = "by what the text gives for {symbols}"
     UNUSUAL = "the usual formula for the {name} is {formula} ({source})"
     FOR_KNOWN_MEMBERS = "holds for {orders}, the members that the definitions hold"

@@ -36,7 +36,6 @@ class DoubtCode(Code):
     MAGNITUDES = "its letters are magnitudes of vectors"
     TO_SOLVE = "it is an equation to solve"
     OF_A_SET = "it selects the members of a set"
-    MISPRINTED_DEFINITION = "the definition of {name} is misprinted"
     OTHER_BRANCH = "its roots and angles are meant on another branch"
     POSITIVE = "its symbols are positive"
     IMAGINARY_UNIT = "{name} is the imaginary unit"

@@ -86,9 +86,12 @@ def is_angle(term: Term) -> bool:
     return term.type.kind == "scalar" and (letter in _ANGLES or _is_time(term))
 
 
-def multiplies_an_angle(term: Term) -> bool:
-    r"""True for a number and for \pi, as 2 and \pi of \cos 2\pi n, not for an angle like \pi/4."""
-    return isinstance(term, Number | Integer) or (isinstance(term, Symbol) and term.declaration == PI)
+def multiplies_an_angle(term: Term, is_first: bool = True) -> bool:
+    r"""True for a number and for \pi, as 2 and \pi of \cos 2\pi n, not for an angle like \pi/4.
+
+    is_first: whether nothing stands between the function and the term; an integer n counts only then."""
+    is_pi = isinstance(term, Symbol) and term.declaration == PI
+    return is_pi or isinstance(term, Number | Integer if is_first else Number)
 
 
 def goes_on(argument: Term, following: Term) -> bool:

@@ -50,8 +50,16 @@ def line_of_arguments(names: Sequence[str]) -> str:
 def _both_readings(scope: Scope, function: Term, bracket: Bracket) -> Reason:
     """Returns the question on a bracket after a symbol."""
     line = _line_of_a_function(scope, function, bracket)
-    may_multiply = all(not scope.is_time(part) and _may_multiply(scope, part) for part in bracket.parts)
+    is_one = len(bracket.parts) == 1 or _is_column_of_numbers(scope, bracket, function)
+    may_multiply = is_one and all(
+        not scope.is_time(part) and _may_multiply(scope, part) for part in bracket.parts
+    )
     return question_of(to_latex(function), ", ".join(map(latex_of, bracket.parts)), line, may_multiply)
+
+
+def _is_column_of_numbers(scope: Scope, bracket: Bracket, factor: Term) -> bool:
+    """True for numbers in a bracket behind a scalar."""
+    return all(term.type.kind == "scalar" for term in (factor, *map(scope.term, bracket.parts)))
 
 
 def _line_of_a_function(scope: Scope, function: Term, bracket: Bracket) -> str | None:
@@ -87,7 +95,9 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
     if only_says:
         _take_place(scope, bracket, term)
-    elif all(is_said_factor(scope, part) for part in bracket.parts):
+    elif _is_column_of_numbers(scope, bracket, term) and all(
+        is_said_factor(scope, part) for part in bracket.parts
+    ):
         return False
     elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
         raise Fault(_both_readings(scope, term, bracket), bracket.at)

@@ -233,7 +233,7 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
             raise Fault(SyntaxCode.HOW_FAR_DOES_REACH(name=name), leaf.at)
         return row.multiply(run), end
     of_numbers = head in OF_SCALARS
-    while of_numbers and end < len(row.items) and multiplies_an_angle(run[-1].term):
+    while of_numbers and end < len(row.items) and multiplies_an_angle(run[-1].term, len(run) == 1):
         if _is_bracket(row.items[end]) or is_function(row.items[end]):
             break
         run.append(row.factor(end))

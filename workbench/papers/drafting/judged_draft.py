@@ -29,11 +29,10 @@ from workbench.papers.drafting.drafted_doubts import (
     subject_alone,
 )
 from workbench.papers.drafting.drafted_texts import Draft
-from workbench.papers.drafting.formulary.near_standard import is_standard, with_standard_formulas
+from workbench.papers.drafting.formulary.near_standard import with_standard_formulas
 from workbench.papers.drafting.inference.infer import Thin, kind_name
 from workbench.papers.drafting.meanings.branches import holds_on_a_branch
 from workbench.papers.drafting.meanings.contradictions import display_of
-from workbench.papers.drafting.meanings.misprinted_definitions import with_misprinted_definitions
 from workbench.papers.drafting.meanings.names_in_claims import (
     by_definitions,
     names_of,
@@ -94,8 +93,7 @@ def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[Claim
     judged = [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
     records = Records.of(draft, judged)
     doubted = [replace(result, verdict=records.doubted(result)) for result in judged]
-    mended = with_misprinted_definitions(doubted, partial(is_standard, draft.ingested))
-    return with_standard_formulas(draft, mended)
+    return with_standard_formulas(draft, doubted)
 
 
 def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:

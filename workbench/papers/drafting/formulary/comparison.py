@@ -153,19 +153,21 @@ def _factors(own: Monomial) -> frozenset[object]:
 
 
 def _with_other_cells(printed: Sum) -> Iterator[Sum]:
-    """Yields a matrix with two rows or columns exchanged, and its transpose."""
+    """Yields a column or row with two entries exchanged, and the transpose of another matrix.
+
+    Exchanged columns may say that its variables stand in another order.
+    """
     cells = [each.cell for each in printed.monomials if each.cell != NO_CELL]
     if not cells:
         return
     rows, columns = (1 + max(cell[axis] for cell in cells) for axis in (0, 1))
-    for axis, count in ((0, rows), (1, columns)):
-        for one in range(count):
-            for other in range(one):
-                swap = {one: other, other: one}
-                yield _moved(printed, axis, swap)
     if rows > 1 and columns > 1:
         turned = [replace(each, cell=each.cell[::-1]) for each in printed.monomials]
         yield Sum(tuple(turned))
+        return
+    for one in range(max(rows, columns)):
+        for other in range(one):
+            yield _moved(printed, int(columns > 1), {one: other, other: one})
 
 
 def _moved(printed: Sum, axis: int, to: dict[int, int]) -> Sum:

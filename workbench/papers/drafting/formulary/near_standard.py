@@ -10,7 +10,6 @@ from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import chain
 
-from workbench.context.claims import Claim
 from workbench.core import construct
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.codes.doubt_codes import DoubtCode
@@ -88,7 +87,7 @@ def near_standard_formulas(
 
     Those that differ from another standard formula by names alone are right.   wanted: ids of claims.
     """
-    prose = _prose_of(ingested)
+    prose = "\n".join(source.prose for source in ingested.text.sources).lower()
     statements = {each.id: each.printed.statement for each in paper.claims}
     for claim in (each for each in paper.claims if each.id in wanted):
         said, display = claim.printed.statement, display_of(claim, ingested)
@@ -103,22 +102,6 @@ def near_standard_formulas(
         if (found := _nearest(said, in_full, prose, before)) is not None:
             with suppress(IllFormed):
                 yield claim.id, (_contradiction(claim.id, in_full, *found), found[0])
-
-
-def is_standard(ingested: Ingested, claim: Claim) -> bool:
-    """True if an equation differs from a standard formula by names alone."""
-    said, display = claim.printed.statement, display_of(claim, ingested)
-    if not isinstance(said, Relation) or said.operator != "=" or display is None:
-        return False
-    prose = _prose_of(ingested)
-    with suppress(TooLong, ZeroDivisionError):
-        sums = {equation_sum(each) for each in (said, _in_full(said, claim.notation.definitions))}
-        return any(next(_equal_to(own, prose), None) is not None for own in sums)
-    return False
-
-
-def _prose_of(ingested: Ingested) -> str:
-    return "\n".join(source.prose for source in ingested.text.sources).lower()
 
 
 @lru_cache(maxsize=8)

@@ -42,8 +42,8 @@ from workbench.papers.texts.text_paper import TextPaper
 from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
 
-#: The limits of all tests of one text, and of one test.
-_SECONDS, _SECONDS_OF_ONE = 2.0, 0.5
+#: The limits of all tests of meanings by words, of those of changed definitions, and of one test.
+_SECONDS, _SECONDS_OF_CHANGES, _SECONDS_OF_ONE = 2.0, 6.0, 0.5
 #: The characters of words beside a symbol in a sentence.
 _BESIDE = 50
 _CASE = re.compile(r"\b(?:for|if|when|approximat\w*|small|linear\w*)\b[^.;]*$", re.IGNORECASE)
@@ -137,6 +137,7 @@ class _Bench:
         self.ingested, self.paper = ingested, paper
         self.end = 0.0
         self._known: dict[int, Definitions] = {}
+        self._far: dict[tuple[int, int], bool] = {}
         self.lines: dict[str, int] = {}
         self.displays = {each.line: each for each in reversed(ingested.text.displays)}
 
@@ -163,7 +164,7 @@ class _Bench:
     def by_formulas(self) -> Iterator[Meaning]:
         """Yields the changed first formula with which the most other formulas of the text hold, and without
         not; none if several serve equally."""
-        self.end = process_time() + _SECONDS
+        self.end = process_time() + _SECONDS_OF_CHANGES
         found: list[_Change] = []
         for first in self.firsts:
             statement, known = self._at_rest(first.claim.printed.parsed, first.claim.notation)
@@ -173,7 +174,7 @@ class _Bench:
                 continue
             about = [each for each in self.judged if first.own.declaration in each.used]
             false = [each for each in about if not each.holds]
-            if not false or (len(false) == 1 and false[0].nearness(known) is not Nearness.FAR):
+            if not false or (len(false) == 1 and not self._is_far(false[0], known)):
                 continue
             true = [each for each in about if each.holds]
             changed = self._changed(first, known, statement, false, true)
@@ -195,9 +196,11 @@ class _Bench:
         false: Sequence[_Said],
         true: Sequence[_Said],
     ) -> Iterator[_Change]:
-        """Yields the changed right sides with which two or all false formulas hold, and none fails that
-        held."""
-        least = min(2, len(false))
+        """Yields the changed right sides with which false formulas hold, and none fails that held.
+
+        These are two formulas or all, or one that no change of its own makes true."""
+        far = [each for each in false if self._is_far(each, definitions)]
+        least = min(1 if far else 2, len(false))
         for changed in usual_changes(statement):
             if process_time() > self.end:
                 return
@@ -212,9 +215,17 @@ class _Bench:
                     rest.append(each)
                     if len(rest) > len(false) - least:
                         break
-            held = len(false) - len(rest)
-            if held >= least and all(each.points(known).vanishes() for each in true):
-                yield _Change(first, changed.right, known, held, tuple(rest))
+            held = [each for each in false if each not in rest]
+            is_told = len(held) >= min(2, len(false)) or any(each in far for each in held)
+            if is_told and all(each.points(known).vanishes() for each in true):
+                yield _Change(first, changed.right, known, len(held), tuple(rest))
+
+    def _is_far(self, said: _Said, known: Definitions) -> bool:
+        """True if no change of a false formula makes it true."""
+        key = (id(said), id(known))
+        if key not in self._far:
+            self._far[key] = said.nearness(known) is Nearness.FAR
+        return self._far[key]
 
     @cached_property
     def judged(self) -> list[_Said]:

@@ -22,7 +22,7 @@ MISPRINTS = [
 def _warned(formulas: list[str], folder: Path) -> list[str]:
     given = "\n\n".join(f"$$\n{each}\n$$" for each in formulas)
     path = folder / "text.md"
-    path.write_text(f"For numbers we put\n\n{given}\n")
+    path.write_text(f"We put the numbers\n\n{given}\n")
     results = judged_draft_of(path)
     return [each.claim.printed.latex for each in results if each.verdict.grade is Grade.WARNING]
 

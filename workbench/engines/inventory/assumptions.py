@@ -83,6 +83,43 @@ def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup
     return [*premises, *found]
 
 
+def prolonged(premises: Sequence[Statement], claim: Statement, definitions: Lookup) -> list[Relation]:
+    """Returns the derivatives of the premises that constrain the rates in the claim or in other premises.
+
+    a = ẍ and A = Ẍ need the second derivative of x = X + r, although the claim a = A + r̈ has no rate of x.
+    One that contains a rate of no other equation only says what that rate is; it is left out.
+    """
+    found: list[Relation] = []
+    for _ in premises:
+        together = Conjunction((claim, *premises, *found))
+        again = [each for premise in premises for each in derivatives_of(premise, together, definitions)]
+        if len(again) == len(found):
+            break
+        found = again
+    return _with_shared_rates(list(dict.fromkeys(found)), (claim, *premises), definitions)
+
+
+def _with_shared_rates(
+    derived: list[Relation], others: Sequence[Statement], definitions: Lookup
+) -> list[Relation]:
+    """Returns the equations without those that have a rate of higher order than all other statements."""
+    orders = {each: take_inventory(sides_of(each), definitions).orders for each in (*derived, *others)}
+    kept = derived
+    while True:
+        reached_by = [orders[each] for each in (*kept, *others)]
+        shared = [
+            each
+            for each in kept
+            if all(
+                not order or sum(other.get(symbol, -1) >= order for other in reached_by) > 1
+                for symbol, order in orders[each].items()
+            )
+        ]
+        if len(shared) == len(kept):
+            return kept
+        kept = shared
+
+
 def _says_what_a_function_is(relation: Relation) -> bool:
     """True for f = t, where f is a function of exactly the coordinates that move in t.
 

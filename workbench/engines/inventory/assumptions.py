@@ -7,7 +7,7 @@ assumed to vanish, too.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 
@@ -73,36 +73,32 @@ def derivatives_of(
 
 def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup) -> list[Statement]:
     """Returns the premises and those of their derivatives that the claim and the premises need."""
-    found: list[Statement] = []
-    with suppress(NotExact, IllFormed):
-        for _ in premises:
-            together = Conjunction((claim, *premises, *found))
-            found = [
-                each for premise in premises for each in derivatives_of(premise, together, definitions, True)
-            ]
-    return [*premises, *found]
+    return [*premises, *prolonged(premises, claim, definitions, True)]
 
 
-def prolonged(premises: Sequence[Statement], claim: Statement, definitions: Lookup) -> list[Relation]:
+def prolonged(
+    premises: Sequence[Statement], claim: Statement, definitions: Lookup, along_motion: bool = False
+) -> list[Relation]:
     """Returns the derivatives of the premises that constrain the rates in the claim or in other premises.
 
     a = ẍ and A = Ẍ need the second derivative of x = X + r, although the claim a = A + r̈ has no rate of x.
-    One that contains a rate of no other equation only says what that rate is; it is left out.
     """
     found: list[Relation] = []
-    for _ in premises:
-        together = Conjunction((claim, *premises, *found))
-        again = [each for premise in premises for each in derivatives_of(premise, together, definitions)]
-        if len(again) == len(found):
-            break
-        found = again
-    return _with_shared_rates(list(dict.fromkeys(found)), (claim, *premises), definitions)
+    with suppress(NotExact, IllFormed):
+        for _ in premises:
+            said = Conjunction((claim, *premises, *found))
+            again = [r for each in premises for r in derivatives_of(each, said, definitions, along_motion)]
+            if len(again) == len(found):
+                break
+            found = again
+        return _with_shared_rates(list(dict.fromkeys(found)), (claim, *premises), definitions)
+    return found
 
 
 def _with_shared_rates(
     derived: list[Relation], others: Sequence[Statement], definitions: Lookup
 ) -> list[Relation]:
-    """Returns the equations without those that have a rate of higher order than all other statements."""
+    """Returns the equations without those that only say what a rate is that no other statement has."""
     orders = {each: take_inventory(sides_of(each), definitions).orders for each in (*derived, *others)}
     kept = derived
     while True:
@@ -110,14 +106,24 @@ def _with_shared_rates(
         shared = [
             each
             for each in kept
-            if all(
-                not order or sum(other.get(symbol, -1) >= order for other in reached_by) > 1
-                for symbol, order in orders[each].items()
+            if not any(
+                sum(other.get(own, -1) >= order for other in reached_by) == 1
+                for own, order in _rates_alone(each)
             )
         ]
         if len(shared) == len(kept):
             return kept
         kept = shared
+
+
+def _rates_alone(equation: Relation) -> Iterator[tuple[Symbol, int]]:
+    """Yields the symbols of any value whose rate is a side of the equation, with its order."""
+    for side in (equation.left, equation.right):
+        own, order = side, 0
+        while isinstance(own, Derivative) and own.order.is_number:
+            own, order = own.body, order + int(own.order)
+        if order and isinstance(own, Symbol) and not (own.declaration.rotation or own.declaration.unit):
+            yield own, order
 
 
 def _says_what_a_function_is(relation: Relation) -> bool:

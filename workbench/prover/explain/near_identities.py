@@ -39,7 +39,7 @@ def is_near_identity(claim: Claim, own: Symbol) -> bool:
 
 
 def is_without(claim: Claim, symbols: Sequence[Symbol]) -> bool:
-    """True if the sides of the equations differ by what contains none of the symbols: they say nothing of these.
+    """True if the sides of the equations differ by what contains none of the symbols: they say nothing of it.
 
     ∂/∂s (s x, z) = (−x, 0) is no condition for z.
     """

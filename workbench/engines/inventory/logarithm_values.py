@@ -179,6 +179,8 @@ def _without_inverses(factors: list[Term]) -> list[Term]:
 def _are_inverse(one: Term, other: Term) -> bool:
     pairs = ((one, other), (other, one))
     return any(
-        isinstance(turned, Apply) and turned.head in ("transpose", "inverse", "conjugate") and turned.arguments == (plain,)
+        isinstance(turned, Apply)
+        and turned.head in ("transpose", "inverse", "conjugate")
+        and turned.arguments == (plain,)
         for plain, turned in pairs
     )

@@ -119,9 +119,11 @@ def _with_shared_rates(
 def _rates_alone(equation: Relation) -> Iterator[tuple[Symbol, int]]:
     """Yields the symbols of any value whose rate is a side of the equation, with its order."""
     for side in (equation.left, equation.right):
-        own, order = side, 0
+        own: Term = side
+        order = 0
         while isinstance(own, Derivative) and own.order.is_number:
-            own, order = own.body, order + int(own.order)
+            order += int(own.order)
+            own = own.body
         if order and isinstance(own, Symbol) and not (own.declaration.rotation or own.declaration.unit):
             yield own, order
 

@@ -94,8 +94,9 @@ def speaks_of(body: str, letters: Iterable[str]) -> bool:
 
 
 def stands_without_range(key: str, letters: Iterable[str], bodies: Mapping[str, str]) -> bool:
-    """True if the definition of another symbol uses the key, and nothing in it gives the letters a range, as m_p
-    in `μ = m_p l`."""
+    """True if the definition of another symbol uses the key, and nothing in it gives the letters a range.
+
+    In `μ = m_p l` the p of m_p has none."""
     written = re.compile(rf"(?<![A-Za-z\\]){re.escape(_without_braces(key))}(?![A-Za-z])")
     below = re.compile("|".join(rf"[_,^{{]\s*{letter}(?![A-Za-z])" for letter in letters))
     return any(

@@ -58,9 +58,11 @@ def assigned_by(
 def _assigned(equation: Relation, definitions: Lookup) -> Iterator[Assigned]:
     """Yields the quantities of any value that are a side of the equation, each with the other side."""
     for side, value in ((equation.left, equation.right), (equation.right, equation.left)):
-        own, order = side, 0
+        own: Term = side
+        order = 0
         while isinstance(own, Derivative) and own.order.is_number:
-            own, order = own.body, order + int(own.order)
+            order += int(own.order)
+            own = own.body
         if isinstance(own, Symbol) and own.type in (SCALAR, VECTOR) and definitions.lookup(own) is None:
             flags = {"constant"} if not order else set()
             plain = Declaration(own.declaration.name, own.type)

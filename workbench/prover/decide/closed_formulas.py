@@ -85,11 +85,10 @@ def refuted_at_numbers(said: Statement, assume: Sequence[Statement], definitions
     """
     if not isinstance(definitions, Definitions) or not isinstance(said, Relation) or said.operator != "=":
         return None
-    if not all(isinstance(each, Relation) and each.operator in "≠=" for each in assume):
+    premises = [each for each in assume if isinstance(each, Relation) and each.operator in "≠="]
+    if len(premises) < len(assume):
         return None
-    apart = [
-        relation(each.operator, *(expand(side, definitions) for side in sides_of(each))) for each in assume
-    ]
+    apart = [relation(each.operator, *(expand(s, definitions) for s in sides_of(each))) for each in premises]
     sides = [expand(side, definitions) for side in (said.left, said.right)]
     is_given = any(each.operator == "=" for each in apart)
     (numbers, *apart), is_solved = _without_assigned([relation("=", *sides), *apart])

@@ -117,15 +117,19 @@ def _with_shared_rates(
 
 
 def _rates_alone(equation: Relation) -> Iterator[tuple[Symbol, int]]:
-    """Yields the symbols of any value whose rate is a side of the equation, with its order."""
-    for side in (equation.left, equation.right):
-        own: Term = side
-        order = 0
-        while isinstance(own, Derivative) and own.order.is_number:
-            order += int(own.order)
-            own = own.body
-        if order and isinstance(own, Symbol) and not (own.declaration.rotation or own.declaration.unit):
-            yield own, order
+    """Yields the symbols whose rate is an addend of a side, with its order; they stand nowhere else in it."""
+    written = [*equation.left.walk(), *equation.right.walk()]
+    waiting: list[tuple[Term, int]] = [(equation.left, 0), (equation.right, 0)]
+    while waiting:
+        term, order = waiting.pop()
+        match term:
+            case Derivative() if term.order.is_number:
+                waiting.append((term.body, order + int(term.order)))
+            case Apply(head="add" | "neg"):
+                waiting += [(each, order) for each in term.arguments]
+            case Symbol(declaration=own) if order and not (own.rotation or own.unit):
+                if written.count(term) == 1:
+                    yield term, order
 
 
 def _says_what_a_function_is(relation: Relation) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 
 from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.terms import IllFormed, Statement, sides_of
@@ -26,28 +26,15 @@ def unless_lasting(
     meant. judge: of the claim, under the premises with more of them.
     """
     code = VerdictCode.AT_ONE_PLACE if has_gradient(sides_of(claim)) else VerdictCode.AT_ONE_INSTANT
-    known = tuple(premises)
+    moving = [p for p in premises if not all(is_constant(side, definitions) for side in sides_of(p))]
     try:
-        for further in _derivatives(claim, premises, definitions):
-            known = (*known, *further)
-            again = judge(claim, known)
-            if again.outcome is not Outcome.REFUTED:
-                return Verdict(Outcome.UNCHECKED, reason=code())
-            refuted = again
+        further = [each for premise in moving for each in derivatives_of(premise, claim, definitions)]
+        further += [each for each in prolonged(moving, claim, definitions) if each not in further]
+        if not further:
+            return refuted
+        again = judge(claim, (*premises, *further))
     except Unsatisfiable:
         return refuted  # t = 0 holds at one instant
     except (NotExact, IllFormed):
         return Verdict(Outcome.UNCHECKED, reason=code())
-    return refuted
-
-
-def _derivatives(
-    claim: Statement, premises: Sequence[Statement], definitions: Lookup
-) -> Iterator[Sequence[Statement]]:
-    """Yields the derivatives up to the orders of the claim, then those needed through other premises."""
-    moving = [p for p in premises if not all(is_constant(side, definitions) for side in sides_of(p))]
-    first = [each for premise in moving for each in derivatives_of(premise, claim, definitions)]
-    if first:
-        yield first
-    if more := [each for each in prolonged(moving, claim, definitions) if each not in first]:
-        yield more
+    return again if again.outcome is Outcome.REFUTED else Verdict(Outcome.UNCHECKED, reason=code())

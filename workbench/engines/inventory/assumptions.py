@@ -29,6 +29,9 @@ from workbench.core.terms import (
 from workbench.engines.inventory import Lookup, NotExact, reached
 from workbench.engines.inventory.inventory import take_inventory
 
+#: One more than the order up to which a premise is known as a derivative of another.
+_HIGHEST = 5
+
 
 class Unsatisfiable(ValueError):
     """No values of the symbols satisfy the assumptions."""
@@ -82,16 +85,21 @@ def prolonged(
     """Returns the derivatives of the premises that constrain the rates in the claim or in other premises.
 
     a = ẍ and A = Ẍ need the second derivative of x = X + r, although the claim a = A + r̈ has no rate of x.
+    Premises that are derivatives of others are not differentiated again.
     """
     found: list[Relation] = []
+    own = {each for premise in premises for each in _relations(premise)}
+    derived = {_each_side(each, partial(derivative, order=k)) for each in own for k in range(1, _HIGHEST)}
+    first = [premise for premise in premises if premise not in derived]
     with suppress(NotExact, IllFormed):
         for _ in premises:
             said = Conjunction((claim, *premises, *found))
-            again = [r for each in premises for r in derivatives_of(each, said, definitions, along_motion)]
+            again = [r for each in first for r in derivatives_of(each, said, definitions, along_motion)]
             if len(again) == len(found):
                 break
             found = again
-        return _with_shared_rates(list(dict.fromkeys(found)), (claim, *premises), definitions)
+        new = [each for each in dict.fromkeys(found) if each not in own]
+        return _with_shared_rates(new, (claim, *premises), definitions)
     return found
 
 

@@ -63,6 +63,7 @@ class Setting:
     second_engine: bool = True
     bound: frozenset[Name] = frozenset()
     laws: bool = True
+    assigns: bool = True
     engines: Engines = field(default_factory=Engines, compare=False, repr=False)
 
 
@@ -145,6 +146,8 @@ class Case:
         if not irrational:
             return None
         equations = self.assumptions.equations
+        if equations and not self.setting.assigns:
+            return None
         assigned = None
         with suppress(NotExact, IllFormed):
             assigned = assigned_by(equations, self.inventory, self.definitions)

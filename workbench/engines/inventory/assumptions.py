@@ -76,7 +76,14 @@ def derivatives_of(
 
 def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup) -> list[Statement]:
     """Returns the premises and those of their derivatives that the claim and the premises need."""
-    return [*premises, *prolonged(premises, claim, definitions, True)]
+    found: list[Statement] = []
+    with suppress(NotExact, IllFormed):
+        for _ in premises:
+            together = Conjunction((claim, *premises, *found))
+            found = [
+                each for premise in premises for each in derivatives_of(premise, together, definitions, True)
+            ]
+    return [*premises, *found]
 
 
 def prolonged(

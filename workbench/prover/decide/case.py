@@ -57,6 +57,7 @@ class Setting:
     alone proves nothing.
     laws: True if an equation may be a law; each member of a family must follow from the definitions.
     bound: the names of the symbols that stand for quantities of a motion, and so are not free.
+    assigns: True if a refutation may be at a real point where equations assign values, as ẋ = v cos φ does.
     """
 
     definitions: Lookup

@@ -138,7 +138,8 @@ def _without_assigned(said: Sequence[Relation]) -> tuple[list[Relation], bool]:
             for premise in premises
             if premise.operator == "="
             for own, value in ((premise.left, premise.right), (premise.right, premise.left))
-            if isinstance(own, Symbol) and _takes_numbers(own) and own not in value.walk()
+            if isinstance(own, Symbol) and _takes_numbers(own) and not own.declaration.positive
+            if own not in value.walk()
         )
         if (found := next(assigned, None)) is None:
             return [claim, *premises], all(each.operator == "≠" for each in premises)

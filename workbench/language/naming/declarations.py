@@ -93,23 +93,6 @@ def speaks_of(body: str, letters: Iterable[str]) -> bool:
     return any(re.search(rf"(?<![\\A-Za-z]){letter}(?![A-Za-z]|\s*_)", body) for letter in letters)
 
 
-def stands_without_range(key: str, letters: Iterable[str], bodies: Mapping[str, str]) -> bool:
-    """True if the definition of another symbol uses the key, and nothing in it gives the letters a range.
-
-    In `μ = m_p l` the p of m_p has none."""
-    written = re.compile(rf"(?<![A-Za-z\\]){re.escape(_without_braces(key))}(?![A-Za-z])")
-    below = re.compile("|".join(rf"[_,^{{]\s*{letter}(?![A-Za-z])" for letter in letters))
-    return any(
-        other != key and not below.search(other) and "\\sum" not in body and "\\prod" not in body
-        for other, body in bodies.items()
-        if written.search(_without_braces(body))
-    )
-
-
-def _without_braces(latex: str) -> str:
-    return re.sub(r"([_^])\s*\{\s*(\w)\s*\}", r"\1\2", latex)
-
-
 def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling:
     """Returns the spelling of a declared name, in which index letters count as integers unless they are in
     `labels`.

@@ -32,7 +32,6 @@ from workbench.language.naming.declarations import (
     read_key,
     refuse_builtin,
     speaks_of,
-    stands_without_range,
 )
 from workbench.language.naming.defined_names import DefinedNames
 from workbench.language.naming.known_frames import KnownFrames
@@ -76,8 +75,7 @@ class SymbolTable:
         uniform, of, aliases, note}.
 
         The letters in `labels`, such as those of frames, are not indices; neither are those of a key whose
-        definition, in `bodies`, contains none of them, or that another definition uses without a range for
-        them. Raises SpecError.
+        definition, in `bodies`, contains none of them. Raises SpecError.
         """
         symbols: dict[Name, Declaration] = {}
         functions: dict[Name, Sequence[str]] = {}
@@ -116,8 +114,7 @@ class SymbolTable:
         for key, spec in specs.items():
             name, index = read_key(key, letters)
             variables = frozenset[str]().union(*(place.variables for place in index))
-            is_own = key in bodies and not speaks_of(bodies[key], variables)
-            if variables and (is_own or stands_without_range(key, variables, bodies)):
+            if variables and key in bodies and not speaks_of(bodies[key], variables):
                 name, index = read_key(key, {*letters, *variables})
             if name not in symbols:  # T_m next to a symbol m
                 symbols[name] = read_declaration(key, name, index, _unindexed(spec))

@@ -255,10 +255,12 @@ class Subject:
         return entries <= self.declarations and entries.isdisjoint(free_in(others, self.definitions))
 
     def _orders_in(self, terms: Sequence[Term]) -> dict[Symbol, int]:
-        with suppress(NotExact, IllFormed):
-            return dict(take_inventory(terms, self.definitions, slopes=False).orders)
         parts = (part for term in terms for part in self.definitions.reached(term))
-        return {part: 0 for part in parts if isinstance(part, Symbol)}
+        written = {part: 0 for part in parts if isinstance(part, Symbol)}  # x > 0 may be a square elsewhere
+        with suppress(NotExact, IllFormed):
+            orders = dict(take_inventory(terms, self.definitions, slopes=False).orders)
+            return {part: 0 for part in written if part.declaration.positive} | orders
+        return written
 
 
 def _without_zero_columns(term: Term) -> Term:

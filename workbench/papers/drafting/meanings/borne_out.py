@@ -41,12 +41,12 @@ from workbench.papers.drafting.typefaces import flat
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
+from workbench.source.documents.condition_words import CASE_OF_DISPLAY
 
 #: The limits of all tests of one text, and of one test.
 _SECONDS, _SECONDS_OF_ONE = 2.0, 0.5
 #: The characters of words beside a symbol in a sentence.
 _BESIDE = 50
-_CASE = re.compile(r"\b(?:for|if|when|approximat\w*|small|linear\w*)\b[^.;]*$", re.IGNORECASE)
 
 
 def with_meanings(ingested: Ingested, paper: TextPaper) -> Ingested:
@@ -93,7 +93,7 @@ class _Said:
     @cached_property
     def used(self) -> frozenset[Declaration]:
         known = self.known
-        parts = (part for side in sides_of(self.statement) for part in known.reached(side))
+        parts = known.reached(*sides_of(self.statement))
         return frozenset(part.declaration for part in parts if isinstance(part, Symbol))
 
     @cached_property
@@ -240,7 +240,9 @@ class _Bench:
             if display is None or not isinstance(statement, Relation) or claim.assume or claim.chain:
                 continue
             left = statement.left.base if isinstance(statement.left, Power) else statement.left
-            if not isinstance(left, Symbol) or left.index or left.arguments or _CASE.search(display.before):
+            if not isinstance(left, Symbol) or left.index or left.arguments:
+                continue
+            if CASE_OF_DISPLAY.search(display.before):
                 continue
             own = given.get(str(left.declaration.name))
             if own is None and left is statement.left:

@@ -118,6 +118,6 @@ class _FileSentences:
 
 
 def _symbols(statement: Statement, notation: Notation) -> list[Symbol]:
-    parts = (part for side in sides_of(statement) for part in notation.definitions.reached(side))
+    parts = notation.definitions.reached(*sides_of(statement))
     found = dict.fromkeys(part for part in parts if isinstance(part, Symbol) and not part.arguments)
     return [each if each.index else symbol(each.declaration) for each in found]

@@ -75,9 +75,9 @@ class Definitions:
             self._about[family] = tuple(own)
         return self._about[family]
 
-    def reached(self, term: Term) -> Iterator[Term]:
-        """Yields the subterms of the term, and those of all definitions in it, recursively."""
-        waiting, seen = [term], set()
+    def reached(self, *terms: Term) -> Iterator[Term]:
+        """Yields the subterms of the terms, and those of all definitions in them, recursively."""
+        waiting, seen = list(reversed(terms)), set()
         while waiting:
             for part in waiting.pop().walk():
                 yield part
@@ -91,7 +91,7 @@ class Definitions:
         A positive symbol is not 0. π is not 0; if it occurs only in sines and the like, the cosine and sine
         of its half are given instead.
         """
-        reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
+        reached = dict.fromkeys(self.reached(*sides_of(statement)))
         found = [part for part in reached if isinstance(part, Symbol)]
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
         pis = [part for part in found if self.is_pi(part.declaration)]

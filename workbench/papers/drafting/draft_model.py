@@ -156,7 +156,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     questions = [
         *(f"Does {name} print {body}?" for name, body in fences.items()),
         *(proposal.question for proposal in reading.proposals),
-        *questions_of(text, reading.formulas, reader.guesses),
+        *questions_of(text),
     ]
     in_displays = definitions_in(made)
     shown = set().union(*(formula.outcome.symbols for formula in made))

@@ -88,7 +88,7 @@ def _may_speak_of(claim: Claim, names: Collection[str]) -> bool:
         return any(latex_key(name) in formula for name in names)
     said = [claim.printed, *claim.assume, *claim.context.given]
     sides = [side for each in said if each.statement is not None for side in sides_of(each.statement)]
-    found = {part for side in sides for part in claim.notation.definitions.reached(side)}
+    found = set(claim.notation.definitions.reached(*sides))
     about = {name for fact in claim.context.facts for name in fact.about}
     about |= {part.declaration.name for part in found if isinstance(part, Symbol)}
     return any(str(each) in names for each in about)

@@ -59,7 +59,7 @@ def ranges_apart(
 
 def _for_each(statement: Relation, definitions: Definitions) -> Relation | None:
     """Returns the equation of free members, if all definitions are uniform in the index; else None."""
-    parts = (part for side in (statement.left, statement.right) for part in definitions.reached(side))
+    parts = definitions.reached(statement.left, statement.right)
     members = {part for part in parts if isinstance(part, Symbol) and part.index}
     known = {each for member in members for each in definitions.about(member)}
     if any(member.declaration.apart for member in members) or not all(map(_is_for_each, known)):

@@ -230,8 +230,7 @@ def _is_carried(said: Statement | None, there: Notation, here: Notation) -> bool
         return False
     if there is here:
         return True
-    parts = there.definitions.reached(*sides_of(said))
-    symbols = {part for part in parts if isinstance(part, Symbol)}
+    symbols = set(there.definitions.symbols_in(*sides_of(said)))
     declared = here.symbols.symbols
     names = {each.declaration.name for each in symbols}
     return declared_anew(names, there, here) is None and all(

@@ -257,8 +257,7 @@ class Subject:
     def _orders_in(self, terms: Sequence[Term]) -> dict[Symbol, int]:
         with suppress(NotExact, IllFormed):
             return dict(take_inventory(terms, self.definitions, slopes=False).orders)
-        parts = self.definitions.reached(*terms)
-        return {part: 0 for part in parts if isinstance(part, Symbol)}
+        return dict.fromkeys(self.definitions.symbols_in(*terms), 0)
 
 
 def _without_zero_columns(term: Term) -> Term:

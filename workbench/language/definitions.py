@@ -85,14 +85,17 @@ class Definitions:
                     seen.add(part.declaration.name)
                     waiting += [definition.body for definition in self.about(part)]
 
+    def symbols_in(self, *terms: Term) -> Iterator[Symbol]:
+        """Yields the symbols in the terms, and those in all definitions in them, recursively."""
+        return (part for part in self.reached(*terms) if isinstance(part, Symbol))
+
     def known_of(self, statement: Statement) -> Iterator[Relation]:
         """Yields what is known of the symbols of the statement.
 
         A positive symbol is not 0. π is not 0; if it occurs only in sines and the like, the cosine and sine
         of its half are given instead.
         """
-        reached = dict.fromkeys(self.reached(*sides_of(statement)))
-        found = [part for part in reached if isinstance(part, Symbol)]
+        found = list(dict.fromkeys(self.symbols_in(*sides_of(statement))))
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
         pis = [part for part in found if self.is_pi(part.declaration)]
         sides = [expand(side, self) for side in sides_of(statement)] if pis else []

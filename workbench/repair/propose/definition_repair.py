@@ -175,8 +175,8 @@ def _rests_on(body: Term, name: Symbol) -> set[tuple]:
 def _names_below(claim: Claim) -> set[Name]:
     """Returns the names of the symbols that the claim depends on, through all definitions."""
     statement = claim.printed.statement
-    parts = () if statement is None else claim.notation.definitions.reached(*sides_of(statement))
-    return {part.declaration.name for part in parts if isinstance(part, Symbol)}
+    below = () if statement is None else claim.notation.definitions.symbols_in(*sides_of(statement))
+    return {symbol.declaration.name for symbol in below}
 
 
 def _holds_at_points(claim: Claim, change: Redefinition) -> bool:

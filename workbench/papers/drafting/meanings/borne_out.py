@@ -92,9 +92,7 @@ class _Said:
 
     @cached_property
     def used(self) -> frozenset[Declaration]:
-        known = self.known
-        parts = known.reached(*sides_of(self.statement))
-        return frozenset(part.declaration for part in parts if isinstance(part, Symbol))
+        return frozenset(each.declaration for each in self.known.symbols_in(*sides_of(self.statement)))
 
     @cached_property
     def is_decided(self) -> bool:
@@ -258,12 +256,11 @@ class _Bench:
         moving: set[str] = set()
         for claim in self.paper.claims:
             sides = sides_of(claim.printed.statement) if claim.printed.statement is not None else ()
-            for side in sides:
-                for part in claim.notation.definitions.reached(side):
-                    if isinstance(part, Symbol):
-                        types[str(part.declaration.name)] = part.declaration
-                    elif isinstance(part, Derivative):
-                        moving |= {str(each.declaration.name) for each in part.body.symbols()}
+            for part in claim.notation.definitions.reached(*sides):
+                if isinstance(part, Symbol):
+                    types[str(part.declaration.name)] = part.declaration
+                elif isinstance(part, Derivative):
+                    moving |= {str(each.declaration.name) for each in part.body.symbols()}
         known = self.paper.notation.definitions
         for each in known:
             types.setdefault(str(each.declaration.name), each.declaration)

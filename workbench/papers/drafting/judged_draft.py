@@ -51,9 +51,11 @@ from workbench.papers.drafting.typefaces import flat
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.repair.propose.usual_changes import Nearness
 from workbench.source.documents import Display
-from workbench.source.documents.condition_words import CASE_OF_DISPLAY, OF_CASE, in_last_sentence
+from workbench.source.documents.condition_words import OF_CASE, OF_CASE_OR_VALUE, in_last_sentence
 from workbench.source.documents.surrounding_words import sections_of
 
+#: The words for one of several cases, before a display.
+_CASE = in_last_sentence(OF_CASE_OR_VALUE)
 #: The words for another case than that of an earlier display.
 _OTHER_CASE = in_last_sentence(OF_CASE)
 #: The words for a case in which an earlier formula has another form.
@@ -347,7 +349,7 @@ def _given_anew(draft: Draft, claim: Claim) -> list[str]:
             continue
         first = next((each for each in displays if each.line == known.line), display)
         is_elsewhere = (first.section, first.heading) != (display.section, display.heading)
-        is_another_case = all(CASE_OF_DISPLAY.search(each.before) for each in (first, display))
+        is_another_case = all(_CASE.search(each.before) for each in (first, display))
         if known.line < display.line <= (claim.line or 0) and (is_elsewhere or is_another_case):
             found.append(given.name)
     return found

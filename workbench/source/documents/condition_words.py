@@ -26,7 +26,9 @@ SUPPOSES = r"suppos\w+|assum\w+"
 CONTRASTS = "whereas|while|but|and|or|instead|conversely|alternatively|however"
 #: The display behind these words is for one of several cases.
 OF_CASE = r"if|when|in (?:the|this|that|such an?) (?:[\w-]+ )?case"
-#: It may be for some values, as for small angles; for all angles is no case.
+#: It is for a case, or for a value, or for all.
+OF_CASE_OR_VALUE = f"{OF_CASE}|for"
+#: It is for some values, as for small angles.
 OF_VALUES = r"for (?!(?:the|each|all|every)\b)"
 #: It replaces an earlier formula.
 REPLACES = r"instead|alternative\w*|other"
@@ -76,7 +78,3 @@ IN_SECTION = r"(?:throughout|in|within|for) this (?:sub)*section"
 def in_last_sentence(*words: str) -> re.Pattern[str]:
     """Returns the pattern of words in the last sentence of a text, such as that before a display."""
     return re.compile(rf"\b(?:{'|'.join(words)})\b[^.;]*$", re.IGNORECASE)
-
-
-#: The words before a display that holds in a case, or approximately, or instead of another one.
-CASE_OF_DISPLAY = in_last_sentence(OF_CASE, OF_VALUES, REPLACES, APPROXIMATES)

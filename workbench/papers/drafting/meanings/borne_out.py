@@ -41,12 +41,13 @@ from workbench.papers.drafting.typefaces import flat
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
-from workbench.source.documents.condition_words import CASE_OF_DISPLAY
+from workbench.source.documents.condition_words import APPROXIMATES, OF_CASE_OR_VALUE, in_last_sentence
 
 #: The limits of all tests of one text, and of one test.
 _SECONDS, _SECONDS_OF_ONE = 2.0, 0.5
 #: The characters of words beside a symbol in a sentence.
 _BESIDE = 50
+_CASE = in_last_sentence(OF_CASE_OR_VALUE, APPROXIMATES)
 
 
 def with_meanings(ingested: Ingested, paper: TextPaper) -> Ingested:
@@ -240,7 +241,7 @@ class _Bench:
             left = statement.left.base if isinstance(statement.left, Power) else statement.left
             if not isinstance(left, Symbol) or left.index or left.arguments:
                 continue
-            if CASE_OF_DISPLAY.search(display.before):
+            if _CASE.search(display.before):
                 continue
             own = given.get(str(left.declaration.name))
             if own is None and left is statement.left:

@@ -25,9 +25,17 @@ from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
-from workbench.source.documents.condition_words import CASE_OF_DISPLAY
+from workbench.source.documents.condition_words import (
+    APPROXIMATES,
+    OF_CASE,
+    OF_VALUES,
+    REPLACES,
+    in_last_sentence,
+)
 
 _SECONDS, _SECONDS_OF_ONE = 2.0, 0.5
+#: Words before a display for a case of its own.
+_CASE = in_last_sentence(OF_CASE, OF_VALUES, REPLACES, APPROXIMATES)
 #: (a, b, c)^T.
 _COLUMN = re.compile(
     r"\((?P<cells>[^(),]+(?:,[^(),]+)+)\)\s*\^\s*\{?\s*(?:T|\\top|\\(?:mathsf|mathrm)\s*\{?\s*T\s*\}?)\s*\}?"
@@ -140,7 +148,7 @@ def _equations(ingested: Ingested, paper: TextPaper) -> Iterator[_Equation]:
         said, display = claim.printed.statement, display_of(claim, ingested)
         if not isinstance(said, Relation) or claim.assume or display is None:
             continue
-        if CASE_OF_DISPLAY.search(display.before):
+        if _CASE.search(display.before):
             continue
         if not claim.chain and _is_alone(said, claim.notation.definitions):
             yield _Equation(said, claim, claim.line)

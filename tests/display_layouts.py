@@ -72,72 +72,41 @@ def rows_of(chain: Chain, random: Random, sign: str, empty: str, goes_on: str) -
     return rows
 
 
-def _in_pairs(opening: str, closing: str) -> Callable[[Sequence[Chain], Random], str]:
-    def layout(chains: Sequence[Chain], random: Random) -> str:
-        rows = [row for chain in chains for row in rows_of(chain, random, "&=", "", "&")]
-        return f"{opening} {_joined(rows)} {closing}"
-
-    return layout
+Rows = Callable[[Sequence[Chain], Random], list[str]]
 
 
-def _joined(rows: Sequence[str]) -> str:
-    return r" \\ ".join(rows)
+def _in_pairs(chains: Sequence[Chain], random: Random) -> list[str]:
+    return [row for chain in chains for row in rows_of(chain, random, "&=", "", "&")]
 
 
-def _eqnarray(opening: str, closing: str) -> Callable[[Sequence[Chain], Random], str]:
-    def layout(chains: Sequence[Chain], random: Random) -> str:
-        rows = [row for chain in chains for row in rows_of(chain, random, "&=&", "", "&&")]
-        return f"{opening} {_joined(rows)} {closing}"
-
-    return layout
+def _eqnarray(chains: Sequence[Chain], random: Random) -> list[str]:
+    return [row for chain in chains for row in rows_of(chain, random, "&=&", "", "&&")]
 
 
-def _at_the_left(opening: str, closing: str) -> Callable[[Sequence[Chain], Random], str]:
-    """Each chain in a row of its own behind a mark: & A = B."""
-
-    def layout(chains: Sequence[Chain], random: Random) -> str:
-        rows = [f"& {' '.join(chain.left)} = {' = '.join(map(' '.join, chain.sides))}" for chain in chains]
-        return f"{opening} {_joined(rows)} {closing}"
-
-    return layout
-
-
-def _one_a_row(opening: str, closing: str) -> Callable[[Sequence[Chain], Random], str]:
+def _one_a_row(chains: Sequence[Chain], random: Random) -> list[str]:
     """Each chain in a row without marks."""
-
-    def layout(chains: Sequence[Chain], random: Random) -> str:
-        rows = [f"{' '.join(chain.left)} = {' = '.join(map(' '.join, chain.sides))}" for chain in chains]
-        return f"{opening} {_joined(rows)} {closing}"
-
-    return layout
+    return [f"{' '.join(chain.left)} = {' = '.join(map(' '.join, chain.sides))}" for chain in chains]
 
 
-def _terms_in_columns(opening: str, closing: str) -> Callable[[Sequence[Chain], Random], str]:
+def _at_the_left(chains: Sequence[Chain], random: Random) -> list[str]:
+    """Each chain in a row of its own behind a mark: & A = B."""
+    return [f"& {row}" for row in _one_a_row(chains, random)]
+
+
+def _terms_in_columns(chains: Sequence[Chain], random: Random) -> list[str]:
     """Terms behind further marks: A &= b && + c."""
-
-    def layout(chains: Sequence[Chain], random: Random) -> str:
-        rows = []
-        for chain in chains:
-            for at, side in enumerate(chain.sides):
-                left = " ".join(chain.left) if at == 0 else ""
-                rows.append(f"{left} &= {' && '.join(side)}")
-        return f"{opening} {_joined(rows)} {closing}"
-
-    return layout
+    return [
+        f"{'' if at else ' '.join(chain.left)} &= {' && '.join(side)}"
+        for chain in chains
+        for at, side in enumerate(chain.sides)
+    ]
 
 
-def _signs_in_columns(opening: str, closing: str) -> Callable[[Sequence[Chain], Random], str]:
+def _signs_in_columns(chains: Sequence[Chain], random: Random) -> list[str]:
     """Each sign in a column of its own: a & + & b & = & c."""
-
-    def layout(chains: Sequence[Chain], random: Random) -> str:
-        rows = []
-        for chain in chains:
-            sides = [chain.left, *chain.sides]
-            row = " & = & ".join(" & ".join(_apart(side)) for side in sides)
-            rows.append(row)
-        return f"{opening} {_joined(rows)} {closing}"
-
-    return layout
+    return [
+        " & = & ".join(" & ".join(_apart(side)) for side in (chain.left, *chain.sides)) for chain in chains
+    ]
 
 
 def _apart(side: Side) -> list[str]:
@@ -153,27 +122,31 @@ def _within(outer: str, name: str, argument: str = "") -> tuple[str, str]:
     return f"\\begin{{{outer}}}{opening}", f"{closing}\\end{{{outer}}}"
 
 
+def _layout(rows: Rows, opening: str, closing: str) -> Callable[[Sequence[Chain], Random], str]:
+    return lambda chains, random: " ".join((opening, r" \\ ".join(rows(chains, random)), closing))
+
+
 LAYOUTS: dict[str, Callable[[Sequence[Chain], Random], str]] = {
-    "align": _in_pairs(*_environment("align")),
-    "align*": _in_pairs(*_environment("align*")),
-    "flalign": _in_pairs(*_environment("flalign")),
-    "alignat": _in_pairs(*_environment("alignat", "{2}")),
-    "split": _in_pairs(*_within("equation", "split")),
-    "aligned": _in_pairs(*_within("equation", "aligned")),
-    "array{rl}": _in_pairs(*_within("equation", "array", "{rl}")),
-    "brace": _in_pairs(r"\[\left\{\begin{aligned}", r"\end{aligned}\right.\]"),
-    "dollars": _in_pairs(r"$$\begin{aligned}", r"\end{aligned}$$"),
-    "eqnarray": _eqnarray(*_environment("eqnarray")),
-    "eqnarray*": _eqnarray(*_environment("eqnarray*")),
-    "array{rcl}": _eqnarray(*_within("equation", "array", "{rcl}")),
-    "gather": _one_a_row(*_environment("gather")),
-    "gathered": _one_a_row(*_within("equation", "gathered")),
-    "cases": _one_a_row(*_within("equation", "cases")),
-    "align at the left": _at_the_left(*_environment("align")),
-    "split at the left": _at_the_left(*_within("equation", "split")),
-    "cases at the left": _at_the_left(*_within("equation", "cases")),
-    "eqnarray at the left": _at_the_left(*_environment("eqnarray")),
-    "alignat in columns": _terms_in_columns(*_environment("alignat", "{4}")),
-    "align in columns": _terms_in_columns(*_environment("align")),
-    "array in columns": _signs_in_columns(*_within("equation", "array", "{rcrcrcrcr}")),
+    "align": _layout(_in_pairs, *_environment("align")),
+    "align*": _layout(_in_pairs, *_environment("align*")),
+    "flalign": _layout(_in_pairs, *_environment("flalign")),
+    "alignat": _layout(_in_pairs, *_environment("alignat", "{2}")),
+    "split": _layout(_in_pairs, *_within("equation", "split")),
+    "aligned": _layout(_in_pairs, *_within("equation", "aligned")),
+    "array{rl}": _layout(_in_pairs, *_within("equation", "array", "{rl}")),
+    "brace": _layout(_in_pairs, r"\[\left\{\begin{aligned}", r"\end{aligned}\right.\]"),
+    "dollars": _layout(_in_pairs, r"$$\begin{aligned}", r"\end{aligned}$$"),
+    "eqnarray": _layout(_eqnarray, *_environment("eqnarray")),
+    "eqnarray*": _layout(_eqnarray, *_environment("eqnarray*")),
+    "array{rcl}": _layout(_eqnarray, *_within("equation", "array", "{rcl}")),
+    "gather": _layout(_one_a_row, *_environment("gather")),
+    "gathered": _layout(_one_a_row, *_within("equation", "gathered")),
+    "cases": _layout(_one_a_row, *_within("equation", "cases")),
+    "align at the left": _layout(_at_the_left, *_environment("align")),
+    "split at the left": _layout(_at_the_left, *_within("equation", "split")),
+    "cases at the left": _layout(_at_the_left, *_within("equation", "cases")),
+    "eqnarray at the left": _layout(_at_the_left, *_environment("eqnarray")),
+    "alignat in columns": _layout(_terms_in_columns, *_environment("alignat", "{4}")),
+    "align in columns": _layout(_terms_in_columns, *_environment("align")),
+    "array in columns": _layout(_signs_in_columns, *_within("equation", "array", "{rcrcrcrcr}")),
 }

@@ -40,7 +40,7 @@ def holds(left, right):
     made = Generalizer(Definitions(()), {"n": 0})
     said, integers = relation("=", left, right), []
     with suppress(NotCertified):
-        said, _, integers = general(made.equation(said), (), Definitions(()))
+        said, _, integers = general(made.equation(said), ())
     theorem_ = theorem("t", said, (), Definitions(()), integers, several=True)
     assert theorem_.read_back_faults() == []
     assert len(made.said) == len(made.meant)

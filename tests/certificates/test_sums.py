@@ -26,7 +26,7 @@ def family(index):
 
 
 def written(left, right):
-    said, _, integers = general(relation("=", left, right), (), Definitions(()))
+    said, _, integers = general(relation("=", left, right), ())
     return theorem("t", said, (), Definitions(()), integers, several=True)
 
 

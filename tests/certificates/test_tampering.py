@@ -133,7 +133,7 @@ def steps_about_every_n():
 
 
 def about_every_n(statement, definitions):
-    said, _, integers = general(statement, (), definitions)
+    said, _, integers = general(statement, ())
     return theorem("base", said, (), definitions, integers, several=True)
 
 

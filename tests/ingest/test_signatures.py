@@ -42,7 +42,6 @@ KINDS: tuple[Kind, ...] = (
 #: The operations of the table that the typed layer has, by its heads; a function of a scalar by the sine.
 HEADS = {op: head for op in SIGNATURES if (head := "sin" if op == "function" else op) in OPERATORS}
 #: Plain rows of signs that are no operation of a term.
-OTHER = {"equal", "compare", "directions", "power", "marked", "value", "star", "bracketed", "sandwich"}
 #: What the typed layer takes and a text rarely means: the table refuses it, or wants a convention.
 STRICTER = {("inverse", ((1, 1),)), ("det", ((1, 1),)), ("trace", ((1, 1),)), ("cross", ((1, 1), (1, 1)))}
 

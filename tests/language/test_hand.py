@@ -24,7 +24,7 @@ from workbench.language.reader import read, read_term
 from workbench.papers.installed_papers import installed_names
 from workbench.papers.load import load_installed
 
-VECTOR, TENSOR, QUATERNION = {"x": "vector"}, {"x": "tensor"}, {"x": "quaternion"}
+VECTOR, TENSOR = {"x": "vector"}, {"x": "tensor"}
 #: Several hands: what one of them has, the others write otherwise.
 HANDS = (
     {

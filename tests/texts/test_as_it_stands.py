@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 from tests.texts.written import shown, told, verdicts
-from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.paper_errors import PaperError
 from workbench.language.printing.printer import to_latex
 from workbench.papers.load import load_paper
@@ -95,8 +94,10 @@ def test_a_crash_on_one_formula_keeps_the_other_verdicts(
 
     whole = Judge.judge
     monkeypatch.setattr(Judge, "judge", judge)
-    (tmp_path / "p.md").write_text(shown("a + a = 2 a", "b + b = 2 b"))
-    (tmp_path / "p.toml").write_text("source = 'p.md'\n[symbols]\na = 'scalar'\nb = 'scalar'\n")
-    first, second = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    first, second = verdicts(
+        tmp_path,
+        shown("a + a = 2 a", "b + b = 2 b"),
+        "source = 'p.md'\n[symbols]\na = 'scalar'\nb = 'scalar'\n",
+    )
     assert (first.outcome, second.outcome) == ("proved", "unchecked")
     assert "a defect of the workbench" in second.reason and "matmul" in second.reason

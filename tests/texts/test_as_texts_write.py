@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import doubts, told
+from tests.texts.written import doubts, told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.formula_errors import ReadError
 from workbench.core.verdict import Outcome
@@ -138,9 +138,7 @@ FALSE = [
 
 @pytest.mark.parametrize(("text", "why"), OPEN)
 def test_claims_that_hold_for_a_special_symbol_are_not_refuted(tmp_path: Path, text: str, why: str) -> None:
-    (tmp_path / "p.md").write_text(text)
-    (tmp_path / "p.toml").write_text(MODEL)
-    last = judge_paper(load_paper(tmp_path / "p.toml"))[-1].verdict
+    last = verdicts(tmp_path, text, MODEL)[-1]
     other = "unchecked" if why == "declared to be" else "doubtful"
     assert told(last) == ("said" if why.startswith("says what") else other) and why in doubts(last)
 
@@ -155,7 +153,8 @@ def test_claims_that_hold_for_no_special_symbol_are_refuted(tmp_path: Path, text
 
 
 def test_memberships_of_products_are_claims_of_symbols_are_not(tmp_path: Path) -> None:
-    (tmp_path / "p.md").write_text(
+    skew, product, declared, tensor, expression = verdicts(
+        tmp_path,
         "\n\n".join(
             [
                 r"$$\dot{Q} Q^T \in so(3)$$",
@@ -164,11 +163,8 @@ def test_memberships_of_products_are_claims_of_symbols_are_not(tmp_path: Path) -
                 r"$$R \in SO(3)$$",
                 r"$$a \times R b$$",
             ]
-        )
-    )
-    (tmp_path / "p.toml").write_text(MODEL)
-    skew, product, declared, tensor, expression = (
-        result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml"))
+        ),
+        MODEL,
     )
     assert skew.outcome is product.outcome is Outcome.PROVED
     assert declared.outcome is tensor.outcome is Outcome.UNCHECKED

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+from tests.texts.written import verdicts
 from workbench.app.commands.commands import main
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.paper_errors import PaperError
@@ -143,11 +144,11 @@ definitions = { 'v' = 'w + a', 'w' = 's a' }
 
 
 def test_a_scope_keeps_fitting_definitions_in_any_order(tmp_path: Path) -> None:
-    (tmp_path / "p.md").write_text(
-        "$$ u = a + b $$ (one)\n\n$$ v = a + s a $$ (two)\n\n$$ w = v - a $$\n\n$$ b u = u b $$\n"
+    one, two, three, four = verdicts(
+        tmp_path,
+        "$$ u = a + b $$ (one)\n\n$$ v = a + s a $$ (two)\n\n$$ w = v - a $$\n\n$$ b u = u b $$\n",
+        SCOPED,
     )
-    (tmp_path / "p.toml").write_text(SCOPED)
-    one, two, three, four = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
     assert one.outcome is Outcome.DEFINITION
     assert two.outcome is three.outcome is Outcome.PROVED
     assert "unknown symbol u" in four.reason

@@ -73,6 +73,11 @@ def verdicts(folder: Path, text: str, model: str, form: str = "md") -> list[Verd
     return [result.verdict for result in judge_paper(paper, motions=False, jobs=1)]
 
 
+def outcomes(folder: Path, text: str, model: str, form: str = "md") -> list[str]:
+    """The outcomes of `verdicts`, as `told` gives them."""
+    return [told(each) for each in verdicts(folder, text, model, form)]
+
+
 def shown(*displays: str) -> str:
     """The displays as Markdown, one paragraph each."""
     return "\n\n".join(f"$$ {each} $$" for each in displays)

@@ -31,12 +31,11 @@ MORE = {
 
 @dataclass(frozen=True)
 class Form:
-    """One form of a claim. every: whether it is certified for all n at once."""
+    """One form of a claim."""
 
     claim: Claim
     name: str
     formula: Formula
-    every: bool = False
 
     @property
     def identifier(self) -> str:
@@ -137,7 +136,7 @@ def certificate(form: Form, every: bool) -> Certificate:
     definitions = claim.notation.definitions
     if every:
         try:
-            statement, supposed, integers = general(form.statement, claim.supposed, definitions)
+            statement, supposed, integers = general(form.statement, claim.supposed)
             made = theorem(form.identifier, statement, supposed, definitions, list(integers))
             if not can_be_certified(made):
                 raise NotCertified("a sum of which the library knows too little")

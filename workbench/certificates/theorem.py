@@ -194,7 +194,7 @@ def theorem_for_all(
     stands: dict[str, Linear] = {}
     if scope.integers:
         try:
-            statement, assume, stands = general(statement, assume, scope.definitions)
+            statement, assume, stands = general(statement, assume)
         except NotCertified as obstacle:
             if str(obstacle) != "no integer variable":
                 raise
@@ -292,7 +292,7 @@ def equation(left: Node, right: Node) -> str:
 
 def _suppose(emitter: Emitter, premise: Relation) -> None:
     """Adds the premise, and the value that it gives to one of its symbols."""
-    pivot = _pivot(emitter, premise)
+    pivot = _pivot(premise)
     if pivot is not None:
         emitter.pivots[pivot[0]] = True
     left, right = emitted_nodes.together((emitter.term(premise.left), emitter.term(premise.right)))
@@ -312,20 +312,20 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
     emitter.stands_for(emitter.symbol(symbol), value, f"({proof} {known})", by_definition=free)
 
 
-def _pivot(emitter: Emitter, premise: Relation) -> tuple[Symbol, list[Term], str] | None:
+def _pivot(premise: Relation) -> tuple[Symbol, list[Term], str] | None:
     """Returns a symbol that the premise is solved for, its value (a difference), and the lemma."""
     left, right = premise.left, premise.right
     for side, other, proof in ((left, right, "as_given"), (right, left, "turned")):
-        if isinstance(side, Symbol) and _may_stand(emitter, side, other):
+        if isinstance(side, Symbol) and _may_stand(side, other):
             return side, [other], proof
     match left:
         case Apply(head="add", arguments=(Symbol() as symbol, rest)):
-            if _may_stand(emitter, symbol, rest) and not _occurs(symbol, right):
+            if _may_stand(symbol, rest) and not _occurs(symbol, right):
                 return symbol, [right, rest], "carried"
     return None
 
 
-def _may_stand(emitter: Emitter, symbol: Symbol, other: Term) -> bool:
+def _may_stand(symbol: Symbol, other: Term) -> bool:
     d = symbol.declaration
     return (
         not (d.rotation or d.unit or d.constant) and not _occurs(symbol, other) and symbol.type.kind in KINDS

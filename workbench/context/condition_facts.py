@@ -24,7 +24,7 @@ from workbench.context.introducing_words import (
     reaches,
 )
 from workbench.context.read_formulas import read_statement
-from workbench.context.stated_bounds import ORDERS, UNEQUAL, bounds_of, links_of
+from workbench.context.stated_bounds import bounds_of, links_of
 from workbench.core.formula_errors import IllFormedAt, ReadError
 from workbench.core.names import Name
 from workbench.core.terms import Relation, Statement, Symbol, Term, sides_of
@@ -39,6 +39,7 @@ from workbench.source.documents.surrounding_words import (
     supposed_before,
 )
 from workbench.source.rows.chains import Step, steps_of
+from workbench.source.rows.display_vocabulary import ORDERS, UNEQUAL
 
 #: Macros that mark an equation as a law for the rest of the text.
 _RATES = frozenset({"\\dot", "\\ddot", "\\dddot"})

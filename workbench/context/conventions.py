@@ -243,7 +243,7 @@ def _of_length_one(subject: Subject) -> Iterator[Made]:
 
     An angle, of which a sine or cosine is taken, belongs to none.
     """
-    turns = (part for side in sides_of(subject.statement) for part in subject.definitions.reached(side))
+    turns = subject.definitions.reached(*sides_of(subject.statement))
     angles = {
         part for turn in turns if isinstance(turn, Apply) and turn.head in CIRCULAR for part in turn.symbols()
     }

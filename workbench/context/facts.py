@@ -72,7 +72,7 @@ class Supposition:
 
 
 _TURNS: dict[str, Callable[[Fraction], float]] = {"\\sin": sin, "\\cos": cos}
-#: A computed sine this close to a bound counts as one that does not satisfy it.
+#: A rounded sine this close to a bound counts as one that does not satisfy it.
 _CLOSE = Fraction(1, 10**9)
 
 
@@ -86,7 +86,7 @@ class Bound(NamedTuple):
     def allows(self, values: Mapping[str, tuple[str, ...]]) -> bool:
         """True if the value of the symbol satisfies the bound, or if the symbol has no value.
 
-        The symbol may be the sine or cosine of an angle that has a value.
+        The symbol may be the sine or cosine of an angle that has a value; it is exact for the angle 0 only.
         """
         head, _, angle = self.symbol.partition(" ")
         turned = _TURNS.get(head) if self.symbol not in values else None
@@ -98,8 +98,8 @@ class Bound(NamedTuple):
         except ValueError:
             return False
         if turned is not None:
-            value = Fraction(turned(value))
-            if abs(value - self.number) < _CLOSE:
+            angle_value, value = value, Fraction(turned(value))
+            if angle_value and abs(value - self.number) < _CLOSE:
                 return False
         return {
             "<": value < self.number,

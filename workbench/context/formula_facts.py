@@ -230,8 +230,7 @@ def _is_carried(said: Statement | None, there: Notation, here: Notation) -> bool
         return False
     if there is here:
         return True
-    parts = (part for side in sides_of(said) for part in there.definitions.reached(side))
-    symbols = {part for part in parts if isinstance(part, Symbol)}
+    symbols = set(there.definitions.symbols_in(*sides_of(said)))
     declared = here.symbols.symbols
     names = {each.declaration.name for each in symbols}
     return declared_anew(names, there, here) is None and all(
@@ -261,6 +260,6 @@ def _moving(claim: Claim) -> set[Declaration]:
     statement = claim.printed.statement
     if not isinstance(statement, Relation) or statement.operator != "=":
         return set()
-    parts = (part for side in sides_of(statement) for part in definitions.reached(side))
+    parts = definitions.reached(*sides_of(statement))
     free = free_in((part.body for part in parts if isinstance(part, Derivative)), definitions)
     return {each for each in free if not (each.constant or each.free or each.clock)}

@@ -98,7 +98,7 @@ class Subject:
     @cached_property
     def rates(self) -> list[Term]:
         """The terms that the statement or its definitions differentiate by time."""
-        parts = (part for side in sides_of(self.statement) for part in self.definitions.reached(side))
+        parts = self.definitions.reached(*sides_of(self.statement))
         return list(dict.fromkeys(part.body for part in parts if isinstance(part, Derivative)))
 
     @cached_property
@@ -255,8 +255,7 @@ class Subject:
         return entries <= self.declarations and entries.isdisjoint(free_in(others, self.definitions))
 
     def _orders_in(self, terms: Sequence[Term]) -> dict[Symbol, int]:
-        parts = (part for term in terms for part in self.definitions.reached(term))
-        written = {part: 0 for part in parts if isinstance(part, Symbol)}  # x > 0 may be a square elsewhere
+        written = dict.fromkeys(self.definitions.symbols_in(*terms), 0)  # x > 0 may be a square elsewhere
         with suppress(NotExact, IllFormed):
             orders = dict(take_inventory(terms, self.definitions, slopes=False).orders)
             return {part: 0 for part in written if part.declaration.positive} | orders
@@ -344,7 +343,7 @@ def conditioned(statement: Statement, definitions: Definitions) -> set[Declarati
         sides = (equation.left, equation.right)
         if all(any(isinstance(part, Symbol) for part in side.walk()) for side in sides):
             continue
-        parts = [part for side in sides for part in definitions.reached(side)]
+        parts = list(definitions.reached(*sides))
         if any(isinstance(part, Apply) and part.head in PARTIALS for part in parts):
             symbols = (part.declaration for part in parts if isinstance(part, Symbol))
             found |= {each for each in symbols if each.of and not each.free and each.name not in known}

@@ -66,9 +66,10 @@ class FormulaReader:
             return None if text is None else self._intended((key,), whole_line(text))
         return self._intended((key,), line)
 
-    def intended_list(self, key: str) -> tuple[Formula, ...]:
-        texts = self.toml.texts((*self.path, key))
-        return tuple(self._intended((key, index), whole_line(text)) for index, text in enumerate(texts))
+    def assumed(self) -> tuple[Formula, ...]:
+        """Returns the assumptions, which must be well-typed."""
+        texts = enumerate(self.toml.texts((*self.path, "assume")))
+        return tuple(self._intended(("assume", index), whole_line(text)) for index, text in texts)
 
     def conditions(self, printed: Formula) -> tuple[Formula, ...]:
         """Returns the conditions assumed for the printed formula.
@@ -76,7 +77,7 @@ class FormulaReader:
         Raises:
             PaperError: A condition is the conclusion itself.
         """
-        found = self.intended_list("assume")
+        found = self.assumed()
         for index, formula in enumerate(found):
             self._refuse_conclusion(("assume", index), formula, printed)
         return found

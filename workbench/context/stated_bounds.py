@@ -24,15 +24,8 @@ from workbench.core.verdict import Strength
 from workbench.language.definitions import expand
 from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Token
+from workbench.source.rows.display_vocabulary import ORDERS, UNEQUAL
 
-#: The signs of inequalities, as authors write them.
-ORDERS = {
-    **dict.fromkeys((">", "\\gt"), ">"),
-    **dict.fromkeys(("<", "\\lt"), "<"),
-    **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
-    **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
-}
-UNEQUAL = frozenset({"\\neq", "\\ne"})
 _RELATIONS = ORDERS.keys() | UNEQUAL | {"=", ":=", "\\in"}
 _OPENING, _CLOSING = ("(", "[", "{", "\\{"), (")", "]", "}", "\\}")
 _SIZES = ("\\left", "\\right", "\\,", "\\;", "~", " ")

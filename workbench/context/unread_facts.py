@@ -26,6 +26,7 @@ from workbench.language.grammar.latex_keys import Ignored, latex_key
 from workbench.language.printing.printer import to_latex
 from workbench.source.documents import Display
 from workbench.source.documents.surrounding_words import is_of_next_sentence, sections_of
+from workbench.source.rows.display_vocabulary import ORDER
 
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
@@ -33,7 +34,7 @@ _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
 COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 _CONSTANT = re.compile(r"(?:\\(?:text|mathrm|mbox|textrm|rm|operatorname))?\.?const(?:ant)?")
 #: The sign of a bound behind an equation, as in x = y < 1: stated bounds are facts of their own.
-_BOUND = re.compile(r"\\(?:in|lt|gt|leq?|geq?|leqslant|geqslant)(?![A-Za-z])|[<>]")
+_BOUND = re.compile(rf"\\in(?![A-Za-z])|{ORDER.pattern}")
 _WHOLE = re.compile(r"[+-]?\d+")
 _RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
 _COSINES = (1, 0, -1, 0)

@@ -143,7 +143,7 @@ def coincident(subject: Subject) -> Iterator[Made]:
     A formula with the vector between the two does not mean that.
     """
     frames = subject.symbols.frames
-    reached = {part for side in sides_of(subject.statement) for part in subject.definitions.reached(side)}
+    reached = set(subject.definitions.reached(*sides_of(subject.statement)))
     written = [term for term in terms_of(subject.statement) if isinstance(term, Symbol)]
     shown = [each.body for own in dict.fromkeys(written) for each in subject.definitions.about(own)]
     own = [each for each in dict.fromkeys(written) if each.type.kind == "vector"]

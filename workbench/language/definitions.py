@@ -83,9 +83,9 @@ class Definitions:
             self._about[family] = tuple(own)
         return self._about[family]
 
-    def reached(self, term: Term) -> Iterator[Term]:
-        """Yields the subterms of the term, and those of all definitions in it, recursively."""
-        waiting, seen = [term], set()
+    def reached(self, *terms: Term) -> Iterator[Term]:
+        """Yields the subterms of the terms, and those of all definitions in them, recursively."""
+        waiting, seen = list(reversed(terms)), set()
         while waiting:
             for part in waiting.pop().walk():
                 yield part
@@ -93,14 +93,17 @@ class Definitions:
                     seen.add(part.declaration.name)
                     waiting += [definition.body for definition in self.about(part)]
 
+    def symbols_in(self, *terms: Term) -> Iterator[Symbol]:
+        """Yields the symbols in the terms, and those in all definitions in them, recursively."""
+        return (part for part in self.reached(*terms) if isinstance(part, Symbol))
+
     def known_of(self, statement: Statement) -> Iterator[Relation]:
         """Yields what is known of the symbols of the statement.
 
         A positive symbol is not 0. π is not 0; if it occurs only in sines and the like, the cosine and sine
         of its half are given instead.
         """
-        reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
-        found = [part for part in reached if isinstance(part, Symbol)]
+        found = list(dict.fromkeys(self.symbols_in(*sides_of(statement))))
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
         pis = [part for part in found if self.is_pi(part.declaration)]
         sides = [expand(side, self) for side in sides_of(statement)] if pis else []

@@ -6,10 +6,9 @@ motions satisfy. The motions cover bound symbols that stay free: a claim that ho
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 
-from workbench.core.names import Name
-from workbench.core.terms import Definition, Symbol, Term
+from workbench.core.terms import Definition, Symbol
 from workbench.drake.relations import ALSO, DEFINED, names_in
 from workbench.drake.relations import Term as Data
 from workbench.language.definitions import Definitions
@@ -27,24 +26,11 @@ def ties(motion: Mapping[Symbol, str], definitions: Definitions) -> list[Definit
             continue
         bodies = [term_of(data, bound.__getitem__) for data in _known(name, bound)]
         for body in bodies if bound[name] == symbol else [bound[name]]:
-            if symbol.declaration.name not in names_behind([body], [*definitions, *found]):
+            behind = Definitions([*definitions, *found]).symbols_in(body)
+            if all(part.declaration.name != symbol.declaration.name for part in behind):
                 found.append(Definition(symbol.declaration, symbol.index, (), body))
                 break
     return found
-
-
-def names_behind(terms: Iterable[Term], definitions: Iterable[Definition]) -> set[Name]:
-    """Returns the names of all symbols in the terms and in the definitions that they use."""
-    bodies: dict[Name, list[Term]] = {}
-    for definition in definitions:
-        bodies.setdefault(definition.declaration.name, []).append(definition.body)
-    waiting = list(terms)
-    names: set[Name] = set()
-    while waiting:
-        new = {t.declaration.name for t in waiting.pop().symbols()} - names
-        names |= new
-        waiting += [body for name in new for body in bodies.get(name, ())]
-    return names
 
 
 def _known(name: str, bound: Container[str]) -> Iterator[Data]:

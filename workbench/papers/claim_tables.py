@@ -129,7 +129,7 @@ class ClaimTable:
                 corrected=reader.intended("corrected"),
                 hypothesis=None if hypothesis is None else Formula(hypothesis),
             ),
-            assume=reader.intended_list("assume"),
+            assume=reader.assumed(),
         )
 
     def _said(self, claim: Claim, integers: Collection[str]) -> list[Statement]:
@@ -171,7 +171,7 @@ class ClaimTable:
         if not claim.printed.latex:
             for key in ("reading", "corrected", "hypothesis"):
                 self._reader(claim).intended(key)
-            self._reader(claim).intended_list("assume")
+            self._reader(claim).assumed()
             self._required("id")
             self._required("formula" if claim.sentence.quote is not None else "printed")
         lines = split_lines(claim.printed.latex)

@@ -190,8 +190,8 @@ def _is_of_unknown_symbol(error: PaperError) -> bool:
 def _refuse_circle(entries: Sequence[_Entry], found: Sequence[Definition], known: Definitions) -> None:
     """Raises PaperError for a definition of [frames] or [points] that leads back to itself."""
     for definition in found:
-        parts = () if definition.index else known.reached(definition.body)
-        if any(isinstance(part, Symbol) and part.declaration == definition.declaration for part in parts):
+        behind = () if definition.index else known.symbols_in(definition.body)
+        if any(each.declaration == definition.declaration for each in behind):
             name = str(definition.declaration.name)
             file, key = next(((file, key) for file, key, _ in entries if key == name), entries[0][:2])
             message = f"{name}: its definition leads back to it, by way of [frames] or [points]"

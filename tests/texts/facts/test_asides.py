@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import told
+from tests.texts.written import told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome
 from workbench.papers import load_paper
@@ -25,7 +25,7 @@ DISPLAYS = {
 }
 
 
-def verdicts(folder: Path, text: str, ending: str = "tex") -> list[str]:
+def outcomes_of(folder: Path, text: str, ending: str = "tex") -> list[str]:
     (folder / f"p.{ending}").write_text(notebook([text]) if ending == "ipynb" else text)
     (folder / "p.toml").write_text(MODEL.format(ending))
     return [told(result.verdict) for result in judge_paper(load_paper(folder / "p.toml"))]
@@ -97,31 +97,32 @@ def written(text: str, ending: str) -> str:
     ],
 )  # fmt: skip
 def test_a_condition_in_the_sentence(tmp_path: Path, ending: str, text: str, expected: str) -> None:
-    assert verdicts(tmp_path, written(text, ending), ending) == [expected]
+    assert outcomes_of(tmp_path, written(text, ending), ending) == [expected]
 
 
 def test_a_condition_on_other_symbols_does_not_settle_a_formula(tmp_path: Path) -> None:
     """f is what nothing defines and stands there once; the sentence speaks of g."""
     text = r"It is [[a \times b = f g b \times a]] where <<0 = g - 2>> holds."
-    assert verdicts(tmp_path, written(text, "tex")) == ["said"]
+    assert outcomes_of(tmp_path, written(text, "tex")) == ["said"]
     text = r"It is [[a \times b = f b \times a]] where <<0 = f - 2>> holds."
-    assert verdicts(tmp_path, written(text, "tex")) == ["refuted"]
+    assert outcomes_of(tmp_path, written(text, "tex")) == ["refuted"]
 
 
 def test_the_sentence_of_a_display_may_hold_others_before_it(tmp_path: Path) -> None:
     displays = r"\[a \times b = b \times a\]" + "\n" + r"\[a \times b = 2 b \times a\]"
-    assert verdicts(tmp_path, f"For parallel vectors {displays}") == ["conditional"] * 2
-    assert verdicts(tmp_path, f"It is so for parallel vectors. But {displays}") == ["refuted"] * 2
+    assert outcomes_of(tmp_path, f"For parallel vectors {displays}") == ["conditional"] * 2
+    assert outcomes_of(tmp_path, f"It is so for parallel vectors. But {displays}") == ["refuted"] * 2
 
 
 def test_the_condition_is_shown_with_its_line(tmp_path: Path) -> None:
-    (tmp_path / "p.tex").write_text(
-        "\\newcommand{\\ff}{f}\nFor $\\ff \\neq 0$ it is\n\\[" + CANCELLED + "\\]"
+    (verdict,) = verdicts(
+        tmp_path,
+        "\\newcommand{\\ff}{f}\nFor $\\ff \\neq 0$ it is\n\\[" + CANCELLED + "\\]",
+        MODEL.format("tex"),
+        "tex",
     )
-    (tmp_path / "p.toml").write_text(MODEL.format("tex"))
-    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
-    assert r"$f\neq0$ (line 2)" in result.verdict.reason
-    assert str(result.verdict.hypothesis) == r"f\neq0"
+    assert r"$f\neq0$ (line 2)" in verdict.reason
+    assert str(verdict.hypothesis) == r"f\neq0"
 
 
 def test_the_hypothesis_is_the_condition_that_is_needed(tmp_path: Path) -> None:
@@ -143,18 +144,16 @@ def test_facts_and_conditions_are_hypotheses_together(tmp_path: Path) -> None:
         (r"m f = 2 g f", "m = 2 g"),
     ):
         text = rf"It is [[m = 2 g]] always. For <<f \neq 0>> it is [[{claimed}]]"
-        (tmp_path / "p.tex").write_text(written(text, "tex"))
-        (tmp_path / "p.toml").write_text(MODEL.format("tex"))
-        last = judge_paper(load_paper(tmp_path / "p.toml"))[-1].verdict
+        last = verdicts(tmp_path, written(text, "tex"), MODEL.format("tex"), "tex")[-1]
         assert (last.outcome, str(last.hypothesis)) == (Outcome.CONDITIONAL, expected)
 
 
 def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
-    (tmp_path / "p.tex").write_text(written(r"If <<0 = a - g b>>, then [[a \times b = 0]]", "tex"))
     model = MODEL.format("tex") + "\n[[claim]]\nat = 'line 1'\nassume = ['a = g b']\n"
-    (tmp_path / "p.toml").write_text(model)
-    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
-    assert result.verdict.outcome == Outcome.PROVED
+    (verdict,) = verdicts(
+        tmp_path, written(r"If <<0 = a - g b>>, then [[a \times b = 0]]", "tex"), model, "tex"
+    )
+    assert verdict.outcome == Outcome.PROVED
 
 
 @pytest.mark.parametrize(
@@ -175,15 +174,18 @@ def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
 def test_a_sentence_counts_where_it_names_what_it_speaks_of(
     tmp_path: Path, sentence: str, outcome: str
 ) -> None:
-    assert verdicts(tmp_path, sentence + r" \[ a \times b = b \times a \]") == [outcome]
-    assert verdicts(tmp_path, sentence + r" \[ a \cdot b = b \cdot a \]") == ["proved"]
+    assert outcomes_of(tmp_path, sentence + r" \[ a \times b = b \times a \]") == [outcome]
+    assert outcomes_of(tmp_path, sentence + r" \[ a \cdot b = b \cdot a \]") == ["proved"]
 
 
 def test_an_example_says_nothing_of_what_the_model_defines(tmp_path: Path) -> None:
-    (tmp_path / "p.tex").write_text(r"For instance, the speed \[ f = 10 - 3 m \] is one.")
-    (tmp_path / "p.toml").write_text(MODEL.format("tex") + "\n[definitions]\n'f' = 'g + m'\n")
-    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
-    assert result.verdict.outcome is Outcome.REFUTED
+    (verdict,) = verdicts(
+        tmp_path,
+        r"For instance, the speed \[ f = 10 - 3 m \] is one.",
+        MODEL.format("tex") + "\n[definitions]\n'f' = 'g + m'\n",
+        "tex",
+    )
+    assert verdict.outcome is Outcome.REFUTED
 
 
 DEFINED = "\n[definitions]\n'a' = '\\dot{m} b + f b'\n'g' = 'm^2'\n"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.texts.written import told
+from tests.texts.written import told, verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.verdict import Outcome, Verdict
 from workbench.papers import load_paper
@@ -24,9 +24,7 @@ given = ["line 1", "line 2"]
 
 
 def verdict(folder: Path, *formulas: str) -> Verdict:
-    (folder / "p.md").write_text("\n".join(f"$$ {each} $$" for each in formulas))
-    (folder / "p.toml").write_text(MODEL)
-    return judge_paper(load_paper(folder / "p.toml"))[-1].verdict
+    return verdicts(folder, "\n".join(f"$$ {each} $$" for each in formulas), MODEL)[-1]
 
 
 @pytest.mark.parametrize(
@@ -79,9 +77,7 @@ at = "line 3"
 @pytest.mark.parametrize("premise", ["given = ['line 1']", "assume = ['m x = m y']"])
 def test_a_positive_number_of_a_premise_is_not_0(tmp_path: Path, premise: str) -> None:
     """m x = m y and x = y was refuted at m = 0, since the claim does not speak of m."""
-    (tmp_path / "p.md").write_text("$$ m x = m y $$\n\n$$ x = y $$\n")
-    (tmp_path / "p.toml").write_text(CANCELLED + premise)
-    given, follows = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    given, follows = verdicts(tmp_path, "$$ m x = m y $$\n\n$$ x = y $$\n", CANCELLED + premise)
     assert follows.outcome is Outcome.PROVED
     assert told(given) == ("said" if "given" in premise else "refuted")
 

@@ -107,14 +107,12 @@ def test_a_law_that_inverts_a_matrix_follows_and_leads_nowhere(tmp_path: Path) -
 
 
 def test_a_law_may_stand_in_a_sentence(tmp_path: Path) -> None:
-    (tmp_path / "p.md").write_text(
+    held, false = verdicts(
+        tmp_path,
         "Let $R$ turn with $\\dot R = R \\tilde w$.\n\n$$ \\frac{d}{dt} (R v) = R (\\dot v + w \\times v) $$\n\n"
-        "$$ \\frac{d}{dt} (R v) = R (\\dot v - w \\times v) $$"
+        "$$ \\frac{d}{dt} (R v) = R (\\dot v - w \\times v) $$",
+        "source = 'p.md'\n[symbols]\nR = 'rotation'\nw = 'vector'\nv = 'vector'\n",
     )
-    (tmp_path / "p.toml").write_text(
-        "source = 'p.md'\n[symbols]\nR = 'rotation'\nw = 'vector'\nv = 'vector'\n"
-    )
-    held, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
     assert held.outcome is Outcome.CONDITIONAL and "line 1" in held.reason
     assert false.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
 

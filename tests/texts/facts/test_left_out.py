@@ -54,11 +54,11 @@ def test_a_property_that_the_model_leaves_out_is_asked_for(
 
 
 def test_a_symbol_that_is_declared_free_has_no_property(tmp_path: Path) -> None:
-    (tmp_path / "p.md").write_text("$$ R^{-1} S = R^T S $$")
     free = "{ kind = 'matrix 2×2', free = true }"
-    (tmp_path / "p.toml").write_text(f"source = 'p.md'\n[symbols]\nR = {free}\nS = {free}\n")
-    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
-    assert result.verdict.outcome is Outcome.REFUTED
+    (verdict,) = verdicts(
+        tmp_path, "$$ R^{-1} S = R^T S $$", f"source = 'p.md'\n[symbols]\nR = {free}\nS = {free}\n"
+    )
+    assert verdict.outcome is Outcome.REFUTED
 
 
 def test_a_matrix_of_numbers_may_be_an_example(tmp_path: Path) -> None:
@@ -74,11 +74,9 @@ def test_a_matrix_of_numbers_may_be_an_example(tmp_path: Path) -> None:
 
 def test_a_unit_matrix_has_the_letter_of_another_one(tmp_path: Path) -> None:
     """A text with an inertia I, which its model defines, writes R R^T = I all the same."""
-    (tmp_path / "p.md").write_text("$$ Q Q^T = I $$\n\n$$ Q I = I Q $$\n\n$$ Q Q^T = -I $$")
     model = "source = 'p.md'\n[symbols]\nQ = 'rotation'\nI = 'tensor'\n[definitions]\n"
     model += r"I = '\begin{bmatrix} 2 & 0 & 0 \\ 0 & 3 & 0 \\ 0 & 0 & 4 \end{bmatrix}'"
-    (tmp_path / "p.toml").write_text(model)
-    meant, also, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    meant, also, false = verdicts(tmp_path, "$$ Q Q^T = I $$\n\n$$ Q I = I Q $$\n\n$$ Q Q^T = -I $$", model)
     assert [told(each) for each in (meant, also)] == ["conditional"] * 2
     assert "I: the identity" in doubts(meant) and false.outcome is Outcome.REFUTED
 
@@ -96,9 +94,9 @@ def test_an_equation_of_slopes_constrains_the_function(tmp_path: Path) -> None:
     """Of coordinates that are to be orthogonal, in words of any language; a false identity is no condition."""
     square = r"\dot x^2 = (g_1 \dot q_1)^2 + (g_2 \dot q_2)^2"
     formulas = [r"g_1 \cdot g_2 = 0", square, r"\frac{\partial \dot x}{\partial q_1} = 2 \dot g_1"]
-    (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in formulas))
-    (tmp_path / "p.toml").write_text(COORDINATES)
-    condition, follows, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    condition, follows, false = verdicts(
+        tmp_path, "\n\n".join(f"$$ {each} $$" for each in formulas), COORDINATES
+    )
     assert told(condition) == "said" and "says what x is" in doubts(condition)
     assert told(follows) == "conditional" and "(L1)" in doubts(follows)
     assert false.outcome is not Outcome.PROVED

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.texts.written import verdicts
 from workbench.app.pipeline.judge_claims import judge_paper
 from workbench.core.paper_errors import PaperError
 from workbench.core.verdict import Outcome
@@ -59,8 +60,8 @@ def test_one_that_is_not_seen_to_is_refused_at_its_place(
 
 
 def test_a_letter_that_is_a_symbol_is_no_index_of_what_is_kept(tmp_path: Path) -> None:
-    (tmp_path / "p.md").write_text("$$ \\dot X_m = 0 $$")
     symbols = "X_m = { kind = 'scalar', constant = true }\nm = { kind = 'scalar', constant = true }\n"
-    (tmp_path / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{symbols}[definitions]\nX_m = '2 m'\n")
-    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
-    assert result.verdict.outcome is Outcome.PROVED
+    (verdict,) = verdicts(
+        tmp_path, "$$ \\dot X_m = 0 $$", f"source = 'p.md'\n[symbols]\n{symbols}[definitions]\nX_m = '2 m'\n"
+    )
+    assert verdict.outcome is Outcome.PROVED

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
@@ -189,15 +188,11 @@ def _whole(report: MotionReport, until: float | None, wanted: bool) -> Motion | 
 
 def _draw(whole: Motion, body: str, report: MotionReport, bounds: Any, file: Path) -> None:
     """Saves the figure, which appears when it is complete."""
+    from workbench.kinematics.robot.answers import draft_of
+
     figure = whole.plot(body, report.point, bounds, report.relative_to)
-    draft = file.with_name(f".unfinished-{os.getpid()}-{file.name}")
-    try:
+    with draft_of(file) as draft:
         figure.savefig(draft, dpi=130)
-        os.replace(draft, file)
-    except OSError as error:
-        raise ValueError(f"{file}: cannot be written: {error.strerror or error}") from None
-    finally:
-        draft.unlink(missing_ok=True)
 
 
 def _peak_dict(peak: Peak) -> dict[str, Any]:

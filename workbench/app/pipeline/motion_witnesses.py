@@ -15,7 +15,6 @@ from workbench.core.reasons import Reason, code_of
 from workbench.core.terms import Relation, Statement
 from workbench.core.verdict import Outcome, Verdict
 from workbench.language.goals.goals import Goal
-from workbench.papers.bound_symbols import names_behind
 from workbench.prover.explain.judged_parts import JudgedParts
 from workbench.prover.results.motion_summary import METHOD
 
@@ -173,7 +172,7 @@ def _of_motion(goal: Goal, notation: Notation) -> bool:
 
     sides = [side for s in atoms(goal) for r in relations(s) for side in (r.left, r.right)]
     bound = {symbol.declaration.name for symbol in notation.motion}
-    return not bound.isdisjoint(names_behind(sides, notation.definitions))
+    return any(part.declaration.name in bound for part in notation.definitions.symbols_in(*sides))
 
 
 def _only_tied(form: Formula, claim: Claim, found: Witness) -> bool:

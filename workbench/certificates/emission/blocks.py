@@ -78,10 +78,7 @@ def matrix(emitter: Collector, term: Term) -> Matrix:
                 value = Matrix(f"mdot {value.at(ATOM)}", APPLICATION, entries)
             return value
         case Apply(head="add", arguments=arguments):
-            total, *others = (matrix(emitter, a) for a in arguments)
-            for other in others:
-                total = _pairwise("mplus", "Plus", total, other)
-            return total
+            return reduce(_plus, [matrix(emitter, a) for a in arguments])
         case Apply(head="neg", arguments=(a,)):
             value = matrix(emitter, a)
             entries = tuple(tuple(f"(Neg {e})" for e in row) for row in value.entries)
@@ -124,10 +121,10 @@ def _assembled(emitter: Collector, term: Block) -> Matrix:
     return total
 
 
-def _pairwise(name: str, deep: str, left: Matrix, right: Matrix) -> Matrix:
+def _plus(left: Matrix, right: Matrix) -> Matrix:
     rows = zip(left.entries, right.entries, strict=True)
-    entries = tuple(tuple(f"({deep} {a} {b})" for a, b in zip(r, s, strict=True)) for r, s in rows)
-    return Matrix(f"{name} {left.at(ATOM)} {right.at(ATOM)}", APPLICATION, entries)
+    entries = tuple(tuple(f"(Plus {a} {b})" for a, b in zip(r, s, strict=True)) for r, s in rows)
+    return Matrix(f"mplus {left.at(ATOM)} {right.at(ATOM)}", APPLICATION, entries)
 
 
 def _product(emitter: Collector, left: Term, right: Term) -> Matrix:

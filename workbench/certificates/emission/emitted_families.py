@@ -21,11 +21,10 @@ from workbench.prover.goals.sequents import relations_of
 if TYPE_CHECKING:
     from workbench.core.terms import Definition, Statement
     from workbench.core.types import Declaration
-    from workbench.language.definitions import Definitions
 
 
 def general(
-    statement: Statement, supposed: Sequence[Statement], definitions: Definitions
+    statement: Statement, supposed: Sequence[Statement]
 ) -> tuple[Statement, list[Statement], dict[str, Linear]]:
     """Returns the statement for all n, with n shifted so that n is the least index, and the meaning of its n.
 
@@ -131,7 +130,7 @@ def _free_family(emitter: Collector, symbol: Symbol, kind: str) -> str:
     if declaration.unit or declaration.constant or (declaration.rotation and not emitter.several):
         raise NotCertified("a family of rotations, units or constants")
     if declaration not in emitter.families:
-        name = emitter.fresh(_family_name(emitter, symbol))
+        name = emitter.fresh(_family_name(symbol))
         emitter.families[declaration] = name
         places = [f"i{index}" for index, _ in enumerate(symbol.index)]
         type_ = emitted_nodes.type_name(symbol.type.dual, kind)
@@ -180,7 +179,7 @@ def _mentions(body: Term, definition: Definition) -> bool:
     return any(p.declaration == definition.declaration for p in body.symbols())
 
 
-def _family_name(emitter: Collector, symbol: Symbol) -> str:
+def _family_name(symbol: Symbol) -> str:
     name = symbol.declaration.name
     return spelled(name.latex([""] * name.indices))
 
@@ -190,7 +189,7 @@ def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: 
     declaration = symbol.declaration
     if declaration in emitter.families:
         return emitter.families[declaration]
-    bases = [d for d in own if d.index[0].is_number and _is_base(emitter, d, own)]
+    bases = [d for d in own if d.index[0].is_number and not _mentions(d.body, d)]
     lowest = min((int(d.index[0]) for d in bases), default=1)
     if lowest not in (0, 1) or step.parameters:
         raise NotCertified("a recurrence that starts neither at 0 nor at 1")
@@ -200,7 +199,7 @@ def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: 
     type_ = emitted_nodes.type_name(symbol.type.dual, kind)
     base = emitted_nodes.embedded(emitter.term(make_symbol(declaration, (Linear(lowest),))), symbol.type.dual)
     prepare(emitter, step.body, declaration)
-    name = emitter.fresh(_family_name(emitter, symbol))
+    name = emitter.fresh(_family_name(symbol))
     inner = emitter.inside(variable, step.body)
     current = make_symbol(declaration, (Linear.variable(variable),))
     argument = f"{name}_n"
@@ -230,10 +229,10 @@ def prepare(emitter: Collector, body: Term, but: Declaration | None = None) -> N
         elif kind is not None and not own:
             _free_family(emitter, part, kind)
         elif kind is not None and len(own) == 1 and len(part.index) == 1:
-            _function(emitter, part, own[0], kind)
+            _function(emitter, part, own[0])
 
 
-def _function(emitter: Collector, symbol: Symbol, defined: Definition, kind: str) -> None:
+def _function(emitter: Collector, symbol: Symbol, defined: Definition) -> None:
     """Writes `let w := (fun i => …) in` once, for a family that is defined for every index."""
     variables, least = defined.index[0].variables, defined.index[0].constant
     if symbol.declaration in emitter.families or defined.parameters or len(variables) != 1 or least < 0:
@@ -244,7 +243,7 @@ def _function(emitter: Collector, symbol: Symbol, defined: Definition, kind: str
         return
     body = instantiate(defined.body, {variable: place - least})
     prepare(emitter, body, symbol.declaration)
-    name = emitter.fresh(_family_name(emitter, symbol))
+    name = emitter.fresh(_family_name(symbol))
     inner = emitter.inside(variable, body)
     inner.bounds = {variable: (Linear(max(least, 1)), place)}
     emitter.forget(index := inner.integers[variable])
@@ -255,7 +254,3 @@ def _function(emitter: Collector, symbol: Symbol, defined: Definition, kind: str
     emitter.introduced.append(name)
     emitter.families[symbol.declaration] = name
     emitter.firsts[name] = least
-
-
-def _is_base(emitter: Collector, definition: Definition, own: list[Definition]) -> bool:
-    return not _mentions(definition.body, definition)

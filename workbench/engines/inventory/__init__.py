@@ -45,9 +45,9 @@ class WithoutDefinitions:
         return None if symbol in self.free else self.definitions.lookup(symbol)
 
 
-def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
-    """Yields the subterms of the term and of the definitions that it uses, each definition once."""
-    waiting, seen = [term], {term}
+def reached(definitions: Lookup, *terms: Term) -> Iterator[Term]:
+    """Yields the subterms of the terms and of the definitions that they use, each definition once."""
+    waiting, seen = list(reversed(terms)), set(terms)
     while waiting:
         for part in waiting.pop().walk():
             yield part

@@ -57,7 +57,7 @@ def derivatives_of(
     definitions of functions are exempt.
     """
     sides = list(sides_of(claim))
-    has_rates = any(_takes_rate(part) for side in sides for part in reached(side, definitions))
+    has_rates = any(_takes_rate(part) for part in reached(definitions, *sides))
     orders = take_inventory(sides, definitions).orders if has_rates else {}  # they count slopes, too
     found = []
     for relation in _relations(premise):
@@ -168,7 +168,7 @@ def _takes_rate(part: Term) -> bool:
 def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> list[Relation]:
     """Returns the partial derivatives of the equation that occur in the sides, with their variables and
     orders."""
-    parts = [part for side in sides for part in reached(side, definitions)]
+    parts = list(reached(definitions, *sides))
     by = {part.arguments[1] for part in parts if isinstance(part, Apply) and part.head in PARTIALS}
     if any(isinstance(part, Apply) and part.head in GRADIENTS for part in parts):
         symbols = (part for part in parts if isinstance(part, Symbol))

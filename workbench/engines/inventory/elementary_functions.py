@@ -67,14 +67,12 @@ class Replaced:
 
 
 def holds_functions(said: Relation, definitions: Lookup) -> bool:
-    return any(
-        _is_elementary(part) for side in (said.left, said.right) for part in reached(side, definitions)
-    )
+    return any(_is_elementary(part) for part in reached(definitions, said.left, said.right))
 
 
 def holds_roots(said: Relation, definitions: Lookup) -> bool:
     """True if there is a root of a real scalar, or a function whose slope has one."""
-    parts = (part for side in (said.left, said.right) for part in reached(side, definitions))
+    parts = reached(definitions, said.left, said.right)
     return any(_is_root(part) or _is_arc(part) for part in parts)
 
 

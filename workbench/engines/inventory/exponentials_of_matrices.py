@@ -59,7 +59,7 @@ class MatrixExponentials:
 
 
 def holds_matrix_exponentials(said: Relation, definitions: Lookup) -> bool:
-    parts = [part for side in (said.left, said.right) for part in reached(side, definitions)]
+    parts = list(reached(definitions, said.left, said.right))
     if not any(isinstance(part, Apply) and part.head == "exp" and part.type != SCALAR for part in parts):
         return False
     sides = [expand(side, definitions) for side in (said.left, said.right)]
@@ -252,7 +252,7 @@ class _Pass:
         """Yields the rates of the coefficients of constant matrices: those of ṡ M Σ aₖ Mᵏ, where Mⁿ = Σ cₖ
         Mᵏ by the characteristic polynomial."""
         for exponent, a in self.coefficients.values():
-            inside = [part for part in reached(exponent.core, self.definitions) if isinstance(part, Symbol)]
+            inside = [part for part in reached(self.definitions, exponent.core) if isinstance(part, Symbol)]
             if not highest or not all(part.declaration.constant for part in inside):
                 continue
             c = _characteristic(exponent.core)

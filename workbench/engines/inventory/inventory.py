@@ -126,12 +126,12 @@ class _Survey:
             self.inventory.reciprocals += self._factors
 
     def _holds_rates(self, term: Term) -> bool:
-        return any(isinstance(part, Derivative | TimeOperator) for part in reached(term, self.definitions))
+        return any(isinstance(part, Derivative | TimeOperator) for part in reached(self.definitions, term))
 
     def _moving(self, term: Term) -> set[Symbol]:
         """Returns the free symbols under a time derivative in the term."""
         found: set[Symbol] = set()
-        for part in reached(term, self.definitions):
+        for part in reached(self.definitions, term):
             if isinstance(part, Derivative | TimeOperator):
                 found |= self.orders(part.body if isinstance(part, Derivative) else term).keys()
         return found

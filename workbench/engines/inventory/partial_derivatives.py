@@ -61,9 +61,9 @@ def _is_constrained(of: Declaration) -> bool:
 def positive_coordinates(sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:
     """Returns the positive symbols that partial derivatives differentiate by. None is free: each is a
     square."""
-    parts = [part for side in sides for part in reached(side, definitions)]
+    parts = list(reached(definitions, *sides))
     by = [part.arguments[1] for part in parts if isinstance(part, Apply) and part.head in PARTIALS]
-    symbols = (part for term in by for part in reached(term, definitions) if isinstance(part, Symbol))
+    symbols = (part for part in reached(definitions, *by) if isinstance(part, Symbol))
     return frozenset(s for s in symbols if s.declaration.positive and definitions.lookup(s) is not None)
 
 

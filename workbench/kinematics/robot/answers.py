@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -53,13 +54,18 @@ def table(
 
 def write_csv(columns: Mapping[str, np.ndarray], file: str | Path) -> None:
     """Writes one row for each state; the file appears when it is complete."""
-    file = Path(file)
+    with draft_of(Path(file)) as draft, open(draft, "w", newline="", encoding="utf-8") as text:
+        writer = csv.writer(text)
+        writer.writerow(columns)
+        writer.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
+
+
+@contextmanager
+def draft_of(file: Path) -> Iterator[Path]:
+    """Yields the path of a draft, which becomes the file at the end. Raises ValueError."""
     draft = file.with_name(f".unfinished-{os.getpid()}-{file.name}")
     try:
-        with open(draft, "w", newline="", encoding="utf-8") as text:
-            writer = csv.writer(text)
-            writer.writerow(columns)
-            writer.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
+        yield draft
         os.replace(draft, file)
     except OSError as error:
         raise ValueError(f"{file}: cannot be written: {error.strerror or error}") from None

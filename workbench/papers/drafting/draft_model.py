@@ -157,7 +157,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     questions = [
         *(f"Does {name} print {body}?" for name, body in fences.items()),
         *(proposal.question for proposal in reading.proposals),
-        *questions_of(text, reading.formulas, reader.guesses),
+        *questions_of(text),
     ]
     in_displays = definitions_in(made)
     shown = set().union(*(formula.outcome.symbols for formula in made))
@@ -197,7 +197,7 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     spoken = [
         reader.read(f"{each.name} = {each.body}") for each in found if each.in_sentence or each in short
     ]
-    for jacobian, places in (*of_rates, *printed_jacobians(made, {each.name for each in found}, spoken)):
+    for jacobian, places in (*of_rates, *printed_jacobians(made, {each.name for each in found}, given)):
         found = [*(each for each in found if each.name != jacobian.name), jacobian]
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])

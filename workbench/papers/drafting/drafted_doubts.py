@@ -16,17 +16,18 @@ from workbench.context.free_symbols import free_in, names_in, terms_of
 from workbench.context.repeated_laws import definitions_in, laws_in, rate_in
 from workbench.core.codes.doubt_codes import DoubtCode
 from workbench.core.codes.type_codes import Compared, TypeCode
-from workbench.core.construct import apply, relation
+from workbench.core.construct import relation
 from workbench.core.reasons import Reason
 from workbench.core.terms import Derivative, IllFormed, Number, Power, Relation, Symbol, Term, sides_of
 from workbench.core.types import PI, Declaration
 from workbench.core.verdict import Outcome, Verdict
-from workbench.language.definitions import Definitions, expand, replaced
+from workbench.language.definitions import Definitions, expand
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_definitions import gives_dimension
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.inference.infer import TypeMismatch
 from workbench.papers.drafting.inference.priors import MAP_OF_TWISTS
+from workbench.papers.drafting.meanings.informing_equations import doubled
 from workbench.papers.drafting.typefaces import Guess
 from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.decide_under_facts import Decider
@@ -188,13 +189,9 @@ def _varies(claim: Claim, own: Symbol, lost: Declaration, known: Definitions) ->
     """True unless it is proved that the value of a symbol does not depend on another number."""
     if lost.type.kind != "scalar" or lost.indices or lost.parameters:
         return False
-
-    def twice(each: Symbol) -> Term | None:
-        return apply("add", each, each) if each.declaration == lost else None
-
     with suppress(IllFormed):
         body = expand(own, known)
-        same = relation("=", body, replaced(body, twice))
+        same = relation("=", body, doubled(body, lost))
         return Decider(claim, judge_of, True).decide((), same).outcome is not Outcome.PROVED
     return True
 

@@ -140,7 +140,7 @@ def functions_elsewhere(formulas: Iterable[str]) -> dict[str, tuple[str, ...]]:
                 for name, bracket in _calls(parse(latex)):
                     own = places.setdefault(name, {})
                     own.setdefault(tuple(flat(latex_of(part)) for part in bracket.parts), bracket)
-    found = {name: _formals(name, own) for name, own in places.items()}
+    found = {name: _formals(own) for name, own in places.items()}
     return {name: formals for name, formals in found.items() if formals}
 
 
@@ -158,7 +158,7 @@ def _calls(node: object) -> Iterator[tuple[str, Bracket]]:
         yield from _calls(part)
 
 
-def _formals(name: str, places: Mapping[tuple[str, ...], Bracket]) -> tuple[str, ...]:
+def _formals(places: Mapping[tuple[str, ...], Bracket]) -> tuple[str, ...]:
     """Returns the letters of the first place with only letters, if another place is made of them."""
     letters = [place for place, bracket in places.items() if all(map(_is_plain, bracket.parts))]
     if not letters:

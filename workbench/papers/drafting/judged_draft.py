@@ -33,6 +33,7 @@ from workbench.papers.drafting.formulary.near_standard import with_standard_form
 from workbench.papers.drafting.inference.infer import Thin, kind_name
 from workbench.papers.drafting.meanings.branches import holds_on_a_branch
 from workbench.papers.drafting.meanings.contradictions import display_of
+from workbench.papers.drafting.meanings.informing_equations import is_of_positive_numbers, says_what_is
 from workbench.papers.drafting.meanings.names_in_claims import (
     by_definitions,
     names_of,
@@ -49,20 +50,18 @@ from workbench.papers.drafting.meanings.usual_misprints import (
 )
 from workbench.papers.drafting.redefinitions import given_in
 from workbench.papers.drafting.typefaces import flat
-from workbench.prover.explain.informing_equations import is_of_positive_numbers, says_what_is
 from workbench.prover.results.claim_results import ClaimResult
 from workbench.repair.propose.usual_changes import Nearness
 from workbench.source.documents import Display
+from workbench.source.documents.condition_words import OF_CASE, OF_CASE_OR_VALUE, in_last_sentence
 from workbench.source.documents.surrounding_words import sections_of
 
 #: The words for one of several cases, before a display.
-_CASE = re.compile(r"\b(?:for|if|when|in (?:the|this) case)\b[^.;]*$", re.IGNORECASE)
+_CASE = in_last_sentence(OF_CASE_OR_VALUE)
 #: The words for another case than that of an earlier display.
-_OTHER_CASE = re.compile(r"\b(?:if|when|in (?:this|that|such an?) (?:[\w-]+ )?case)\b[^.;]*$", re.IGNORECASE)
+_OTHER_CASE = in_last_sentence(OF_CASE)
 #: The words for a case in which an earlier formula has another form.
-_BECOMES = re.compile(
-    r"\b(?:becomes?|reduces?|simplif\w+|specializ\w+|special|particular)\b[^.;]*$", re.IGNORECASE
-)
+_BECOMES = in_last_sentence(r"becomes?|reduces?|simplif\w+|specializ\w+|special|particular")
 #: The words before an equation that the text solves.
 _TO_SOLVE = re.compile(
     r"\bsolv(?:e|es|ed|ing)\b(?:(?!giv|yield|obtain|find|lead)[^.;,$])*\b(?:equations?|systems?|problems?)\s*:?\s*$",
@@ -345,7 +344,7 @@ def _given_anew(draft: Draft, claim: Claim) -> list[str]:
             continue
         first = next((each for each in displays if each.line == known.line), display)
         is_elsewhere = (first.section, first.heading) != (display.section, display.heading)
-        is_another_case = bool(_CASE.search(first.before) and _CASE.search(display.before))
+        is_another_case = all(_CASE.search(each.before) for each in (first, display))
         if known.line < display.line <= (claim.line or 0) and (is_elsewhere or is_another_case):
             found.append(given.name)
     return found

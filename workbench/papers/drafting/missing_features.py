@@ -7,6 +7,7 @@ import re
 from workbench.core.codes.syntax_codes import SyntaxCode
 from workbench.core.codes.type_codes import UNFIT_KINDS, TypeCode
 from workbench.core.reasons import Reason
+from workbench.source.rows.display_vocabulary import ORDER
 
 _FEATURES = {
     SyntaxCode.INTEGER_WITHOUT_RANGE: "indices without a range",
@@ -48,7 +49,7 @@ _BY_LATEX = (
     (r"\\begin\{[bpv]?(?:matrix|array)", "matrices of numbers"),
     (r"\\begin\{d?cases\}", "cases"),
     (r"\\in(?![A-Za-z])", "membership in sets"),
-    (r"\\(?:leq?|geq?|ll|gg)(?![A-Za-z])|[<>]", "inequalities"),
+    (ORDER.pattern, "inequalities"),
     (r"\\(?:text|mbox|textrm)(?![A-Za-z])", "words"),
     (r"'", "primes"),
 )

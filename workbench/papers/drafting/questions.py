@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
 
-from workbench.papers.drafting.typefaces import Guess
 from workbench.source.documents import Text
 
 _SIGNS = (
@@ -45,7 +43,7 @@ _SIGNS = (
 )
 
 
-def questions_of(text: Text, formulas: Sequence[str], guesses: Mapping[str, Guess]) -> list[str]:
+def questions_of(text: Text) -> list[str]:
     """Returns each question once, with the line of the first formula that raises it."""
     asked = []
     for pattern, question in _SIGNS:

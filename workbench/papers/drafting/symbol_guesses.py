@@ -110,9 +110,8 @@ def labels_in(formulas: Iterable[str]) -> Iterator[Guess]:
         is_above = letter in frames
         is_named = any(text.strip() == letter for text in alone) and not is_above
         is_written = is_named or any(_alone(letter, text) for text in alone if text.strip() != letter)
-        if is_above:
-            bases, is_index = {*bases, letter}, False
-        if bases and not (is_index or is_written or is_summed):
+        is_other = is_written or is_summed or (is_index and not is_above)
+        if (bases or is_above) and not is_other:
             yield Guess(letter, "scalar", "a label of symbols, and no index")
 
 

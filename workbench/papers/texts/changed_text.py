@@ -14,7 +14,7 @@ from pathlib import Path
 from workbench.context.claims import Claim, Notation
 from workbench.context.formula_facts import with_moving
 from workbench.core.spans import Span
-from workbench.core.terms import Symbol, sides_of
+from workbench.core.terms import sides_of
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.latex_keys import latex_key
 from workbench.papers.texts.functions_in_sentences import asked_if_function, functions_in
@@ -88,9 +88,8 @@ def _may_speak_of(claim: Claim, names: Collection[str]) -> bool:
         return any(latex_key(name) in formula for name in names)
     said = [claim.printed, *claim.assume, *claim.context.given]
     sides = [side for each in said if each.statement is not None for side in sides_of(each.statement)]
-    found = {part for side in sides for part in claim.notation.definitions.reached(side)}
     about = {name for fact in claim.context.facts for name in fact.about}
-    about |= {part.declaration.name for part in found if isinstance(part, Symbol)}
+    about |= {each.declaration.name for each in claim.notation.definitions.symbols_in(*sides)}
     return any(str(each) in names for each in about)
 
 

@@ -68,7 +68,7 @@ def _holds(premise: Statement, definitions: Definitions) -> bool:
 def _of_relation(said: Relation, definitions: Definitions) -> Verdict | None:
     """Returns the verdict on the equation of its sides."""
     sides = (said.left, said.right)
-    if not all(_is_number(part, definitions) for side in sides for part in definitions.reached(side)):
+    if not all(_is_number(part, definitions) for part in definitions.reached(*sides)):
         return None
     with suppress(NotExact, IllFormed, ZeroDivisionError):
         numbers = relation("=", *(expand(side, definitions) for side in sides))

@@ -47,7 +47,7 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     """Returns the derivative of a free symbol that the equation can be solved for; None if it is not a
     law."""
     sides = (relation.left, relation.right)
-    used = (part for side in sides for part in reached(side, definitions))
+    used = reached(definitions, *sides)
     if relation.operator != "=" or any(map(_is_no_rate, used)) or _is_of_known_rates(sides, definitions):
         return None
     found: dict[Symbol, list[_Occurrence]] = defaultdict(list)
@@ -166,7 +166,7 @@ def _claimed(symbols: Iterable[Symbol], sides: Iterable[Term], definitions: Look
     slopes = (
         part.arguments[1]
         for side in sides
-        for part in reached(side, definitions)
+        for part in reached(definitions, side)
         if isinstance(part, Apply) and part.head in PARTIALS
     )
     by = {each.body if isinstance(each, Derivative) else each for each in slopes}
@@ -201,7 +201,7 @@ def _free_inside(term: Term, definitions: Lookup) -> dict[Symbol, None]:
     found: dict[Symbol, None] = {}
     waiting = [term]
     while waiting:
-        parts = (part for part in reached(waiting.pop(), definitions) if isinstance(part, Symbol))
+        parts = (part for part in reached(definitions, waiting.pop()) if isinstance(part, Symbol))
         for part in parts:
             if part not in found and definitions.lookup(part) is None:
                 found[part] = None

@@ -29,7 +29,7 @@ from workbench.prover.decide.values_of_integrals import changing_in, with_values
 
 def holds_integral(said: Relation, definitions: Lookup) -> bool:
     """True if an integral or a limit stands in the equation or in a definition that it uses."""
-    parts = (part for side in (said.left, said.right) for part in reached(side, definitions))
+    parts = reached(definitions, said.left, said.right)
     return any(isinstance(part, Integral) for part in parts)
 
 
@@ -68,7 +68,7 @@ def judge_integrals(
     verdict = replace(verdict, evidence=(*verdict.evidence, evidence))
     if verdict.outcome is Outcome.REFUTED and not _is_free(sides, integrals):
         return Verdict(Outcome.UNCHECKED, reason=VerdictCode.NOT_FROM_LINEARITY(), evidence=verdict.evidence)
-    return _under_sameness(verdict, _kept(sides, integrals), sides)
+    return _under_sameness(verdict, _kept(sides), sides)
 
 
 def _of_several_kinds(
@@ -90,7 +90,7 @@ def _of_several_kinds(
     )
     if all(each.outcome is Outcome.PROVED for each in verdicts):
         found = conclusion("linearity", verdicts, (*verdicts[0].evidence, evidence))
-        return _under_sameness(found, _kept(list(sides), integrals), sides)
+        return _under_sameness(found, _kept(list(sides)), sides)
     has_rates = any(isinstance(part, Derivative) for each in integrals for part in each.body.walk())
     if all(map(_has_length, integrals)) and not has_rates and _is_free(list(sides), integrals):
         verdict = at_once(relation("=", _of_constants(whole), zero(whole.type)))
@@ -191,7 +191,7 @@ def _symbols(term: Term, inside: bool, is_within: bool = False) -> Iterator[Symb
         yield from _symbols(child, inside, is_within)
 
 
-def _kept(sides: list[Term], integrals: set[Integral]) -> list[Symbol]:
+def _kept(sides: list[Term]) -> list[Symbol]:
     """Returns the symbols that stand outside of the integrals and inside, and are not constant."""
     within = {each for side in sides for each in _symbols(side, inside=True)}
     outside = dict.fromkeys(each for side in sides for each in _symbols(side, inside=False))

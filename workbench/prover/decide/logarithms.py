@@ -26,7 +26,7 @@ Judge = Callable[[Statement, Lookup], Verdict]
 
 def holds_logarithm(said: Relation, definitions: Lookup) -> bool:
     """True if a logarithm stands in the equation or in a definition that it uses."""
-    parts = (part for side in (said.left, said.right) for part in reached(side, definitions))
+    parts = reached(definitions, said.left, said.right)
     return any(map(is_logarithm, parts))
 
 
@@ -35,8 +35,8 @@ def law_of_logarithm(said: Relation, definitions: Lookup) -> Symbol | None:
     for side, other in ((said.left, said.right), (said.right, said.left)):
         logarithm = _alone(side)
         if logarithm is not None:
-            own = set(reached(logarithm, definitions))
-            free = (part for part in reached(other, definitions) if isinstance(part, Symbol))
+            own = set(reached(definitions, logarithm))
+            free = (part for part in reached(definitions, other) if isinstance(part, Symbol))
             return next((each for each in free if each not in own and definitions.lookup(each) is None), None)
     return None
 

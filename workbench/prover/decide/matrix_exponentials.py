@@ -31,7 +31,7 @@ def judge_matrix_exponentials(
     names_it = any(
         isinstance(side, Symbol)
         and definitions.lookup(side) is None
-        and side not in reached(other, definitions)
+        and side not in reached(definitions, other)
         for side, other in (sides, sides[::-1])
     )
     if not (names_it and laws):

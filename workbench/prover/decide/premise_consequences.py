@@ -330,13 +330,13 @@ def _is_any(term: Term, bound: Collection[Name]) -> bool:
 
 def is_constant(value: Term, definitions: Lookup) -> bool:
     """True if all undefined symbols of the value are constant."""
-    free = (part for part in reached(value, definitions) if isinstance(part, Symbol))
+    free = (part for part in reached(definitions, value) if isinstance(part, Symbol))
     return all(part.declaration.constant or definitions.lookup(part) is not None for part in free)
 
 
 def _is_total(value: Term, definitions: Lookup) -> bool:
     """True if the value is defined for all values of its symbols. Only the derivatives of a norm may be
     undefined."""
-    parts = list(reached(value, definitions))
+    parts = list(reached(definitions, value))
     is_still = not any(isinstance(part, Derivative | TimeOperator) for part in parts)
     return all(never_divides(p) or (is_still and isinstance(p, Apply) and p.head == "norm") for p in parts)

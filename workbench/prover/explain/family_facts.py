@@ -24,8 +24,8 @@ def for_members(claim: Claim) -> Claim:
     A fact about members in a range is opaque where the claim goes beyond it.
     """
     definitions = claim.notation.definitions
-    reached = {part for side in sides_of(claim.printed.parsed) for part in definitions.reached(side)}
-    members = [part for part in reached if isinstance(part, Symbol) and len(part.index) == 1]
+    reached = dict.fromkeys(definitions.symbols_in(*sides_of(claim.printed.parsed)))
+    members = [each for each in reached if len(each.index) == 1]
     facts = tuple(made for fact in claim.context.facts for made in _instances(fact, claim, members))
     return claim if facts == claim.context.facts else claim.with_context(facts=facts)
 

@@ -59,6 +59,6 @@ def _numbers_of_members(claim: Claim, name: str) -> set[int]:
     families = {part.declaration for part in written if part.index == own and not definitions.about(part)}
     if any(part.declaration in families and part.index != own for part in written):
         return set()
-    reached = (part for side in sides_of(claim.printed.parsed) for part in definitions.reached(side))
-    members = {part for part in reached if isinstance(part, Symbol) and part.declaration in families}
+    reached = definitions.symbols_in(*sides_of(claim.printed.parsed))
+    members = {each for each in reached if each.declaration in families}
     return {int(part.index[0]) for part in members if part.index[0].is_number}

@@ -97,8 +97,8 @@ def _is_of_pi(claim: Claim) -> bool:
     assert claim.printed.statement is not None
     facts = definitions_in(claim.context.facts, definitions)
     said = [side for each in (claim.printed.statement, *claim.supposed) for side in sides_of(each)]
-    reached = (part for term in (*said, *(fact.body for fact in facts)) for part in definitions.reached(term))
-    if not any(isinstance(part, Symbol) and definitions.is_pi(part.declaration) for part in reached):
+    reached = definitions.symbols_in(*said, *(fact.body for fact in facts))
+    if not any(definitions.is_pi(each.declaration) for each in reached):
         return False
     own = {each.declaration.name for each in definitions}
     facts = [each for each in facts if each.declaration.name not in own]

@@ -4,12 +4,12 @@ det A det B. It makes equal sums to a symbolic n textually equal."""
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from functools import lru_cache
 from itertools import dropwhile, pairwise
 
 from workbench.core.construct import apply, derivative, relation, with_children
 from workbench.core.terms import Apply, Derivative, Identity, Relation, Term, Zero
+from workbench.engines.inventory.addend_expansion import addends
 
 
 def tidy(equation: Relation) -> Relation:
@@ -19,22 +19,10 @@ def tidy(equation: Relation) -> Relation:
 def is_same_sum(equation: Relation) -> bool:
     """True if both sides have the same addends in any order; opposite addends cancel."""
     left: Counter[Term] = Counter()
-    for sign, addend in (*_addends(equation.left, 1), *_addends(equation.right, -1)):
-        left[addend] += sign
+    for is_subtracted, addend in (*addends(equation.left), *addends(equation.right, negative=True)):
+        if not isinstance(addend, Zero):
+            left[addend] += -1 if is_subtracted else 1
     return not any(left.values())
-
-
-def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
-    match term:
-        case Apply(head="add", arguments=arguments):
-            for argument in arguments:
-                yield from _addends(argument, sign)
-        case Apply(head="neg", arguments=(inner,)):
-            yield from _addends(inner, -sign)
-        case Zero():
-            return
-        case _:
-            yield sign, term
 
 
 @lru_cache(maxsize=50_000)

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from workbench.core.construct import relation
 from workbench.core.integer_instances import free_integers
-from workbench.core.terms import BigSum, Relation, Statement, Symbol, Term
+from workbench.core.terms import BigSum, Relation, Statement, Term
+from workbench.engines.inventory import reached
 from workbench.engines.inventory.addend_expansion import spread
 from workbench.language.definitions import Definitions, expand
 from workbench.prover.decide.families.recurrence_range import InstanceJudge, exceptions, rewritten
@@ -74,17 +75,8 @@ def _since(equation: Relation, judge: InstanceJudge) -> Mapping[str, int] | None
 
 def _lower_bounds(terms: tuple[Term, ...], definitions: Definitions) -> dict[str, int]:
     """Returns the letters of all sums, recursively, with their least values."""
-    waiting: list[Term] = list(terms)
-    seen: set[Term] = set()
     lowest: dict[str, int] = {}
-    while waiting:
-        term = waiting.pop()
-        if term in seen:
-            continue
-        seen.add(term)
-        waiting += term.children
-        if isinstance(term, Symbol) and (body := definitions.lookup(term)) is not None:
-            waiting.append(body)
+    for term in reached(definitions, *terms):
         if isinstance(term, BigSum):
             lower = 0 if term.lower is None or not term.lower.is_number else int(term.lower)
             for name in term.variables:

@@ -94,12 +94,7 @@ class Substitution:
             for v, term in terms.items()
             if v.declaration.constant and not is_constant(term, definitions)
         }
-        self.used = {
-            part.declaration.name
-            for term in terms.values()
-            for part in definitions.reached(term)
-            if isinstance(part, Symbol)
-        }
+        self.used = {each.declaration.name for each in definitions.symbols_in(*terms.values())}
         self.integers = frozenset().union(*map(free_integers, terms.values()))
 
     def goal(self, goal: Goal, lasting: bool = False) -> Goal:

@@ -21,7 +21,7 @@ from time import monotonic
 from workbench.context.claims import Claim
 from workbench.core.construct import relation, symbol, zero
 from workbench.core.names import Name
-from workbench.core.terms import Apply, Definition, IllFormed, Relation, Statement, Symbol, Term
+from workbench.core.terms import Apply, Definition, IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.core.verdict import Outcome
 from workbench.engines.inventory import NotExact
 from workbench.engines.jet.rings import PRIME
@@ -174,19 +174,9 @@ def _rests_on(body: Term, name: Symbol) -> set[tuple]:
 
 def _names_below(claim: Claim) -> set[Name]:
     """Returns the names of the symbols that the claim depends on, through all definitions."""
-    of_name: dict[Name, list[Definition]] = {}
-    for definition in claim.notation.definitions:
-        of_name.setdefault(definition.declaration.name, []).append(definition)
-    names: set[Name] = set()
     statement = claim.printed.statement
-    waiting = [] if statement is None else [t for _, term in places(statement) for t in term.walk()]
-    while waiting:
-        term = waiting.pop()
-        if isinstance(term, Symbol) and term.declaration.name not in names:
-            names.add(term.declaration.name)
-            for definition in of_name.get(term.declaration.name, ()):
-                waiting += definition.body.walk()
-    return names
+    below = () if statement is None else claim.notation.definitions.symbols_in(*sides_of(statement))
+    return {symbol.declaration.name for symbol in below}
 
 
 def _holds_at_points(claim: Claim, change: Redefinition) -> bool:

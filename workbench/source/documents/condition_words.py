@@ -5,6 +5,8 @@ Each row holds the alternatives of a regular expression, longer ones first.
 
 from __future__ import annotations
 
+import re
+
 #: The formula defines a symbol.
 LETS = "let|set|put"
 DEFINES = f"{LETS}|define|denote|introduce|write|writing"
@@ -22,6 +24,18 @@ CASES = (
 SUPPOSES = r"suppos\w+|assum\w+"
 #: The words behind a display that begin another case.
 CONTRASTS = "whereas|while|but|and|or|instead|conversely|alternatively|however"
+#: The display behind these words is for one of several cases.
+OF_CASE = r"if|when|in (?:the|this|that|such an?) (?:[\w-]+ )?case"
+#: It is for a case, or for a value, or for all.
+OF_CASE_OR_VALUE = f"{OF_CASE}|for"
+#: It is for some values, as for small angles.
+OF_VALUES = r"for (?!(?:the|each|all|every)\b)"
+#: It replaces an earlier formula.
+REPLACES = r"instead|alternative\w*|other"
+#: It holds approximately.
+APPROXIMATES = r"approximat\w*|small|negligible|linear\w*"
+#: It is false.
+DENIES = "not|never|wrong|incorrect"
 #: The formula holds, and the statement beside it follows from it.
 REASONS = "since|because|as"
 #: The statement is meant for the case that the formula does not hold.
@@ -59,3 +73,8 @@ ENDS_CASE = (
 ENDS_CASE_OF_ANOTHER = r"in general|generally|for (?:all|any|every|arbitrary|general)|in any case|always"
 #: What the sentence says counts in its section only.
 IN_SECTION = r"(?:throughout|in|within|for) this (?:sub)*section"
+
+
+def in_last_sentence(*words: str) -> re.Pattern[str]:
+    """Returns the pattern of words in the last sentence of a text, such as that before a display."""
+    return re.compile(rf"\b(?:{'|'.join(words)})\b[^.;]*$", re.IGNORECASE)

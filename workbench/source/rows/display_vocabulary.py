@@ -48,23 +48,33 @@ def _commands(names: str) -> frozenset[str]:
     return frozenset(f"\\{name}" for name in names.split())
 
 
+#: The signs of inequalities, as authors write them.
+ORDERS = {
+    **dict.fromkeys((">", "\\gt"), ">"),
+    **dict.fromkeys(("<", "\\lt"), "<"),
+    **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
+    **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
+}
+UNEQUAL = _commands("neq ne")
+_MUCH = _commands("ll gg")
+#: A sign of an inequality in LaTeX.
+ORDER = re.compile(r"\\(?:[lg](?:t|eq?|eqslant)|ll|gg)(?![A-Za-z])|[<>≤≥]")
 EQUALITIES = frozenset({"=", ":=", "\\equiv", "\\stackrel", "\\overset"})
 ARROWS = _commands("rightarrow to longrightarrow")
 RELATIONS = (
     EQUALITIES
     | (spellings("RELATION") - {":", "\\colon"})
-    | {"<"}
+    | ORDERS.keys()
+    | _MUCH
     | _commands(
-        "simeq sim propto le leq lt gt ll gg cong doteq subset subseteq leqslant geqslant prec succ preceq"
-        " succeq lesssim defeq coloneq coloneqq eqqcolon"
+        "simeq sim propto cong doteq subset subseteq prec succ preceq succeq lesssim defeq coloneq coloneqq"
+        " eqqcolon"
     )
 )
 IMPLICATIONS = spellings("IMPLICATION") | _commands("Leftarrow impliedby Longleftarrow")
 #: Relations next to an equation that state ranges of symbols.
-SIDE_RELATIONS = frozenset({"<", ">"}) | _commands(
-    "neq ne lt gt le leq ge geq in leqslant geqslant ll gg perp parallel subset subseteq"
-)
-RANGE_RELATIONS = SIDE_RELATIONS - _commands("neq ne perp parallel")
+RANGE_RELATIONS = ORDERS.keys() | _MUCH | _commands("in subset subseteq")
+SIDE_RELATIONS = RANGE_RELATIONS | UNEQUAL | _commands("perp parallel")
 
 GAPS = frozenset([" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>"]) | _commands(
     "par enspace enskip thinspace medspace thickspace negthinspace negmedspace negthickspace space"

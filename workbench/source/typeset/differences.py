@@ -27,7 +27,7 @@ from workbench.source.typeset.latex_atoms import (
 # Below this share of common atoms a list of differences would be longer than the two formulas.
 _RECOGNISABLE = 0.35
 
-_OPENING, _CLOSING = frozenset(("(", "[", "{")), frozenset((")", "]", "}"))
+_BRACKETS = frozenset("()[]{}")
 _ROUND = {"[": "(", "]": ")"}
 _DECORATIONS = frozenset((*ACCENTS, *STYLES))
 _SIZE = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)(?![A-Za-z])")
@@ -42,13 +42,11 @@ class Change:
     symbol, part.
 
     before: the part of the first formula (LaTeX, None if nothing); after: that of the second.
-    following: the atom before the position, None at the beginning.
     """
 
     kind: str
     before: str | None
     after: str | None
-    following: str | None
 
 
 @dataclass(frozen=True)
@@ -204,8 +202,7 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
             leaves = _leaves_within(sides[side], new)
             marked[side].update(leaves or _leaves_within(sides[side], range(*span)))
         before, after = (sides[side][slice(*spans[side])] for side in (0, 1))
-        following = _preceding(second, spans[1][0])
-        changes.append(Change(_kind(before, after), _fragment(before), _fragment(after), following))
+        changes.append(Change(_kind(before, after), _fragment(before), _fragment(after)))
     parts = tuple(_side_by_side(first, second, blocks))
     count = sum(atom.leaf for atom in (*first, *second))
     if all(keys) and len(marked[0]) + len(marked[1]) > (1 - _RECOGNISABLE) * count:
@@ -296,28 +293,13 @@ def _leaves_within(atoms: Sequence[Atom], places: Iterable[int]) -> set[int]:
     return {i for place, end in ends.items() for i in range(place, end + 1) if atoms[i].leaf}
 
 
-def _preceding(atoms: Sequence[Atom], end: int) -> str | None:
-    """Returns the symbol or bracket before a position, with its exponents and indices; else None."""
-    braces = brackets = 0
-    for start in range(end - 1, -1, -1):
-        atom = atoms[start]
-        braces += opens(atom)
-        brackets += (atom.identity in _OPENING) - (atom.identity in _CLOSING)
-        if braces > 0 or brackets > 0:  # the position is inside this bracket
-            break
-        if braces == brackets == 0 and (atom.leaf or atom.identity in _OPENING):
-            return latex_of(atoms[start:end])
-    leaves = [atom for atom in atoms[:end] if atom.leaf]
-    return leaves[-1].latex if leaves else None
-
-
 def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
     either = [*before, *after]
     if all(atom.latex in ("+", "-") for atom in either):
         return "sign"
     if all(atom.leaf and atom.family in ("bin", "rel") for atom in either):
         return "operator"
-    if all(atom.identity in _OPENING | _CLOSING for atom in either):
+    if all(atom.identity in _BRACKETS for atom in either):
         return "bracket"
     if all(atom.latex.isdigit() for atom in either):
         return "number"

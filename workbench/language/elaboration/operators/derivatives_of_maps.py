@@ -60,7 +60,7 @@ class Dependence:
 
     def require(self, definitions: Definitions) -> None:
         """Raises Fault if neither the definition of the map nor its declaration contains the symbol."""
-        reached = [part for part in definitions.reached(self.body) if isinstance(part, Symbol)]
+        reached = list(definitions.symbols_in(self.body))
         if self.by not in reached and all(self.by not in part.declaration.of for part in reached):
             name, place = to_latex(self.body), to_latex(self.by)
             raise Fault(SyntaxCode.MAP_OF_OTHERS(name=name, place=place), self.at)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -37,6 +36,7 @@ from workbench.papers.texts.text_paper import TextPaper
 from workbench.prover.decide.decide import Judge
 from workbench.prover.explain.decide_under_facts import judged_or_unchecked
 from workbench.prover.results.claim_results import ClaimResult
+from workbench.source.documents.condition_words import APPROXIMATES, DENIES, in_last_sentence
 
 #: A formula with fewer symbols needs all its letters, and its words within so many characters before it.
 _SMALL, _BEFORE = 5, 600
@@ -45,9 +45,7 @@ _LARGE = 11
 #: The share of its letters that a formula needs, by the count of its symbols and addends.
 _SHARES = ((LONG, Fraction(0)), (_LARGE, Fraction(3, 5)), (0, Fraction(3, 4)))
 #: The words before a formula that is none of the standard formulas.
-_OTHER = re.compile(
-    r"\b(?:not|never|wrong|incorrect|derivative|linear\w*|approximat\w*|small|negligible)\b[^.;]*$"
-)
+_OTHER = in_last_sentence(DENIES, APPROXIMATES, "derivative")
 #: Operations that an abbreviation of a letter stands for.
 _ABBREVIATED = frozenset({"sin", "cos", "skew"})
 

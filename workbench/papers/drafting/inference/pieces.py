@@ -9,13 +9,13 @@ from workbench.core.formula_errors import Fault
 from workbench.language.grammar.parser import parse
 from workbench.papers.drafting.inference.kind_operations import Operation
 from workbench.papers.drafting.inference.walker import Walker
+from workbench.source.rows.display_vocabulary import ORDER
 
 _OPENING, _CLOSING = "([{", ")]}"
 _RELATION = re.compile(
-    r"\\(?:leq?|geq?|neq?|approx|simeq|sim|equiv|triangleq|coloneqq?|propto|ll|gg|mapsto|to|rightarrow|iff"
-    r"|Leftrightarrow|Rightarrow|implies)(?![A-Za-z])|:=|[=<>≤≥≈≡]"
+    r"\\(?:neq?|approx|simeq|sim|equiv|triangleq|coloneqq?|propto|mapsto|to|rightarrow|iff"
+    rf"|Leftrightarrow|Rightarrow|implies)(?![A-Za-z])|:=|[=≈≡]|{ORDER.pattern}"
 )
-_ORDERS = re.compile(r"\\(?:leq?|geq?|ll|gg)(?![A-Za-z])|[<>≤≥]")
 _EQUALS = re.compile(r"\\(?:equiv|triangleq|coloneqq?|approx|simeq)(?![A-Za-z])|:=|[=≈≡]")
 _SEPARATOR = re.compile(
     r"\\q?quad(?![A-Za-z])|\\text\s*\{[^{}]*\}|\\mbox\s*\{[^{}]*\}|\\[lc]?dots(?![A-Za-z])|\\\\|,|;|&|…|\.\.\."
@@ -49,7 +49,7 @@ def _pieces(latex: str, walker: Walker) -> Iterator[Operation]:
         read = [_side(side, walker, 0) for side in sides]
         for sign, left, right in zip(signs, read, read[1:], strict=False):
             if left is not None and right is not None:
-                is_order = _ORDERS.fullmatch(sign)
+                is_order = ORDER.fullmatch(sign)
                 relation = "equal" if _EQUALS.fullmatch(sign) else "compare" if is_order else "any"
                 yield walker.make(relation, left, right)
             elif (only := left or right) is not None:

@@ -41,12 +41,13 @@ from workbench.papers.drafting.typefaces import flat
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
+from workbench.source.documents.condition_words import APPROXIMATES, OF_CASE_OR_VALUE, in_last_sentence
 
 #: The limits of all tests of meanings by words, of those of changed definitions, and of one test.
 _SECONDS, _SECONDS_OF_CHANGES, _SECONDS_OF_ONE = 2.0, 6.0, 0.5
 #: The characters of words beside a symbol in a sentence.
 _BESIDE = 50
-_CASE = re.compile(r"\b(?:for|if|when|approximat\w*|small|linear\w*)\b[^.;]*$", re.IGNORECASE)
+_CASE = in_last_sentence(OF_CASE_OR_VALUE, APPROXIMATES)
 
 
 def with_meanings(ingested: Ingested, paper: TextPaper) -> Ingested:
@@ -92,9 +93,7 @@ class _Said:
 
     @cached_property
     def used(self) -> frozenset[Declaration]:
-        known = self.known
-        parts = (part for side in sides_of(self.statement) for part in known.reached(side))
-        return frozenset(part.declaration for part in parts if isinstance(part, Symbol))
+        return frozenset(each.declaration for each in self.known.symbols_in(*sides_of(self.statement)))
 
     @cached_property
     def is_decided(self) -> bool:
@@ -251,7 +250,9 @@ class _Bench:
             if display is None or not isinstance(statement, Relation) or claim.assume or claim.chain:
                 continue
             left = statement.left.base if isinstance(statement.left, Power) else statement.left
-            if not isinstance(left, Symbol) or left.index or left.arguments or _CASE.search(display.before):
+            if not isinstance(left, Symbol) or left.index or left.arguments:
+                continue
+            if _CASE.search(display.before):
                 continue
             own = given.get(str(left.declaration.name))
             if own is None and left is statement.left:
@@ -267,12 +268,11 @@ class _Bench:
         moving: set[str] = set()
         for claim in self.paper.claims:
             sides = sides_of(claim.printed.statement) if claim.printed.statement is not None else ()
-            for side in sides:
-                for part in claim.notation.definitions.reached(side):
-                    if isinstance(part, Symbol):
-                        types[str(part.declaration.name)] = part.declaration
-                    elif isinstance(part, Derivative):
-                        moving |= {str(each.declaration.name) for each in part.body.symbols()}
+            for part in claim.notation.definitions.reached(*sides):
+                if isinstance(part, Symbol):
+                    types[str(part.declaration.name)] = part.declaration
+                elif isinstance(part, Derivative):
+                    moving |= {str(each.declaration.name) for each in part.body.symbols()}
         known = self.paper.notation.definitions
         for each in known:
             types.setdefault(str(each.declaration.name), each.declaration)

@@ -25,14 +25,17 @@ from workbench.papers.drafting.draft_model import Ingested
 from workbench.papers.texts.text_paper import TextPaper
 from workbench.repair.propose.usual_changes import Nearness, Points, nearness, usual_changes
 from workbench.source.documents import Display
+from workbench.source.documents.condition_words import (
+    APPROXIMATES,
+    OF_CASE,
+    OF_VALUES,
+    REPLACES,
+    in_last_sentence,
+)
 
 _SECONDS, _SECONDS_OF_ONE = 2.0, 0.5
 #: Words before a display for a case of its own.
-_CASE = re.compile(
-    r"\b(?:for (?!(?:the|each|all|every)\b)|if|when|in (?:the|this) case|approximat\w*|small|linear\w*"
-    r"|instead|alternative\w*|other)\b[^.;]*$",
-    re.IGNORECASE,
-)
+_CASE = in_last_sentence(OF_CASE, OF_VALUES, REPLACES, APPROXIMATES)
 #: (a, b, c)^T.
 _COLUMN = re.compile(
     r"\((?P<cells>[^(),]+(?:,[^(),]+)+)\)\s*\^\s*\{?\s*(?:T|\\top|\\(?:mathsf|mathrm)\s*\{?\s*T\s*\}?)\s*\}?"
@@ -130,7 +133,7 @@ def _votes(equation: _Equation, paper: TextPaper, known: Definitions) -> int:
         said = claim.printed.statement
         if not isinstance(said, Relation) or said.left == left or claim is equation.claim:
             continue
-        sides = [replaced(side, lambda term: right if term == left else None) for side in sides_of(said)]
+        sides = [replaced(side, {left: right}.get) for side in sides_of(said)]
         if sides != [said.left, said.right]:
             facts = claim.context.facts
             own = [fact.content for fact in facts if fact.act is Act.CONSTRAIN]
@@ -143,7 +146,9 @@ def _votes(equation: _Equation, paper: TextPaper, known: Definitions) -> int:
 def _equations(ingested: Ingested, paper: TextPaper) -> Iterator[_Equation]:
     for claim in paper.claims:
         said, display = claim.printed.statement, display_of(claim, ingested)
-        if not isinstance(said, Relation) or claim.assume or display is None or _CASE.search(display.before):
+        if not isinstance(said, Relation) or claim.assume or display is None:
+            continue
+        if _CASE.search(display.before):
             continue
         if not claim.chain and _is_alone(said, claim.notation.definitions):
             yield _Equation(said, claim, claim.line)
@@ -209,7 +214,7 @@ def _against_lagrangians(ingested: Ingested, paper: TextPaper) -> Iterator[Contr
         for name in names:
             made = [each for own in second for each in _lagrange(name, own, claim)]
             made = [each for each in made if each.statement != said]
-            if made and process_time() < end and (found := _missed(claim, made, end)) is not None:
+            if made and process_time() < end and (found := _missed(made, end)) is not None:
                 yield found
 
 
@@ -251,7 +256,7 @@ def _lagrange(name: str, own: Symbol, claim: Claim) -> Iterator[Contradiction]:
             yield Contradiction(claim.id, statement, (law,), known, reason)
 
 
-def _missed(claim: Claim, made: Sequence[Contradiction], end: float) -> Contradiction | None:
+def _missed(made: Sequence[Contradiction], end: float) -> Contradiction | None:
     """Returns the equation that a law misses by one change; None if the law follows from one."""
     tests = [each for each in made if Points(each.statement, each.known, each.assume).has_value()]
     if any(Points(each.statement, each.known, each.assume).vanishes() for each in tests):

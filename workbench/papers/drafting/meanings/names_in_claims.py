@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 from workbench.context.claims import Claim
@@ -10,7 +9,7 @@ from workbench.context.free_symbols import terms_of
 from workbench.core.codes.context_codes import ContextCode
 from workbench.core.names import Name
 from workbench.core.reasons import Reason
-from workbench.core.terms import Block, Relation, Symbol, Term, sides_of
+from workbench.core.terms import Block, Relation, Symbol, sides_of
 from workbench.papers.drafting.drafted_texts import Draft
 from workbench.papers.drafting.meanings.usual_misprints import definitions_of
 
@@ -35,17 +34,11 @@ def names_of(claim: Claim) -> list[str]:
     return list(dict.fromkeys(map(written, symbols_of(claim))))
 
 
-def reached_terms(claim: Claim) -> Iterator[Term]:
-    """Yields the terms of a claim's sides and of the definitions of their symbols, also those of the text."""
-    statement, known = claim.printed.statement, definitions_of(claim)
-    for side in sides_of(statement) if statement is not None else ():
-        yield from known.reached(side)
-
-
 def reached_names(claim: Claim) -> set[str]:
-    """Returns the names of a claim's symbols, and of those in their definitions."""
-    reached = {written(each.declaration.name) for each in reached_terms(claim) if isinstance(each, Symbol)}
-    return reached | {*names_of(claim)}
+    """Returns the names of a claim's symbols, and of those in their definitions, also those of the text."""
+    sides = () if claim.printed.statement is None else sides_of(claim.printed.statement)
+    behind = definitions_of(claim).symbols_in(*sides)
+    return {*names_of(claim), *(written(each.declaration.name) for each in behind)}
 
 
 def by_definitions(draft: Draft, claim: Claim) -> Reason | None:

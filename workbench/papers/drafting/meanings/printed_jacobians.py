@@ -149,8 +149,8 @@ def _matched(
             for row in rows
         )
         body = r"\begin{bmatrix} " + r" \\ ".join(lines) + r" \end{bmatrix}"
-        names = tuple(sorted(set().union(*(row.slopes for row in rows))))
-        yield Proposed(to_latex(own), body, formula.display.line, "words call it a Jacobian", True), names
+        variables = tuple(sorted(set().union(*(row.slopes for row in rows))))
+        yield Proposed(to_latex(own), body, formula.display.line, "words call it a Jacobian", True), variables
 
 
 def _unlikeness(names: Sequence[str]) -> int:

@@ -212,7 +212,8 @@ def _scope(
     """
     known = exceptions(judge)
     terms = list(all_terms(statements))
-    start, begin = known.start(rewritten(terms, judge.definitions)), known.begin(symbolic_members(terms))
+    start = known.start(rewritten(terms, judge.definitions))
+    begin = known.begin(symbolic_members(part for term in terms for part in term.walk()))
     variables = sorted(_variables(original))
     least = {name: shift[name].constant if name in shift else 0 for name in variables}
     needed = {name: start.get(name, 0) + least[name] for name in variables}

@@ -78,15 +78,11 @@ def integer_past_literals(terms: Iterable[Term], definitions: Definitions) -> in
 
 
 def _numbers(terms: Iterable[Term], definitions: Definitions) -> Iterator[int]:
-    waiting, seen = list(terms), set()
-    while waiting:
-        for part in waiting.pop().walk():
-            yield from (abs(linear.constant) for linear in _linear(part))
-            if isinstance(part, Symbol) and part.declaration not in seen:
-                seen.add(part.declaration)
-                own = definitions.about(part)
-                yield from (abs(place.constant) for definition in own for place in definition.index)
-                waiting += [definition.body for definition in own]
+    for part in dict.fromkeys(definitions.reached(*terms)):
+        yield from (abs(linear.constant) for linear in _linear(part))
+        if isinstance(part, Symbol):
+            own = definitions.about(part)
+            yield from (abs(place.constant) for definition in own for place in definition.index)
 
 
 def _linear(term: Term) -> tuple[Linear, ...]:

@@ -7,7 +7,7 @@ such a member, and so may be Φ₃ := …, which need not satisfy the definition
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Protocol
@@ -19,7 +19,7 @@ from workbench.core.integer_instances import instantiate
 from workbench.core.names import Name
 from workbench.core.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
 from workbench.core.verdict import Outcome, Verdict
-from workbench.engines.inventory import NotExact
+from workbench.engines.inventory import NotExact, reached
 from workbench.language.definitions import Definitions, expand, solve
 
 _KNOWN: WeakKeyDictionary[Definitions, Exceptions] = WeakKeyDictionary()
@@ -171,21 +171,11 @@ def _holds(judge: InstanceJudge, said: Relation) -> bool:
 
 def rewritten(terms: Iterable[Term], definitions: Definitions) -> Iterator[Symbol]:
     """Yields the symbolic members, such as Φₙ₊₁, that definitions replace in the terms, recursively."""
-    pending: list[Term] = list(terms)
-    seen: set[Term] = set()
-    while pending:
-        term = pending.pop()
-        if term in seen:
-            continue
-        seen.add(term)
-        pending += term.children
-        if isinstance(term, Symbol) and (body := definitions.lookup(term)) is not None:
-            pending.append(body)
-            if any(not place.is_number for place in term.index):
-                yield term
+    members = symbolic_members(reached(definitions, *terms))
+    yield from (member for member in dict.fromkeys(members) if definitions.lookup(member) is not None)
 
 
-def symbolic_members(terms: Sequence[Term]) -> list[Symbol]:
-    """Returns the members of families in the terms whose index contains an integer variable."""
-    parts = (part for term in terms for part in term.symbols())
-    return [part for part in parts if any(not place.is_number for place in part.index)]
+def symbolic_members(parts: Iterable[Term]) -> list[Symbol]:
+    """Returns those of the terms that are members of families with an integer variable in their index."""
+    symbols = (part for part in parts if isinstance(part, Symbol))
+    return [part for part in symbols if any(not place.is_number for place in part.index)]

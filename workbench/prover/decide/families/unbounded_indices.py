@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.core.integer_instances import free_integers
-from workbench.core.terms import BigSum, Conjunction, Definition, IllFormed, Relation, Statement, Symbol, Term
+from workbench.core.terms import BigSum, Conjunction, Definition, IllFormed, Relation, Statement, Term
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import NotExact
 from workbench.engines.inventory.addend_expansion import addend_by_addend, has_sums
@@ -59,8 +59,7 @@ def ranges_apart(
 
 def _for_each(statement: Relation, definitions: Definitions) -> Relation | None:
     """Returns the equation of free members, if all definitions are uniform in the index; else None."""
-    parts = (part for side in (statement.left, statement.right) for part in definitions.reached(side))
-    members = {part for part in parts if isinstance(part, Symbol) and part.index}
+    members = {each for each in definitions.symbols_in(statement.left, statement.right) if each.index}
     known = {each for member in members for each in definitions.about(member)}
     if any(member.declaration.apart for member in members) or not all(map(_is_for_each, known)):
         return None

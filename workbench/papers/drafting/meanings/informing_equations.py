@@ -81,6 +81,11 @@ def _has_branches(term: Term) -> bool:
     return any(map(_has_branches, term.children))
 
 
+def doubled(term: Term, own: Declaration) -> Term:
+    """Returns the term with 2 x for the symbol x of a declaration."""
+    return replaced(term, lambda each: apply("add", each, each) if each.declaration == own else None)
+
+
 def _squared(own: Symbol) -> Term | None:
     is_number = own.type == SCALAR and not (own.arguments or own.index or own.declaration.clock)
     return power(own, 2) if is_number and not own.declaration.positive else None
@@ -102,7 +107,8 @@ class _Equation:
             return False
         rates = (each for each in self._rates if each.type == own.type)
         return any(
-            self._is_true(*(_with(side, own, rate) for side in (self._left, self._right))) for rate in rates
+            self._is_true(*(replaced(side, {own: rate}.get) for side in (self._left, self._right)))
+            for rate in rates
         )
 
     def gives(self, own: Symbol) -> bool:
@@ -114,9 +120,9 @@ class _Equation:
         others = {part.declaration for part in self._rest.symbols()} - {own.declaration}
         if len(others) > _MOST_SYMBOLS:
             return False
-        constant = _with(self._rest, own, zero(own.type))
+        constant = replaced(self._rest, {own: zero(own.type)}.get)
         own_part = apply("add", self._rest, apply("neg", constant))
-        twice = _with(own_part, own, apply("add", own, own))
+        twice = replaced(own_part, {own: apply("add", own, own)}.get)
         if not self._is_true(twice, apply("add", own_part, own_part)) or self._is_zero(own_part):
             return False
         if own.type == VECTOR and not self._is_zero(apply("cross", own_part, own)):
@@ -125,13 +131,9 @@ class _Equation:
 
     def _depends(self, constant: Term, own_part: Term, own: Symbol, other: Declaration) -> bool:
         """True if the value e / k of a symbol changes with another symbol."""
-
-        def doubled(each: Symbol) -> Term | None:
-            return apply("add", each, each) if each.declaration == other else None
-
         head: Head = "dot" if own.type == VECTOR else "mul"
-        here, there = (apply(head, part, own) for part in (own_part, replaced(own_part, doubled)))
-        changed = replaced(constant, doubled)
+        here, there = (apply(head, part, own) for part in (own_part, doubled(own_part, other)))
+        changed = doubled(constant, other)
         return not self._is_true(apply("mul", here, changed), apply("mul", there, constant))
 
     def _is_zero(self, term: Term) -> bool:
@@ -141,8 +143,3 @@ class _Equation:
         with suppress(IllFormed):
             return self._decider.holds((), relation("=", left, right))
         return False
-
-
-def _with(term: Term, own: Symbol, value: Term) -> Term:
-    given: Callable[[Symbol], Term | None] = lambda each: value if each == own else None  # noqa: E731
-    return replaced(term, given)

@@ -194,10 +194,10 @@ def ingested(text: Text, macros: Path | None = None, given: Sequence[Guess] = ()
     guesses = dict(reader.guesses)
     columns_of = {each.name: cells for each in found if (cells := components_of(each.body))}
     of_rates = jacobians(made, columns_of, {each.name: each for each in found})
-    spoken = [
+    of_words = [
         reader.read(f"{each.name} = {each.body}") for each in found if each.in_sentence or each in short
     ]
-    for jacobian, places in (*of_rates, *printed_jacobians(made, {each.name for each in found}, given)):
+    for jacobian, places in (*of_rates, *printed_jacobians(made, {each.name for each in found}, of_words)):
         found = [*(each for each in found if each.name != jacobian.name), jacobian]
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])

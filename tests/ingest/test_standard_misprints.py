@@ -117,3 +117,31 @@ def test_other_order_of_variables_is_no_misprint(tmp_path: Path) -> None:
         f"For spherical coordinates, the Jacobian is\n\n$$\nB = \\begin{{bmatrix}} {matrix} \\end{{bmatrix}}\n$$\n"
     )
     assert judged_draft_of(path)[-1].verdict.outcome is Outcome.DEFINITION
+
+
+EXCHANGED = [
+    (
+        "The understeer gradient of the bicycle model with the cornering stiffnesses $C_f$, $C_r$ is",
+        r"K = \frac{m}{L}\left(\frac{l_f}{C_f} - \frac{l_r}{C_r}\right)",
+        r"K = \frac{m}{L}\left(\frac{l_r}{C_f} - \frac{l_f}{C_r}\right)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("words", "printed", "right"), EXCHANGED)
+def test_exchanged_names_are_a_misprint(words: str, printed: str, right: str, tmp_path: Path) -> None:
+    grades = []
+    for formula in (printed, right):
+        path = tmp_path / "text.md"
+        path.write_text(f"{words}\n\n$$\n{formula}\n$$\n")
+        grades.append(judged_draft_of(path)[-1].verdict.grade)
+    assert grades[0] is Grade.WARNING and grades[1] is not Grade.WARNING
+
+
+def test_angles_by_the_other_names_are_no_misprint(tmp_path: Path) -> None:
+    path = tmp_path / "text.md"
+    path.write_text(
+        "In spherical coordinates with the azimuth $\\theta$ and the polar angle $\\phi$\n\n"
+        "$$\nx = r\\sin\\phi\\cos\\theta, \\qquad y = r\\sin\\phi\\sin\\theta\n$$\n"
+    )
+    assert all(each.verdict.grade is not Grade.WARNING for each in judged_draft_of(path))

@@ -120,11 +120,21 @@ def _nearest(
     sums: list[Sum] = []
     with suppress(TooLong, ZeroDivisionError):
         sums = list(dict.fromkeys(map(equation_sum, (said, in_full))))
-    found = next(chain.from_iterable(_misprints_in(own, prose, before) for own in sums), None)
-    if found is None:
-        return None
-    is_other = any(next(_equal_to(own, prose), None) is not None for own in sums)
-    return None if is_other else found
+    equal = [each for own in sums for each in _equal_to(own, prose)]
+    if equal:
+        return _exchanged(equal)
+    return next(chain.from_iterable(_misprints_in(own, prose, before) for own in sums), None)
+
+
+def _exchanged(equal: Sequence[tuple[StandardFormula, Renaming]]) -> tuple[StandardFormula, Renaming] | None:
+    """Returns the standard formula with the names of a printed one, which has them exchanged.
+
+    So is p v - q u that of q u - p v, and m/L (l_f/C_f - l_r/C_r) that with l_r and l_f."""
+    kept = max(found.kept for _, found in equal)
+    for each, found in equal:
+        if found.common > kept and (right := found.without_exchange()) is not None:
+            return each, right
+    return None
 
 
 def _misprints_in(own: Sum, prose: str, before: str) -> Iterator[tuple[StandardFormula, Renaming]]:
@@ -138,12 +148,12 @@ def _misprints_in(own: Sum, prose: str, before: str) -> Iterator[tuple[StandardF
                 yield each, found
 
 
-def _equal_to(own: Sum, prose: str) -> Iterator[Renaming]:
-    """Yields the renamings that make a printed formula of another one."""
+def _equal_to(own: Sum, prose: str) -> Iterator[tuple[StandardFormula, Renaming]]:
+    """Yields the formulas of which renamings make a printed one."""
     profile = profile_of(own)
     for each in _usual_in(prose):
         if each.profile.may_be(profile):
-            yield from renamings(each.sum, own, each.size < _SMALL)
+            yield from ((each, found) for found in renamings(each.sum, own, each.size < _SMALL))
 
 
 def _is_negative(own: Term) -> bool:

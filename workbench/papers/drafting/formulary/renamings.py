@@ -6,8 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
+from workbench.core.names import Name
 from workbench.core.terms import Symbol, Term
 from workbench.core.types import PI
+from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.formulary.normal_sums import Leaf, Monomial, Node, Part, Sum
 
 #: The usual letters of angles.
@@ -16,6 +18,10 @@ _ANGLES = frozenset(
 )
 #: Operations whose two parts may change places, and the sign that this gives.
 _TURNED = {"dot": 1, "cross": -1}
+
+
+#: Four letters or more are exchanged by mistake rather than by convention.
+_FEWEST_EXCHANGED = 3
 
 
 @dataclass(frozen=True)
@@ -36,6 +42,40 @@ class Renaming:
         """The share of the symbols that keep their letters."""
         pairs = [letter_of(own) == letter_of(new) for own, (new, _) in self.of.items()]
         return Fraction(sum(pairs), len(pairs)) if pairs else Fraction(0)
+
+    def without_exchange(self) -> Renaming | None:
+        """Returns the renaming with symbols by their own names, if it exchanges these; None if it does not.
+
+        Symbols that differ by their labels only are exchanged, or four or more: l_f and l_r, but not θ and φ,
+        which authors name either way.
+        """
+        names = self._names
+        moved = {own for own, new in names.items() if own != new and new in names}
+        is_closed = {names[own] for own in moved} == moved
+        is_labelled = len({own.letter for own in moved}) == 1
+        if not moved or not is_closed or not (is_labelled or len(moved) > _FEWEST_EXCHANGED):
+            return None
+        news = [each for each in self.of.values() if isinstance(each[0], Symbol)]
+        printed = {to_latex(new): (new, more) for new, more in news}
+        return replace(self, of={own: printed.get(to_latex(own), as_is) for own, as_is in self.of.items()})
+
+    @property
+    def kept(self) -> int:
+        """The number of symbols that keep their names."""
+        return sum(own == new for own, new in self._names.items())
+
+    @property
+    def common(self) -> int:
+        """The number of names on both sides."""
+        return len({*self._names} & {*self._names.values()})
+
+    @property
+    def _names(self) -> dict[Name, Name]:
+        return {
+            own.declaration.name: new.declaration.name
+            for own, (new, _) in self.of.items()
+            if isinstance(own, Symbol) and isinstance(new, Symbol)
+        }
 
     @property
     def letters(self) -> frozenset[str]:

@@ -141,7 +141,9 @@ class Costs:
 
 
 def _is_of_numbers(tree: Operation, table: Table) -> bool:
-    """True for a matrix of numbers, whose size is printed."""
+    """True for a matrix of numbers, perhaps transposed, whose size is printed."""
+    if tree.op == "transpose":
+        return _is_of_numbers(tree.parts[0], table)
     return tree.op == "matrix" and None not in table and min(table.values()) == 0 and len(tree.parts) > 3
 
 

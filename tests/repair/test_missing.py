@@ -5,7 +5,10 @@ from random import Random
 import pytest
 from repair.damage import read_or_fault, right_claims
 
+from workbench.core.construct import apply, identity, relation, symbol
+from workbench.core.names import Name
 from workbench.core.terms import Apply, IllFormed
+from workbench.core.types import TENSOR, VECTOR, Declaration
 from workbench.engines.inventory import NotExact
 from workbench.papers import find_paper
 from workbench.repair.propose.symbols_like import symbols_like
@@ -96,3 +99,11 @@ def test_vacuous_statements_are_recognized(paper):
         assert is_vacuous(statement) == (text in VACUOUS), text
         if text not in VACUOUS:
             assert is_idle(statement, screen) == (text in IDLE), text
+
+
+def test_turns_back_and_forth_say_nothing() -> None:
+    turn = symbol(Declaration(Name("R"), TENSOR).with_flags(rotation=True))
+    back, vector = apply("transpose", turn), symbol(Declaration(Name("m"), VECTOR))
+    assert is_vacuous(relation("=", vector, apply("mul", apply("mul", turn, back), vector)))
+    assert not is_vacuous(relation("=", apply("mul", turn, back), identity()))
+    assert not is_vacuous(relation("=", vector, apply("mul", apply("mul", turn, turn), vector)))

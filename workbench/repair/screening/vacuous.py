@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import pairwise
 
 from workbench.core.construct import apply, derivative
 from workbench.core.terms import (
@@ -124,13 +125,24 @@ def _multiples(term: Term, factor: Fraction) -> Iterator[tuple[Fraction, Term]]:
 
 
 def _in_order(product: Term) -> Term:
-    """Returns a product with its scalar factors first, in one order."""
-    scalars, others = _commuting(product)
-    if not scalars or len(scalars) + len(others) == 1:
+    """Returns a product with its scalar factors first, in one order, without turns back and forth."""
+    scalars, factors = _commuting(product)
+    others = _without_turns(factors)
+    if others == factors and (not scalars or len(scalars) + len(others) == 1):
         return product
     if any(each.type.kind == "operator" for each in others):  # D a x is not a D x
         return product
     return product_of([*sorted(scalars, key=repr), *others])
+
+
+def _without_turns(factors: list[Term]) -> list[Term]:
+    """Returns the factors without R R^T beside others."""
+    for place, pair in enumerate(pairwise(factors) if len(factors) > 2 else ()):
+        turned = {inner for each in pair if (inner := _undone("transpose", each)) is not None}
+        turns = [each for each in pair if isinstance(each, Symbol) and each.declaration.rotation]
+        if turned and turned == {*turns}:
+            return _without_turns([*factors[:place], *factors[place + 2 :]])
+    return factors
 
 
 def _commuting(term: Term) -> tuple[list[Term], list[Term]]:

@@ -46,14 +46,19 @@ class Renaming:
     def without_exchange(self) -> Renaming | None:
         """Returns the renaming with symbols by their own names, if it exchanges these; None if it does not.
 
-        Symbols that differ by their labels only are exchanged, or four or more: l_f and l_r, but not θ and φ,
-        which authors name either way.
+        l_f and l_r are, if C_f keeps its name, and four letters or more of several; not θ and φ, which many
+        name the other way, nor all members with the indices 1, 2 and 3.
         """
         names = self._names
         moved = {own for own, new in names.items() if own != new and new in names}
         is_closed = {names[own] for own in moved} == moved
-        is_labelled = len({own.letter for own in moved}) == 1
-        if not moved or not is_closed or not (is_labelled or len(moved) > _FEWEST_EXCHANGED):
+        kept = {own for own, new in names.items() if own == new}
+        labels = {own.scripts for own in moved}
+        is_labelled = len({own.letter for own in moved}) == 1 and any(
+            any(own.scripts) and own.scripts in labels for own in kept
+        )
+        is_of_letters = not any(map(any, labels)) and _FEWEST_EXCHANGED < len(moved) <= len(kept)
+        if not (is_closed and (is_labelled or is_of_letters)):
             return None
         news = [each for each in self.of.values() if isinstance(each[0], Symbol)]
         printed = {to_latex(new): (new, more) for new, more in news}

@@ -73,6 +73,12 @@ _OF_A_SET = re.compile(
     r"\b(?:defined|given|described|determined)\s+by\b[^.;$]*$",
     re.IGNORECASE,
 )
+#: A letter of the sine or cosine right before an angle, without blanks and braces.
+_BEFORE_ANGLE = re.compile(
+    r"(?:(?<![A-Za-z\\])|(?<=\\mathrm)|(?<=\\mathsf))([cs])"
+    r"(?=\\(?:theta|phi|psi|alpha|beta|gamma|var(?:theta|phi))(?![A-Za-z]))"
+)
+_PLAIN = re.compile(r"\\math(?:rm|sf|it)")
 #: The most doubts about symbols that a verdict names.
 _MOST_DOUBTS = 3
 
@@ -133,6 +139,7 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         doubts.append(elsewhere)
     doubts += [name for name in (*_given_anew(draft, claim), *_of_other_place(claim)) if name not in doubts]
     doubts += _unwritten_members(draft, claim)
+    doubts += _abbreviated_functions(claim)
     unless = _doubts_of(draft, result, doubts, is_misfit)
     said = [own for doubt in verdict.unless for own in _of_the_text(doubt)]
     of_kinds = {DoubtCode.SOMETHING_ELSE(name=name) for name in kinds}
@@ -365,6 +372,13 @@ def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
         return []
     written = "".join(latex_key(source.text) for source in draft.ingested.text.sources)
     return sorted(each for each in members if latex_key(each) not in written)
+
+
+def _abbreviated_functions(claim: Claim) -> list[str]:
+    r"""Returns c and s of c\theta s\psi, which may be the cosine and the sine."""
+    before = {match[1] for match in _BEFORE_ANGLE.finditer(flat(claim.printed.latex))}
+    alone = {name for name in names_of(claim) if _PLAIN.sub("", flat(name)) in before}
+    return sorted(alone) if before >= {"c", "s"} else []
 
 
 def _has_frames(draft: Draft, claim: Claim) -> bool:

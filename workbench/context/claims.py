@@ -305,9 +305,9 @@ class Claim:
         said, definitions = self.printed.statement, self.notation.definitions
         given = [formula.parsed for formula in self.context.given]
         if given and said is not None:
-            from workbench.engines.inventory.assumptions import prolonged
+            from workbench.engines.inventory.assumptions import lasting
 
-            given = [*given, *prolonged(given, said, definitions, True)]
+            given = lasting(given, said, definitions)
         premises = (*(formula.parsed for formula in self.assume), *given)
         spoken = premises if said is None else (said, *premises)
         declared = dict.fromkeys(each for part in spoken for each in definitions.known_of(part))

@@ -47,7 +47,7 @@ def test_members_that_contradict_the_recurrence_are_exceptions(seed):
     assert exceptions(judge) is known
     shift = random.randrange(4)
     (claim,) = read(rf"s_{{n+{shift}}} = f s_{{n+{shift + 1}}}", table, ["n"])
-    members = symbolic_members([claim.left, claim.right])
+    members = symbolic_members(part for side in (claim.left, claim.right) for part in side.walk())
     assert [int(m.index[0] - members[0].index[0]) for m in members] == [0, 1]
     above = max((k + 1 for k in apart), default=0)
     assert known.start(members[:1]) == {"n": max(0, above - shift)}
@@ -81,7 +81,8 @@ def test_members_of_members_are_rewritten():
     }
     numbers = ["n+1", "n+2", "n+3"]
     assert found == {("k", "n", "n+1"), *(("s", number) for number in numbers)}
-    assert [s.declaration.name.letter for s in symbolic_members([claim.left, claim.right])] == [
+    parts = [part for side in (claim.left, claim.right) for part in side.walk()]
+    assert [s.declaration.name.letter for s in symbolic_members(parts)] == [
         "k",
         "s",
         "a",

@@ -7,7 +7,7 @@ assumed to vanish, too.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import partial
 
@@ -28,9 +28,6 @@ from workbench.core.terms import (
 )
 from workbench.engines.inventory import Lookup, NotExact, reached
 from workbench.engines.inventory.inventory import take_inventory
-
-#: One more than the order up to which a premise is known as a derivative of another.
-_HIGHEST = 5
 
 
 class Unsatisfiable(ValueError):
@@ -84,67 +81,6 @@ def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup
                 each for premise in premises for each in derivatives_of(premise, together, definitions, True)
             ]
     return [*premises, *found]
-
-
-def prolonged(
-    premises: Sequence[Statement], claim: Statement, definitions: Lookup, along_motion: bool = False
-) -> list[Relation]:
-    """Returns the derivatives of the premises that constrain the rates in the claim or in other premises.
-
-    a = ẍ and A = Ẍ need the second derivative of x = X + r, although the claim a = A + r̈ has no rate of x.
-    Premises that are derivatives of others are not differentiated again.
-    """
-    found: list[Relation] = []
-    own = {each for premise in premises for each in _relations(premise)}
-    derived = {_each_side(each, partial(derivative, order=k)) for each in own for k in range(1, _HIGHEST)}
-    first = [premise for premise in premises if premise not in derived]
-    with suppress(NotExact, IllFormed):
-        for _ in premises:
-            said = Conjunction((claim, *premises, *found))
-            again = [r for each in first for r in derivatives_of(each, said, definitions, along_motion)]
-            if len(again) == len(found):
-                break
-            found = again
-        new = [each for each in dict.fromkeys(found) if each not in own]
-        return _with_shared_rates(new, (claim, *premises), definitions)
-    return found
-
-
-def _with_shared_rates(
-    derived: list[Relation], others: Sequence[Statement], definitions: Lookup
-) -> list[Relation]:
-    """Returns the equations without those that only say what a rate is that no other statement has."""
-    orders = {each: take_inventory(sides_of(each), definitions).orders for each in (*derived, *others)}
-    kept = derived
-    while True:
-        reached_by = [orders[each] for each in (*kept, *others)]
-        shared = [
-            each
-            for each in kept
-            if not any(
-                sum(other.get(own, -1) >= order for other in reached_by) == 1
-                for own, order in _rates_alone(each)
-            )
-        ]
-        if len(shared) == len(kept):
-            return kept
-        kept = shared
-
-
-def _rates_alone(equation: Relation) -> Iterator[tuple[Symbol, int]]:
-    """Yields the symbols whose rate is an addend of a side, with its order; they stand nowhere else in it."""
-    written = [*equation.left.walk(), *equation.right.walk()]
-    waiting: list[tuple[Term, int]] = [(equation.left, 0), (equation.right, 0)]
-    while waiting:
-        term, order = waiting.pop()
-        match term:
-            case Derivative() if term.order.is_number:
-                waiting.append((term.body, order + int(term.order)))
-            case Apply(head="add" | "neg"):
-                waiting += [(each, order) for each in term.arguments]
-            case Symbol(declaration=own) if order and not (own.rotation or own.unit):
-                if written.count(term) == 1:
-                    yield term, order
 
 
 def _says_what_a_function_is(relation: Relation) -> bool:

@@ -25,7 +25,6 @@ from workbench.engines.inventory.parameters import Parameter
 from workbench.engines.inventory.partial_derivatives import indices
 from workbench.engines.jet.jets import JetEngine
 from workbench.engines.jet.rings import PointSource, RationalRing, sample
-from workbench.prover.counterexamples.assigned_symbols import Assigned
 from workbench.prover.counterexamples.matrix_exponential_balls import exponential_at
 from workbench.prover.counterexamples.rational_points import Trial
 
@@ -58,14 +57,11 @@ class BallRing:
 
 
 def real_trials(
-    inventory: Inventory,
-    definitions: Lookup,
-    functions: Mapping[Symbol, Value] = NONE,
-    assigned: Sequence[Assigned] = (),
+    inventory: Inventory, definitions: Lookup, functions: Mapping[Symbol, Value] = NONE
 ) -> Iterator[Trial]:
     """Yields small rational points with the real sines and cosines of their angles.
 
-    functions: the function of scalars that a symbol stands for.   assigned: what equations assign there.
+    functions: the function of scalars that a symbol stands for.
     """
     random = Random(0)
     for entries, count in _STAGES:
@@ -73,8 +69,7 @@ def real_trials(
             point = sample(inventory, RationalRing(entries), random, lambda _: random.random() < 0.8)
             with ctx.workprec(PRECISION):
                 try:
-                    trial = _trial(point, inventory, definitions, functions)
-                    yield _with_assigned(trial, assigned, definitions) if assigned else trial
+                    yield _trial(point, inventory, definitions, functions)
                 except (NotExact, ZeroDivisionError):
                     continue
 
@@ -121,14 +116,6 @@ def _trial(
         waiting = later
     engine = JetEngine(PointSource(BallRing(), known), definitions)
     return Trial(cast("dict[Parameter, Fraction]", known), engine, real=True)
-
-
-def _with_assigned(trial: Trial, assigned: Sequence[Assigned], definitions: Lookup) -> Trial:
-    known = dict(trial.point)
-    for each in assigned:
-        values = JetEngine(PointSource(BallRing(), known), definitions).components(each.value)
-        known |= dict(zip(each.parameters, values, strict=True))
-    return Trial(known, JetEngine(PointSource(BallRing(), known), definitions), real=True)
 
 
 def _of_function(

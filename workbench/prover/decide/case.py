@@ -15,7 +15,7 @@ from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import number
 from workbench.core.construct import relation as equated
 from workbench.core.names import Name
-from workbench.core.terms import IllFormed, Relation, Statement, Symbol, Term
+from workbench.core.terms import Relation, Statement, Symbol, Term
 from workbench.core.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.engines.inventory.angle_combinations import with_parts_of_angles
@@ -26,7 +26,6 @@ from workbench.engines.jet.number_field import NumberFieldRing
 from workbench.engines.polynomial.polynomial_engine import ExactEngine
 from workbench.language.function_places import has_moved_place, places_apart
 from workbench.language.printing.printer import to_latex
-from workbench.prover.counterexamples.assigned_symbols import assigned_by
 from workbench.prover.counterexamples.rational_points import (
     Trial,
     accepted,
@@ -36,7 +35,7 @@ from workbench.prover.counterexamples.rational_points import (
     trials,
     with_zeros,
 )
-from workbench.prover.counterexamples.real_angles import AT_REAL_POINT, is_pi, real_trials, surely_differ
+from workbench.prover.counterexamples.real_angles import AT_REAL_POINT, real_trials, surely_differ
 from workbench.prover.counterexamples.solution_points import solved_points
 from workbench.prover.decide.both_engines import Engines
 from workbench.prover.decide.ideals import impossible, square_of
@@ -57,14 +56,12 @@ class Setting:
     alone proves nothing.
     laws: True if an equation may be a law; each member of a family must follow from the definitions.
     bound: the names of the symbols that stand for quantities of a motion, and so are not free.
-    assigns: True if a refutation may be at a real point where equations assign values, as ẋ = v cos φ does.
     """
 
     definitions: Lookup
     second_engine: bool = True
     bound: frozenset[Name] = frozenset()
     laws: bool = True
-    assigns: bool = True
     engines: Engines = field(default_factory=Engines, compare=False, repr=False)
 
 
@@ -141,24 +138,15 @@ class Case:
         return with_zeros(solved, self.definitions, admitted, NumberFieldRing())
 
     def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:
-        """Returns such a point among those with real angles and matching sines, in balls; equations have to
-        assign values."""
-        irrational = self.inventory.norms or self.inventory.circles or self.measured_angles or self.has_pi
-        if not irrational:
-            return None
-        equations = self.assumptions.equations
-        if equations and not self.setting.assigns:
-            return None
-        assigned = None
-        with suppress(NotExact, IllFormed):
-            assigned = assigned_by(equations, self.inventory, self.definitions)
-        if assigned is None:
+        """Returns such a point among those with real angles and matching sines, in balls."""
+        irrational = self.inventory.norms or self.inventory.circles or self.measured_angles
+        if self.assumptions.equations or not irrational:
             return None
         supposed, bounds = self.assumptions.nonzero, self.assumptions.bounds
-        for trial in real_trials(self.inventory, self.definitions, assigned=assigned):
+        for trial in real_trials(self.inventory, self.definitions):
             try:
                 is_admitted = all(surely_differ(trial, r) for r in supposed) and all(map(trial.meets, bounds))
-                if is_admitted and not any(surely_differ(trial, r) for r in equations) and accept(trial):
+                if is_admitted and accept(trial):
                     return trial
             except NotExact:
                 continue
@@ -192,11 +180,6 @@ class Case:
         """The angles that occur both in and outside sines, as in sin α = α: only α = 0 has a rational
         point."""
         return [a for a in self.inventory.angles if self._uses(a, "value", 1) and self._uses(a, "circle", 2)]
-
-    @property
-    def has_pi(self) -> bool:
-        """Whether π occurs outside of sines, where a rational value of it says nothing."""
-        return any(is_pi(each) and self._uses(each, "value", 1) for each in self.inventory.orders)
 
     def _uses(self, angle: Symbol, part: str, count: int) -> bool:
         parameters = [Parameter(angle, part, 0, component) for component in range(count)]

@@ -210,11 +210,7 @@ class Equation(Case):
             differences = trial.differences(relation)
             return differences is not None and any(differences)
 
-        def differs(trial: Trial) -> bool:
-            return surely_differ(trial, relation)
-
-        trial = self.find_real(differs) if self.has_pi else None
-        trial = trial or self.find(fails) or self.find_real(differs)
+        trial = self.find(fails) or self.find_real(lambda trial: surely_differ(trial, relation))
         if trial is None:
             return Verdict(
                 Outcome.UNCHECKED,

@@ -133,7 +133,6 @@ class Decider:
         own = (goal,) if is_supposed else ()
         supposed = tuple(dict.fromkeys((*base, *instant, *lasts, *known.known_of(goal), *own)))
         judge = self._judge(known)
-        judge = replace(judge, assigns=False) if facts else judge  # a law of the text may be one of a case
         if not by_both:
             judge = judge.by_one_engine()
             if self._fails_at_random(judge, goal, supposed):

@@ -35,12 +35,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.prover.decide.case import Case, Setting, at_places_apart
 from workbench.prover.decide.closed_formulas import judge_closed, refuted_at_numbers
 from workbench.prover.decide.disequation import judge_inequation
-from workbench.prover.decide.elementary_equations import (
-    difference,
-    domain_of,
-    judge_functions,
-    judge_roots,
-)
+from workbench.prover.decide.elementary_equations import difference, domain_of, judge_functions, judge_roots
 from workbench.prover.decide.equation import BY_DEFINITION, Equation
 from workbench.prover.decide.extrema import judge_extremum
 from workbench.prover.decide.families.families import WORST_FIRST, InstanceJudge, judge_family

@@ -20,8 +20,8 @@ _ANGLES = frozenset(
 _TURNED = {"dot": 1, "cross": -1}
 
 
-#: Four letters or more are exchanged by mistake rather than by convention.
-_FEWEST_EXCHANGED = 3
+#: So many letters are exchanged by mistake rather than by convention.
+_FEWEST_EXCHANGED = 4
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Renaming:
         is_labelled = len({own.letter for own in moved}) == 1 and any(
             any(own.scripts) and own.scripts in labels for own in kept
         )
-        is_of_letters = not any(map(any, labels)) and _FEWEST_EXCHANGED < len(moved) <= len(kept)
+        is_of_letters = not any(map(any, labels)) and _FEWEST_EXCHANGED <= len(moved) <= len(kept)
         if not (is_closed and (is_labelled or is_of_letters)):
             return None
         news = [each for each in self.of.values() if isinstance(each[0], Symbol)]

@@ -7,18 +7,13 @@ from contextlib import suppress
 from random import Random
 from typing import Any
 
-from workbench.core.terms import Apply, IllFormed, Relation, Symbol
-from workbench.core.types import PI
-from workbench.engines.inventory import NotExact
-from workbench.engines.jet import sympy_gate as sympy
-from workbench.engines.jet.closed_values import expression
+from workbench.core.terms import Apply, Relation
 from workbench.language.definitions import Definitions, expand
-from workbench.language.printing.printer import to_latex
+from workbench.papers.drafting.meanings.symbolic_values import NO_VALUE, symbolic
 
 _BRANCHED = frozenset(("root", "norm", "arccos", "arcsin", "arctan", "atan2"))
 #: The number of points, the largest value of a symbol there, and the largest difference of equal sides.
 _POINTS, _MOST, _NEAR = 12, 1.5, 1e-9
-_PROBLEMS = (NotExact, IllFormed, ValueError, TypeError, IndexError, ZeroDivisionError)
 
 
 def holds_on_a_branch(said: object, definitions: Definitions) -> bool:
@@ -29,17 +24,13 @@ def holds_on_a_branch(said: object, definitions: Definitions) -> bool:
     """
     match said:
         case Relation(operator="=", left=left, right=right) if left.type.kind == "scalar":
-            with suppress(*_PROBLEMS):
+            with suppress(*NO_VALUE):
                 sides = [expand(side, definitions) for side in (left, right)]
                 heads = {part.head for side in sides for part in side.walk() if isinstance(part, Apply)}
                 if heads & _BRANCHED:
-                    one, other = (expression(side, _value)[0] for side in sides)
+                    one, other = (symbolic(side)[0] for side in sides)
                     return any(abs(each) < _NEAR for each in _values(one - other))
     return False
-
-
-def _value(symbol: Symbol) -> Any:
-    return sympy.pi if symbol.declaration == PI else sympy.Symbol(to_latex(symbol))
 
 
 def _values(difference: Any) -> Iterator[complex]:
@@ -47,5 +38,5 @@ def _values(difference: Any) -> Iterator[complex]:
     names = sorted(difference.free_symbols, key=str)
     for _ in range(_POINTS):
         point = {name: random.uniform(-_MOST, _MOST) for name in names}
-        with suppress(*_PROBLEMS):
+        with suppress(*NO_VALUE):
             yield complex(difference.subs(point).evalf())

@@ -6,25 +6,25 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import partial
-from itertools import permutations
+from itertools import product
+from random import Random
 from typing import Any
 
-from workbench.core.terms import Block, IllFormed, Relation, Symbol, Term
-from workbench.core.types import PI
-from workbench.engines.inventory import NotExact
+from workbench.core.terms import Block, Relation, Symbol, Term
 from workbench.engines.jet import sympy_gate as sympy
-from workbench.engines.jet.closed_values import expression
 from workbench.language.printing.printer import to_latex
 from workbench.papers.drafting.drafted_definitions import Formula, Proposed
+from workbench.papers.drafting.meanings.symbolic_values import NO_VALUE, symbolic
 from workbench.papers.drafting.trial_reading import Outcome
+from workbench.source.documents.condition_words import in_last_sentence
 
-_WORDS = re.compile(r"\b(?:jacobians?|partial derivatives|lineari[sz]\w+)\b[^.;]*$", re.IGNORECASE)
+_WORDS = in_last_sentence("jacobians?", "partial derivatives", r"lineari[sz]\w+")
 #: The most entries of a Jacobian that differ from what it should print.
 _MOST_WRONG = 2
 _MOST_FUNCTIONS = 8
 _NEAR = 1e-9
-_PROBLEMS = (NotExact, IllFormed, ValueError, TypeError, IndexError, ZeroDivisionError)
+#: The values of symbols at a point.
+_RANGE = (0.3, 0.9)
 
 
 @dataclass(frozen=True)
@@ -55,27 +55,20 @@ def printed_jacobians(
     values: dict[str, Any] = {}
     for said in (said for each in spoken for said in each.statements or ()):
         if isinstance(said, Relation):
-            with suppress(*_PROBLEMS):
-                values.setdefault(to_latex(said.left), expression(said.right, partial(_value, values))[0])
+            with suppress(*NO_VALUE):
+                values.setdefault(to_latex(said.left), symbolic(said.right, values)[0])
     for place, formula in enumerate(formulas):
         for said in formula.outcome.statements or ():
             match said:
                 case Relation(operator="=", left=Symbol() as own, right=Block() as printed) if min(
                     printed.type.rows, printed.type.columns
                 ) > 1 and _WORDS.search(formula.display.before):
-                    with suppress(*_PROBLEMS):
+                    with suppress(*NO_VALUE):
                         earlier = _functions(formulas[:place], values, defined)
                         yield from _matched(formula, own, printed, earlier, values)
                 case Relation(operator="=", left=Symbol() as own) if own.type.kind == "scalar":
-                    with suppress(*_PROBLEMS):
-                        values.setdefault(to_latex(own), expression(said.right, partial(_value, values))[0])
-
-
-def _value(values: Mapping[str, Any], symbol: Symbol) -> Any:
-    name = to_latex(symbol)
-    if symbol.declaration == PI:
-        return sympy.pi
-    return values.get(name, sympy.Symbol(name))
+                    with suppress(*NO_VALUE):
+                        values.setdefault(to_latex(own), symbolic(said.right, values)[0])
 
 
 def _functions(
@@ -95,8 +88,8 @@ def _functions(
                     given |= {f"({to_latex(row[0])})": row[0] for row in rows if len(row) == 1}
     found = []
     for name, right in list(given.items())[-_MOST_FUNCTIONS:]:
-        with suppress(*_PROBLEMS):
-            body = expression(right, partial(_value, values))[0]
+        with suppress(*NO_VALUE):
+            body = symbolic(right, values)[0]
             variables = sorted(map(str, body.free_symbols))
             slopes = {each: _numbers(body.diff(sympy.Symbol(each))) for each in variables}
             found.append(_Function(name, slopes))
@@ -105,42 +98,20 @@ def _functions(
 
 def _numbers(body: Any) -> tuple[complex, ...]:
     """Returns the values at two points, which give each symbol a number by its name."""
-    points = [
-        {each: 0.3 + (hash_of(str(each)) * (k + 1)) % 0.61 for each in body.free_symbols} for k in (0, 1)
-    ]
+    points = [{each: Random(f"{k} {each}").uniform(*_RANGE) for each in body.free_symbols} for k in (0, 1)]
     return tuple(complex(body.subs(point).evalf()) for point in points)
-
-
-def hash_of(name: str) -> float:
-    """Returns a number between 0 and 1 for a name."""
-    return sum(place * ord(letter) for place, letter in enumerate(name, 1)) * 0.6180339887 % 1
 
 
 def _matched(
     formula: Formula, own: Symbol, printed: Block, functions: Sequence[_Function], values: Mapping[str, Any]
 ) -> Iterator[tuple[Proposed, tuple[str, ...]]]:
-    entries = expression(printed, partial(_value, values))
+    entries = symbolic(printed, values)
     cells = [[_numbers(entries[i, j]) for j in range(entries.cols)] for i in range(entries.rows)]
     found: dict[tuple[int, int], list[tuple[Sequence[_Function], tuple[str, ...]]]] = {}
     for start in range(len(functions) - entries.rows + 1):
         rows = functions[start : start + entries.rows]
-        names = sorted(set().union(*(row.slopes for row in rows)))
-        for columns in permutations(names, entries.cols):
-            slopes = [[row.slopes.get(name) for name in columns] for row in rows]
-            wrong = [
-                (i, j)
-                for i, row in enumerate(slopes)
-                for j, each in enumerate(row)
-                if not _is_near(cells[i][j], each)
-            ]
-            seen = {
-                j
-                for i, row in enumerate(slopes)
-                for j, each in enumerate(row)
-                if each and (i, j) not in wrong
-            }
-            if len(wrong) <= _MOST_WRONG and len(seen) >= entries.cols - bool(wrong):
-                found.setdefault((len(wrong), _unlikeness(columns)), []).append((rows, columns))
+        for columns, wrong in _columns(cells, rows):
+            found.setdefault((wrong, _unlikeness(columns)), []).append((rows, columns))
     best = found[min(found)] if found else []
     if len(best) == 1:
         ((rows, columns),) = best
@@ -151,6 +122,27 @@ def _matched(
         body = r"\begin{bmatrix} " + r" \\ ".join(lines) + r" \end{bmatrix}"
         variables = tuple(sorted(set().union(*(row.slopes for row in rows))))
         yield Proposed(to_latex(own), body, formula.display.line, "words call it a Jacobian", True), variables
+
+
+def _columns(
+    cells: Sequence[Sequence[tuple[complex, ...]]], rows: Sequence[_Function]
+) -> Iterator[tuple[tuple[str, ...], int]]:
+    """Yields the variables of the columns with which few entries are wrong, and the number of these."""
+    choices: list[list[tuple[str, int, bool]]] = []
+    for column in zip(*cells, strict=True):
+        own = []
+        for name in sorted(set().union(*(row.slopes for row in rows))):
+            slopes = [row.slopes.get(name) for row in rows]
+            right = [_is_near(cell, slope) for cell, slope in zip(column, slopes, strict=True)]
+            is_seen = any(slope and each for slope, each in zip(slopes, right, strict=True))
+            own += [(name, right.count(False), is_seen)] if right.count(False) <= _MOST_WRONG else []
+        choices.append(own)
+    for chosen in product(*choices):
+        names, wrong, seen = zip(*chosen, strict=True)
+        if len({*names}) < len(names) or sum(wrong) > _MOST_WRONG:
+            continue
+        if sum(seen) >= len(names) - bool(sum(wrong)):
+            yield names, sum(wrong)
 
 
 def _unlikeness(names: Sequence[str]) -> int:

@@ -32,9 +32,13 @@ from workbench.language.printing.printer import to_latex  # noqa: E402
 from workbench.papers.installed_papers import installed_names  # noqa: E402
 from workbench.papers.load import load_installed, load_paper  # noqa: E402
 from workbench.prover.results.claim_results import ClaimResult  # noqa: E402
+from workbench.runtime.limits import STANDARD, Budget  # noqa: E402
 
 #: How many formulas are generated.
 GENERATED = 300
+
+#: The budget of the errata: a multiple of the standard one, so that a slow machine gives the same ledger.
+PATIENT = Budget(seconds=3 * STANDARD.seconds)
 
 NOTATION = Notation(TABLE, Definitions([]), {})
 
@@ -60,8 +64,8 @@ def entries_of(source: str, results: Iterable[ClaimResult]) -> list[Entry]:
     ]
 
 
-def judged(source: str, paper: Paper, jobs: int | None = None) -> list[Entry]:
-    return entries_of(source, judge_paper(paper, jobs=jobs))
+def judged(source: str, paper: Paper, jobs: int | None = None, budget: Budget = STANDARD) -> list[Entry]:
+    return entries_of(source, judge_paper(paper, jobs=jobs, budget=budget))
 
 
 @cache
@@ -87,7 +91,11 @@ def paper_files() -> list[Entry]:
 def errata() -> list[Entry]:
     paths = sorted((TESTS / "errata").glob("*/*.toml"))
     texts = [path for path in paths if path.stem in ("before", "after")]
-    return [e for path in texts for e in judged(f"{path.parent.name}/{path.stem}", load_paper(path), jobs=1)]
+    return [
+        entry
+        for path in texts
+        for entry in judged(f"{path.parent.name}/{path.stem}", load_paper(path), jobs=1, budget=PATIENT)
+    ]
 
 
 def read(latex: str) -> Statement:

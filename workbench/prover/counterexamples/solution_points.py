@@ -6,7 +6,7 @@ in its field. These points are only candidates: the jet engine checks whether th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import isqrt
 from random import Random
@@ -79,22 +79,22 @@ class _Search:
 
     def solved(self, systems: Sequence[Terms]) -> dict[int, Any] | None:
         values: dict[int, Any] = {}
-        while True:
-            systems = [q for q in (_reduced(p, values) for p in systems) if q]
-            if not systems:
-                return values
-            system = min(systems, key=lambda p: len(_places(p)))
-            places = _places(system)
+        rest = [(p, _places(p)) for p in systems if p]
+        while rest:
+            system, places = min(rest, key=lambda each: len(each[1]))
             if not places:
                 return None
             if len(places) > 1:
-                values[self._chosen(system, places)] = self._random.choice(self._choices)
-                continue
-            (place,) = places
-            roots = self._roots(system)
-            if not roots:
+                value = self._random.choice(self._choices)
+                place = self._chosen(system, places)
+            elif roots := self._roots(system):
+                (place,), value = places, self._random.choice(roots)
+            else:
                 return None
-            values[place] = self._random.choice(roots)
+            values[place] = value
+            reduced = [(_reduced(p, place, value), at) if place in at else (p, at) for p, at in rest]
+            rest = [(p, _places(p) if place in at else at) for p, at in reduced if p]
+        return values
 
     def _chosen(self, system: Terms, places: list[int]) -> int:
         """Returns the position of a coordinate to choose, preferably one for which the equation cannot be
@@ -188,17 +188,15 @@ def _places(p: Terms) -> list[int]:
     return sorted({place for monomial in p for place, _ in monomial})
 
 
-def _reduced(p: Terms, values: Mapping[int, Any]) -> Terms:
-    """Returns the polynomial with the known values substituted."""
+def _reduced(p: Terms, known: int, value: Any) -> Terms:
+    """Returns the polynomial with the value of one coordinate substituted."""
     result: Terms = {}
+    powers = [1]
     for monomial, coefficient in p.items():
-        rest = []
-        for place, exponent in monomial:
-            if place in values:
-                for _ in range(exponent):
-                    coefficient = coefficient * values[place]
-            else:
-                rest.append((place, exponent))
-        key = tuple(rest)
-        result[key] = result[key] + coefficient if key in result else coefficient
+        exponent = dict(monomial).get(known, 0)
+        while len(powers) <= exponent:
+            powers.append(powers[-1] * value)
+        key = tuple(each for each in monomial if each[0] != known) if exponent else monomial
+        term = coefficient * powers[exponent] if exponent else coefficient
+        result[key] = result[key] + term if key in result else term
     return {monomial: c for monomial, c in result.items() if c}

@@ -38,7 +38,7 @@ from workbench.repair.propose.symbols_like import symbols_like
 from workbench.repair.screening.real_values import RealValues
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
-from workbench.repair.screening.vacuous import has_lost_symbols, is_idle, is_vacuous, like_terms
+from workbench.repair.screening.vacuous import is_idle, is_vacuous, like_terms, says_less
 from workbench.repair.terms.changes import Candidate
 from workbench.repair.terms.divisors import divisors
 from workbench.repair.terms.edit_search import Neighbourhood, candidate_of, cost
@@ -328,7 +328,7 @@ class _Bench:
             if self.like_terms is not None and like_terms(candidate.statement) > self.like_terms:
                 continue  # an addend that another one partly cancels
             printed = self.claim.printed.statement
-            if printed is not None and has_lost_symbols(statement, printed):
+            if printed is not None and says_less(statement, printed):
                 continue
             self.seen.add(candidate.statement)
             if self.beside.repeat(candidate.statement, len(candidate.changes)):

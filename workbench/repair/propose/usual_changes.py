@@ -10,7 +10,7 @@ from time import process_time
 from workbench.core.terms import Derivative, IllFormed, Power, Relation, Statement, Symbol
 from workbench.engines.inventory import Lookup, NotExact
 from workbench.repair.screening.screen import Screen
-from workbench.repair.screening.vacuous import has_cancelling_addends, has_lost_symbols, is_vacuous
+from workbench.repair.screening.vacuous import has_cancelling_addends, is_vacuous, says_less
 from workbench.repair.terms.matrix_entries import entrywise
 from workbench.repair.terms.scalar_factors import other_factors
 from workbench.repair.terms.term_edits import Edit, edits
@@ -102,7 +102,7 @@ def usual_changes(statement: Relation, left_too: bool = False) -> Iterator[State
         if not isinstance(edit, Edit) or edit.kind in _UNUSUAL or not (left_too or edit.place[0] == 1):
             continue
         is_empty = is_vacuous(edit.statement) if is_bare else has_cancelling_addends(edit.statement)
-        if not is_empty and not has_lost_symbols(edit.statement, statement):
+        if not is_empty and not says_less(edit.statement, statement):
             yield edit.statement
 
 

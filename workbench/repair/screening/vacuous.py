@@ -32,13 +32,27 @@ def is_vacuous(statement: Statement) -> bool:
     return has_cancelling_addends(statement) or is_trivial(statement)
 
 
-def has_lost_symbols(statement: Statement, printed: Statement) -> bool:
-    """True if the statement is one about numbers only, and what is printed is not."""
-    return _has_symbols(printed) and not _has_symbols(statement)
+def says_less(statement: Statement, printed: Statement) -> bool:
+    """True if the statement is about numbers only and the print is not, or if a further factor turns back
+    what stands beside it."""
+    ours, theirs = _symbols(statement), _symbols(printed)
+    return ours == 0 < theirs or (ours > theirs and _turns_back(statement) > _turns_back(printed))
 
 
-def _has_symbols(statement: Statement) -> bool:
-    return any(isinstance(part, Symbol) for _, side in sides(statement) for part in side.walk())
+def _symbols(statement: Statement) -> int:
+    return sum(isinstance(part, Symbol) for _, side in sides(statement) for part in side.walk())
+
+
+def _turns_back(statement: Statement) -> int:
+    """Returns how often R R^T stands beside other factors."""
+    products = (t for _, t in places(statement) if isinstance(t, Apply) and t.head == "mul")
+    factors = (others for product in products if len(others := _commuting(product)[1]) > 2)
+    return sum(_is_turned_back(*pair) for others in factors for pair in pairwise(others))
+
+
+def _is_turned_back(left: Term, right: Term) -> bool:
+    turn, other = (right, left) if _undone("transpose", left) else (left, right)
+    return isinstance(turn, Symbol) and turn.declaration.rotation and _undone("transpose", other) == turn
 
 
 def has_cancelling_addends(statement: Statement) -> bool:
@@ -125,24 +139,13 @@ def _multiples(term: Term, factor: Fraction) -> Iterator[tuple[Fraction, Term]]:
 
 
 def _in_order(product: Term) -> Term:
-    """Returns a product with its scalar factors first, in one order, without turns back and forth."""
-    scalars, factors = _commuting(product)
-    others = _without_turns(factors)
-    if others == factors and (not scalars or len(scalars) + len(others) == 1):
+    """Returns a product with its scalar factors first, in one order."""
+    scalars, others = _commuting(product)
+    if not scalars or len(scalars) + len(others) == 1:
         return product
     if any(each.type.kind == "operator" for each in others):  # D a x is not a D x
         return product
     return product_of([*sorted(scalars, key=repr), *others])
-
-
-def _without_turns(factors: list[Term]) -> list[Term]:
-    """Returns the factors without R R^T beside others."""
-    for place, pair in enumerate(pairwise(factors) if len(factors) > 2 else ()):
-        turned = {inner for each in pair if (inner := _undone("transpose", each)) is not None}
-        turns = [each for each in pair if isinstance(each, Symbol) and each.declaration.rotation]
-        if turned and turned == {*turns}:
-            return _without_turns([*factors[:place], *factors[place + 2 :]])
-    return factors
 
 
 def _commuting(term: Term) -> tuple[list[Term], list[Term]]:

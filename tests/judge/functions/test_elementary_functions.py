@@ -56,3 +56,14 @@ def test_logarithm_of_a_product_is_a_sum(seed: int) -> None:
     assert (
         check(rf"\ln({product}) = {total} + \ln {source.choice(list(counts))}", SYMBOLS).outcome == "refuted"
     )
+
+
+@pytest.mark.parametrize("function", SLOPES)
+def test_partial_derivative_by_a_constant(function: str) -> None:
+    constant = {"kind": "scalar", "constant": True, "independent": True}
+    symbols = {"a": constant, "b": constant, "p": PLACE}
+    left = rf"\frac{{\partial}}{{\partial a}} \left({function.replace('u', 'a b - p')}\right)"
+    slope = SLOPES[function].replace("u", "a b - p")
+    assert check(f"{left} = b {slope}", symbols).verdict.outcome == "proved"
+    for wrong in ("0", slope):
+        assert check(f"{left} = {wrong}", symbols).verdict.outcome == "refuted"

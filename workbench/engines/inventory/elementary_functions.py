@@ -10,7 +10,7 @@ F³ = u of u^{1/3}. What holds for all such F holds for the functions; the rest 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -82,11 +82,13 @@ def without_functions(said: Relation, definitions: Lookup, roots: bool = False) 
     roots: True to replace √u by u^{1/2}, too. Raises NotExact for powers and derivatives beyond the limits.
     """
     sides = [expand(side, definitions) for side in (said.left, said.right)]
-    varied = _differentiated_by(sides)
-    made = _Pass(definitions, bool(varied), roots, {}, ())
+    variables = _differentiated_by(sides)
+    varied = [each for each in variables if each.type == SCALAR]
+    by = frozenset(symbol for each in variables for symbol in each.symbols())
+    made = _Pass(definitions, by, roots, {}, ())
     for _ in range(2):  # for what is positive, and for the sizes
         made.all(sides)
-        made = _Pass(definitions, bool(varied), roots, made.sizes, made.domain)
+        made = _Pass(definitions, by, roots, made.sizes, made.domain)
     (left, right), circles = made.all(sides)
     highest = max(map(derivative_order, sides))
     if highest > _HIGHEST:
@@ -133,14 +135,14 @@ def _is_elementary(term: Term) -> bool:
 class _Pass:
     """One pass over the sides.
 
-    varied: True if there is a partial derivative, so that a function's value is one of the coordinates of its
-    arguments.   sizes: the common denominator of the coefficients of each product in exponents.
-    positive: the terms that are known to be > 0."""
+    varied: the variables of partial derivatives. If there are any, a function's value is one of the
+    coordinates of its arguments.   sizes: the common denominator of the coefficients of each product in
+    exponents.   positive: the terms that are known to be > 0."""
 
     def __init__(
         self,
         definitions: Lookup,
-        varied: bool,
+        varied: Collection[Symbol],
         roots: bool,
         sizes: dict[tuple[Term, ...], int],
         positive: Sequence[Term],
@@ -298,7 +300,7 @@ class _Pass:
             name = f"e^{{{to_latex(value.arguments[0])}}}" if is_exponential else to_latex(value)
             of = self._coordinates(value.arguments) if self.varied else ()
             if constant is None:
-                constant = not any(isinstance(part, Symbol) for part in value.walk())
+                constant = all(self._is_number(part) for part in value.symbols())
             own = Declaration(Name(name, of=value.arguments), SCALAR, Linear(0), of=of).with_flags(
                 constant=constant
             )
@@ -308,15 +310,19 @@ class _Pass:
             self.values[made] = self.values[made]._replace(slopes=slopes)
         return self.known[key]
 
+    def _is_number(self, part: Symbol) -> bool:
+        """True if the symbol stands for a function of numbers, as ln 3."""
+        return part in self.values and part.declaration.constant
+
     def _coordinates(self, arguments: Sequence[Term]) -> tuple[Symbol, ...]:
         """Returns the coordinates of the arguments if all are functions of coordinates only, else ()."""
         found: list[Symbol] = []
         for part in (part for argument in arguments for part in argument.walk()):
-            if isinstance(part, Derivative):
+            if isinstance(part, Derivative) or (part in self.varied and part.type != SCALAR):
                 return ()
-            if isinstance(part, Symbol) and not part.declaration.constant:
+            if isinstance(part, Symbol) and (part in self.varied or not part.declaration.constant):
                 own = part.declaration
-                if not (own.independent or own.of):
+                if not (own.independent or own.of or part in self.varied):
                     return ()
                 found += own.of or (part,)
         return tuple(dict.fromkeys(found))
@@ -361,10 +367,10 @@ def _exponent(factors: tuple[Term, ...], size: int) -> Term:
 
 
 def _differentiated_by(sides: Sequence[Term]) -> list[Term]:
-    """Returns the scalars that partial derivatives differentiate by."""
+    """Returns the variables of the partial derivatives."""
     parts = [part for side in sides for part in side.walk()]
     found = (p.arguments[1] for p in parts if isinstance(p, Apply) and p.head in PARTIALS)
-    return list(dict.fromkeys(by for by in found if by.type == SCALAR))
+    return list(dict.fromkeys(found))
 
 
 def derivative_order(term: Term) -> int:

@@ -3,7 +3,7 @@ r"""Short names of sines and cosines in texts: c_\theta, s_1, c_{12} for \cos(\t
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from workbench.papers.drafting.drafted_definitions import Proposed
@@ -16,9 +16,18 @@ _RULE = re.compile(
     r"(?P<letter>(?:\\mathrm|\\mathsf)?[A-Za-z])_(?P<sub>\\?[A-Za-z]+)(?::=|=)"
     r"\\(?P<head>sin|cos)\(?(?:(?P<stem>\\?[A-Za-z]+)_)?(?P=sub)\)?"
 )
+#: A letter of the sine or cosine right before an angle, without blanks and braces.
+_BEFORE_ANGLE = re.compile(
+    r"(?P<font>\\math(?:rm|sf)|(?<![A-Za-z\\]))(?P<letter>[cs])"
+    r"(?=\\(?:theta|phi|psi|alpha|beta|gamma|var(?:theta|phi))(?![A-Za-z]))"
+)
+#: The letters alone, but for c\,\cdot = \cos\cdot.
+_ALONE = re.compile(r"(?:\\math(?:rm|sf)|(?<![A-Za-z\\_{]))[cs](?![A-Za-z]|(?:\\,)?\\cdot=)")
+#: What letters abbreviate.
+_FUNCTIONS = {"c": "cos", "s": "sin"}
 #: Letters of an index.
 _INDICES = frozenset("ijk")
-_USUAL = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
+USUAL = {**_FUNCTIONS, **{letter.upper(): head for letter, head in _FUNCTIONS.items()}}
 #: Letters of joint angles, the usual ones first.
 _ANGLES = ("\\theta", "q", "\\vartheta", "\\varphi", "\\phi", "\\alpha", "\\beta")
 
@@ -64,6 +73,24 @@ def abbreviations(
         yield Proposed(name, rf"\{rule.head}({angle})", line, rule.why, True, in_sentence=rule.in_sentence)
 
 
+def letters_before_angles(latex: str) -> set[str]:
+    r"""Returns c and s of c\theta\,s\psi."""
+    return {match["letter"] for match in _BEFORE_ANGLE.finditer(flat(latex))}
+
+
+def letters_of_functions(formulas: Sequence[str]) -> dict[str, str]:
+    """Returns c and s by their spelling if one formula has both right before angles, and none has them
+    elsewhere."""
+    texts = [flat(latex) for latex in formulas]
+    if not any(letters_before_angles(latex) >= {*_FUNCTIONS} for latex in texts):
+        return {}
+    if any(_ALONE.search(_BEFORE_ANGLE.sub("", latex)) for latex in texts):
+        return {}
+    found = (match for latex in texts for match in _BEFORE_ANGLE.finditer(latex))
+    spelled = ((match["font"], match["letter"]) for match in found)
+    return {f"{font}{{{letter}}}" if font else letter: letter for font, letter in spelled}
+
+
 def _said(sentences: Iterable[str]) -> Iterator[tuple[str, _Rule]]:
     for latex in sentences:
         if match := _RULE.fullmatch(flat(latex)):
@@ -79,7 +106,7 @@ def _usual(found: set[tuple[str, str]]) -> dict[str, _Rule]:
         subs = [{sub for letter, sub in found if letter == each} for each in pair]
         if subs[0] & subs[1]:
             for letter in filter(None, pair):
-                rules[letter] = _Rule(_USUAL[letter[-1]], "")
+                rules[letter] = _Rule(USUAL[letter[-1]], "")
     return rules
 
 

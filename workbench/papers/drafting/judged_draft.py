@@ -19,6 +19,7 @@ from workbench.core.verdict import Grade, Outcome, Strength, Verdict
 from workbench.language.definitions import expand
 from workbench.language.grammar.latex_keys import latex_key
 from workbench.language.printing.printer import to_latex
+from workbench.papers.drafting.drafted_abbreviations import letters_before_angles
 from workbench.papers.drafting.drafted_doubts import (
     is_open_misfit,
     is_told,
@@ -72,11 +73,6 @@ _OF_A_SET = re.compile(
     r"\b(?:set|locus|surface|curve|sphere|ellipsoid|ellipse|circle|plane|region|manifold)\b[^.;]*"
     r"\b(?:defined|given|described|determined)\s+by\b[^.;$]*$",
     re.IGNORECASE,
-)
-#: A letter of the sine or cosine right before an angle, without blanks and braces.
-_BEFORE_ANGLE = re.compile(
-    r"(?:(?<![A-Za-z\\])|(?<=\\mathrm)|(?<=\\mathsf))([cs])"
-    r"(?=\\(?:theta|phi|psi|alpha|beta|gamma|var(?:theta|phi))(?![A-Za-z]))"
 )
 _PLAIN = re.compile(r"\\math(?:rm|sf|it)")
 #: The most doubts about symbols that a verdict names.
@@ -376,7 +372,7 @@ def _unwritten_members(draft: Draft, claim: Claim) -> list[str]:
 
 def _abbreviated_functions(claim: Claim) -> list[str]:
     r"""Returns c and s of c\theta s\psi, which may be the cosine and the sine."""
-    before = {match[1] for match in _BEFORE_ANGLE.finditer(flat(claim.printed.latex))}
+    before = letters_before_angles(claim.printed.latex)
     alone = {name for name in names_of(claim) if _PLAIN.sub("", flat(name)) in before}
     return sorted(alone) if before >= {"c", "s"} else []
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from workbench.papers.drafting.drafted_abbreviations import USUAL, letters_of_functions
 from workbench.papers.drafting.drafted_frames import frames
 from workbench.papers.drafting.inference.infer import Inference
 from workbench.papers.drafting.model_proposal import Proposal
@@ -69,6 +70,11 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
         why = f"{name} stands without a backslash"
         question = f"Is {name} the function {name}?"
         yield replace(_conventions("functions", f"['{name}']", why, question, pattern), stands=True)
+    for name, letter in letters_of_functions(formulas).items():
+        head, why = USUAL[letter], f"{name} stands before angles"
+        question = f"Is {name} the function {head}?"
+        entry = _notation("", f"{name} x", {"x": "scalar"}, rf"\{head} x", why, question)
+        yield replace(entry, stands=True)
     spin, other = (_TOP, _BOTTOM) if _SPIN_FIRST.search(together) else (_BOTTOM, _TOP)
     means = rf"\begin{{bmatrix}} \operatorname{{skew}}({spin}) & {other} \\ 0 & 0 \end{{bmatrix}}"
     for trigger, key in ((_IN_BRACKETS, "[V]"), (r"\^\s*\{?\s*\\wedge(?![A-Za-z])", r"V^\wedge")):

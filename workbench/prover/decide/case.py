@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.core.codes.verdict_codes import VerdictCode
@@ -162,8 +162,22 @@ class Case:
     def _admitted(self, accept: Callable[[Trial], bool]) -> Callable[[Trial], bool]:
         supposed, bounds = self.assumptions.relations, self.assumptions.bounds
         return lambda t: (
-            self._is_real(t) and all(map(t.holds, supposed)) and all(map(t.meets, bounds)) and accept(t)
+            self._may_solve(t.point)
+            and self._is_real(t)
+            and accept(t)
+            and all(map(t.holds, supposed))
+            and all(map(t.meets, bounds))
         )
+
+    def _may_solve(self, point: Mapping[Parameter, Any]) -> bool:
+        """True unless an equation that is not solved fails at a rational point, by its polynomial alone."""
+        if not self.assumptions.equations or not all(
+            isinstance(each, Fraction | int) for each in point.values()
+        ):
+            return True
+        with suppress(NotExact):
+            return not any(self.exact.at(p, dict(point)) for p in self.solved.rest)
+        return True
 
     def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
         """Returns the point with the parameters for which the equations are solved set to their values."""

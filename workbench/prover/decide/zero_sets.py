@@ -55,7 +55,7 @@ class Equations:
     ) -> None:
         self.solved = solved
         self._engine, self._ring = engine, engine.ring
-        self._rest, self._nonzero = rest, nonzero
+        self.rest, self._nonzero = rest, nonzero
 
     def gaps(self) -> list[Polynomial]:
         """The irreducible factors of the denominators that may vanish."""
@@ -73,7 +73,7 @@ class Equations:
     def _bound(self) -> set[int]:
         """Returns the generators that the equations constrain, and those that relations connect with them."""
         said = [{pivot.place, *_places(pivot.value)} for pivot in self.solved]
-        bound = set().union(*said, *map(_places, self._rest))
+        bound = set().union(*said, *map(_places, self.rest))
         tied = [_places(relation) for relation in self._ring.relations]
         while more := [places for places in tied if not bound.isdisjoint(places) and not places <= bound]:
             bound = bound.union(*more)
@@ -95,7 +95,7 @@ class Equations:
             if factor not in self._apart
             and not any(is_nowhere_zero(p, engine.norm_places, apart) for p in self._by_sines(factor))
         ]
-        supposed = self.solved or self._rest
+        supposed = self.solved or self.rest
         return [factor for factor in gaps if not supposed or not self._excludes(factor)]
 
     def _by_sines(self, p: Polynomial) -> Iterator[Polynomial]:
@@ -127,7 +127,7 @@ class Equations:
 
     def _excludes(self, p: Polynomial) -> bool:
         """True if p is nowhere 0 where the equations hold."""
-        together = Ideal(self._ring.names, [*self._rest, *self._ring.relations, self._without_solved(p)])
+        together = Ideal(self._ring.names, [*self.rest, *self._ring.relations, self._without_solved(p)])
         return any(together.holds(self._without_solved(q)) for q in (self._ring.one, *self._nonzero))
 
     def _vanishes(self, p: Polynomial) -> bool:
@@ -160,7 +160,7 @@ class Equations:
 
     @cached_property
     def _ideal(self) -> Ideal:
-        return Ideal(self._ring.names, [*self._rest, *self._ring.relations])
+        return Ideal(self._ring.names, [*self.rest, *self._ring.relations])
 
 
 def _with_square(p: Polynomial, place: int, square: Polynomial) -> Polynomial:

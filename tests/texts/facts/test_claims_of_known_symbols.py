@@ -73,6 +73,7 @@ def test_the_model_determines_it(tmp_path: Path, formula: str, expected: Outcome
     [
         (r"f = 2 \frac{b g}{m}", Outcome.REFUTED),
         (r"m f = 2 b g", Outcome.REFUTED),
+        (r"m f = b g \cos(\pi)", Outcome.REFUTED),
         (r"m^2 f^2 = b^2 g^2", Outcome.PROVED),
         (r"m h = b g", Outcome.DEFINITION),
         (r"m f = h", Outcome.DEFINITION),

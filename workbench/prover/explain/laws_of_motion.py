@@ -94,7 +94,8 @@ def is_all_assumed(claim: Claim) -> bool:
 
 def _is_spoken_of(claim: Claim, said: Sequence[Term]) -> bool:
     definitions = claim.notation.definitions
-    return bool(said) and free_in(sides_of(claim.printed.parsed), definitions) <= free_in(said, definitions)
+    own = free_in(sides_of(claim.printed.parsed), definitions)
+    return bool(said) and {each for each in own if not definitions.is_pi(each)} <= free_in(said, definitions)
 
 
 def rates_a_definition(claim: Claim, known: Sequence[Fact]) -> list[Fact]:

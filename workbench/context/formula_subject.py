@@ -255,9 +255,11 @@ class Subject:
         return entries <= self.declarations and entries.isdisjoint(free_in(others, self.definitions))
 
     def _orders_in(self, terms: Sequence[Term]) -> dict[Symbol, int]:
+        written = dict.fromkeys(self.definitions.symbols_in(*terms), 0)  # x > 0 may be a square elsewhere
         with suppress(NotExact, IllFormed):
-            return dict(take_inventory(terms, self.definitions, slopes=False).orders)
-        return dict.fromkeys(self.definitions.symbols_in(*terms), 0)
+            orders = dict(take_inventory(terms, self.definitions, slopes=False).orders)
+            return {part: 0 for part in written if part.declaration.positive} | orders
+        return written
 
 
 def _without_zero_columns(term: Term) -> Term:

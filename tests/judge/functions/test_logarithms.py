@@ -38,3 +38,16 @@ def test_laws_of_logarithms_hold_in_numbers() -> None:
     R, Q = (Rotation.random(random_state=seed).as_matrix() for seed in (1, 2))
     assert np.allclose(logm(R.T), -logm(R)) and np.allclose(logm(Q @ R @ Q.T), Q @ logm(R) @ Q.T)
     assert not np.allclose(logm(R @ Q), logm(R) + logm(Q))
+
+
+def test_factors_that_cancel_leave_the_logarithm() -> None:
+    for product in (
+        r"R Q Q^T R^T \exp(\tilde{x})",
+        r"\exp(\tilde{x}) Q^{-1} Q",
+        r"R^T R \exp(\tilde{x}) Q Q^T",
+    ):
+        assert check(rf"\tilde{{x}} = 2 \ln({product})", SYMBOLS).outcome is Outcome.REFUTED
+        assert check(rf"\tilde{{x}} = \ln({product})", SYMBOLS).outcome is not Outcome.REFUTED
+    product = r"\exp(\operatorname{quat}(0, x)) q q^*"
+    assert check(rf"x = 2 \operatorname{{Vec}}(\ln({product}))", SYMBOLS).outcome is Outcome.REFUTED
+    assert check(rf"x = \operatorname{{Vec}}(\ln({product}))", SYMBOLS).outcome is not Outcome.REFUTED

@@ -38,7 +38,7 @@ class Assumptions:
     """The hypotheses of one claim, sorted by kind. Bounds, a ≥ b, only restrict counterexamples."""
 
     def __init__(self, statements: Sequence[Statement]) -> None:
-        self.relations = [relation for s in statements for relation in _relations(s)]
+        self.relations = [relation for s in statements for relation in relations_of(s)]
         self.bounds = [each for s in statements for each in _parts(s) if each.operator == "≥"]
         self.nonzero = [r for r in self.relations if r.operator == "≠"]
         self.equations = [r for r in self.relations if r.operator == "="]
@@ -57,17 +57,17 @@ def derivatives_of(
     has_rates = any(_takes_rate(part) for part in reached(definitions, *sides))
     orders = take_inventory(sides, definitions).orders if has_rates else {}  # they count slopes, too
     found = []
-    for relation in _relations(premise):
+    for relation in relations_of(premise):
         if relation.operator == "≠" or relation.left.type.kind == "operator":
             continue
         own = take_inventory((relation.left, relation.right), definitions).orders
         more = max((orders.get(symbol, 0) - order for symbol, order in own.items()), default=0)
         is_everywhere = not along_motion or _says_what_a_function_is(relation)
         has_functions = any(each.declaration.of for each in own)
-        slopes = _slopes(relation, sides, definitions) if has_functions and is_everywhere else []
+        slopes = slopes_of(relation, sides, definitions) if has_functions and is_everywhere else []
         found += slopes
         for k in range(1, more + 1):
-            found += [_each_side(each, partial(derivative, order=k)) for each in (relation, *slopes)]
+            found += [each_side(each, partial(derivative, order=k)) for each in (relation, *slopes)]
     return tuple(found)
 
 
@@ -101,7 +101,7 @@ def _takes_rate(part: Term) -> bool:
     return isinstance(part, Derivative | TimeOperator)
 
 
-def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> list[Relation]:
+def slopes_of(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> list[Relation]:
     """Returns the partial derivatives of the equation that occur in the sides, with their variables and
     orders."""
     parts = list(reached(definitions, *sides))
@@ -116,7 +116,7 @@ def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> l
     depths = _depths(sides, definitions)
     own = _depths((relation.left, relation.right), definitions)
     for _ in range(max((depths.get(symbol, 0) - depth for symbol, depth in own.items()), default=0)):
-        relations = [_each_side(r, partial(_slope, x)) for r in relations for x in by]
+        relations = [each_side(r, partial(_slope, x)) for r in relations for x in by]
         found += relations
     return found
 
@@ -139,11 +139,11 @@ def _slope(by: Term, side: Term) -> Term:
     return apply("partial", side, by)
 
 
-def _each_side(relation: Relation, of: Callable[[Term], Term]) -> Relation:
+def each_side(relation: Relation, of: Callable[[Term], Term]) -> Relation:
     return equated("=", of(relation.left), of(relation.right))
 
 
-def _relations(statement: Statement) -> list[Relation]:
+def relations_of(statement: Statement) -> list[Relation]:
     """Returns the equations and inequations of an assumption, without its bounds."""
     return [each for each in _parts(statement) if each.operator != "≥"]
 

@@ -3,6 +3,7 @@
     log exp X = X                  for an angle of X below π
     log Yᵀ = log Y⁻¹ = −log Y
     log(Q Y Qᵀ) = (Q x)~           for log Y = x̃
+    log(Y Q Qᵀ) = log Y
 
 A free rotation R is exp φ̃ of a free vector φ, and a free unit quaternion exp (0, φ): every one is.
 """
@@ -81,7 +82,9 @@ class LogarithmValues:
                 return _negative(self.vector(inner))
             case Apply(head="quaternion", arguments=(Apply(head="cos", arguments=(angle,)), above)):
                 return self._of_half_angle(angle, above)
-        factors = list(_factors(turn))
+        factors = _without_inverses(list(_factors(turn)))
+        if len(factors) == 1 and factors[0] != turn:
+            return self.vector(factors[0])
         if len(factors) == 3 and turn.type.kind == "tensor":
             first, middle, last = factors
             own = self.vector(middle) if _are_inverse(first, last) and is_rotation(first) else None
@@ -162,9 +165,22 @@ def _factors(term: Term) -> Iterator[Term]:
         yield term
 
 
+def _without_inverses(factors: list[Term]) -> list[Term]:
+    """Returns the factors without neighbours that are rotations inverse to each other."""
+    found: list[Term] = []
+    for each in factors:
+        if found and _are_inverse(found[-1], each) and is_rotation(each):
+            found.pop()
+        else:
+            found.append(each)
+    return found
+
+
 def _are_inverse(one: Term, other: Term) -> bool:
     pairs = ((one, other), (other, one))
     return any(
-        isinstance(turned, Apply) and turned.head in ("transpose", "inverse") and turned.arguments == (plain,)
+        isinstance(turned, Apply)
+        and turned.head in ("transpose", "inverse", "conjugate")
+        and turned.arguments == (plain,)
         for plain, turned in pairs
     )

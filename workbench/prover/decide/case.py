@@ -35,7 +35,7 @@ from workbench.prover.counterexamples.rational_points import (
     trials,
     with_zeros,
 )
-from workbench.prover.counterexamples.real_angles import AT_REAL_POINT, real_trials, surely_differ
+from workbench.prover.counterexamples.real_angles import AT_REAL_POINT, is_pi, real_trials, surely_differ
 from workbench.prover.counterexamples.solution_points import solved_points
 from workbench.prover.decide.both_engines import Engines
 from workbench.prover.decide.ideals import impossible, square_of
@@ -139,7 +139,7 @@ class Case:
 
     def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:
         """Returns such a point among those with real angles and matching sines, in balls."""
-        irrational = self.inventory.norms or self.inventory.circles or self.measured_angles
+        irrational = self.inventory.norms or self.inventory.circles or self.measured_angles or self.has_pi
         if self.assumptions.equations or not irrational:
             return None
         supposed, bounds = self.assumptions.nonzero, self.assumptions.bounds
@@ -194,6 +194,11 @@ class Case:
         """The angles that occur both in and outside sines, as in sin α = α: only α = 0 has a rational
         point."""
         return [a for a in self.inventory.angles if self._uses(a, "value", 1) and self._uses(a, "circle", 2)]
+
+    @property
+    def has_pi(self) -> bool:
+        """Whether π occurs outside of sines, where a rational value of it says nothing."""
+        return any(is_pi(each) and self._uses(each, "value", 1) for each in self.inventory.orders)
 
     def _uses(self, angle: Symbol, part: str, count: int) -> bool:
         parameters = [Parameter(angle, part, 0, component) for component in range(count)]

@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import chain, islice
 
 from workbench.core.codes.verdict_codes import VerdictCode
-from workbench.core.construct import number, relation
+from workbench.core.construct import apply, number, relation
 from workbench.core.terms import (
     Apply,
     Derivative,
@@ -85,10 +85,16 @@ def refuted_at_numbers(said: Statement, assume: Sequence[Statement], definitions
     """
     if not isinstance(definitions, Definitions) or not isinstance(said, Relation) or said.operator != "=":
         return None
-    if not all(isinstance(each, Relation) and each.operator == "≠" for each in assume):
+    premises = [each for each in assume if isinstance(each, Relation) and each.operator in "≠="]
+    if len(premises) < len(assume):
         return None
-    apart = [relation("≠", *(expand(side, definitions) for side in sides_of(each))) for each in assume]
+    apart = [relation(each.operator, *(expand(s, definitions) for s in sides_of(each))) for each in premises]
     sides = [expand(side, definitions) for side in (said.left, said.right)]
+    is_given = any(each.operator == "=" for each in apart)
+    (claim, *apart), is_solved = _without_assigned([relation("=", *sides), *apart])
+    if not is_solved:
+        return None
+    sides = [claim.left, claim.right]
     parts = {
         part for side in (*sides, *(s for each in apart for s in sides_of(each))) for part in side.walk()
     }
@@ -104,10 +110,47 @@ def refuted_at_numbers(said: Statement, assume: Sequence[Statement], definitions
             if not all(surely_apart(_at(each, point)) for each in apart):
                 continue
             numbers = _at(relation("=", *sides), point)
-            if (shown := surely_apart(numbers)) is None:
+            if (shown := surely_apart(numbers)) is None or (is_given and not _on_no_branch(numbers)):
                 return None
             found.append(_with_point(_refuted(numbers, shown), point))
     return found[0] if len(found) >= _FEWEST else None
+
+
+def _on_no_branch(numbers: Relation) -> bool:
+    """True if the sides differ as angles, too, whichever branches of inverse functions are meant.
+
+    Premises may lead away from the principal branch."""
+    if numbers.left.type != SCALAR:
+        return False
+    turned = (apply("neg", numbers.right), numbers.right)
+    sums = (apply("sin", apply("add", numbers.left, each)) for each in turned)
+    return all(surely_apart(relation("≠", each, number(0))) is not None for each in sums)
+
+
+def _without_assigned(said: Sequence[Relation]) -> tuple[list[Relation], bool]:
+    """Returns the first relation and the disequations with the values of symbols that equations assign, and
+    whether no other equation is left. v ≠ v + 1 is one of them for each value v, so that it is defined.
+    """
+    claim, *premises = said
+    while True:
+        assigned = (
+            (premise, own, value)
+            for premise in premises
+            if premise.operator == "="
+            for own, value in ((premise.left, premise.right), (premise.right, premise.left))
+            if isinstance(own, Symbol) and _takes_numbers(own) and not own.declaration.positive
+            if own not in value.walk()
+        )
+        if (found := next(assigned, None)) is None:
+            return [claim, *premises], all(each.operator == "≠" for each in premises)
+        premise, own, value = found
+        defined = relation("≠", value, apply("add", value, number(1)))
+
+        def put(each: Relation, own: Term = own, value: Term = value) -> Relation:
+            sides = (replaced(s, lambda part: value if part == own else None) for s in sides_of(each))
+            return relation(each.operator, *sides)
+
+        claim, premises = put(claim), [*(put(each) for each in premises if each is not premise), defined]
 
 
 def _refuted(numbers: Relation, sides: tuple[tuple[str, ...], tuple[str, ...]]) -> Verdict:

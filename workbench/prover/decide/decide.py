@@ -14,7 +14,6 @@ from workbench.core.terms import (
     Conjunction,
     Equivalence,
     Extremum,
-    IllFormed,
     Implication,
     Naming,
     Relation,
@@ -24,11 +23,10 @@ from workbench.core.terms import (
 )
 from workbench.core.verdict import Evidence, Outcome, Strength, Verdict
 from workbench.engines.inventory import Lookup, NotExact, WithoutDefinitions
-from workbench.engines.inventory.assumptions import Unsatisfiable, derivatives_of
+from workbench.engines.inventory.assumptions import Unsatisfiable
 from workbench.engines.inventory.elementary_functions import holds_functions, holds_roots
 from workbench.engines.inventory.exponentials_of_matrices import holds_matrix_exponentials
 from workbench.engines.inventory.first_order import to_first_order
-from workbench.engines.inventory.inventory import has_gradient
 from workbench.engines.inventory.partial_derivatives import positive_coordinates
 from workbench.language.definitions import is_definition
 from workbench.language.printing.printer import to_latex
@@ -42,12 +40,12 @@ from workbench.prover.decide.families.families import WORST_FIRST, InstanceJudge
 from workbench.prover.decide.families.orders_past_literals import OrderRanges
 from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
+from workbench.prover.decide.lasting_premises import unless_lasting
 from workbench.prover.decide.linear_integrals import holds_integral, judge_integrals
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
 from workbench.prover.decide.matrix_exponentials import judge_matrix_exponentials
 from workbench.prover.decide.premise_consequences import (
     ByPremise,
-    is_constant,
     judge_by_inverse,
     judge_by_premise,
 )
@@ -370,21 +368,11 @@ class Judge(Setting):
         verdict = self._judge(claim, (*assume, *premises))
         if verdict.outcome is not Outcome.REFUTED:
             return verdict
-        try:
-            moving = [p for p in premises if not all(is_constant(s, self.definitions) for s in sides_of(p))]
-            lasting = [r for each in moving for r in derivatives_of(each, claim, self.definitions)]
-            if not lasting:
-                return verdict
-            again = self._judge(claim, (*assume, *premises, *lasting))
-            if again.outcome == Outcome.REFUTED:
-                return again
-        except Unsatisfiable:
-            return verdict  # t = 0 holds at one instant
-        except (NotExact, IllFormed):
-            pass
-        is_field = has_gradient(sides_of(claim))
-        code = VerdictCode.AT_ONE_PLACE if is_field else VerdictCode.AT_ONE_INSTANT
-        return Verdict(Outcome.UNCHECKED, reason=code())
+
+        def judge(said: Statement, supposed: tuple[Statement, ...]) -> Verdict:
+            return self._judge(said, (*assume, *supposed))
+
+        return unless_lasting(verdict, claim, premises, self.definitions, judge)
 
 
 def _together(verdicts: list[Verdict]) -> Verdict:

@@ -210,7 +210,11 @@ class Equation(Case):
             differences = trial.differences(relation)
             return differences is not None and any(differences)
 
-        trial = self.find(fails) or self.find_real(lambda trial: surely_differ(trial, relation))
+        def differs(trial: Trial) -> bool:
+            return surely_differ(trial, relation)
+
+        trial = self.find_real(differs) if self.has_pi else None
+        trial = trial or self.find(fails) or self.find_real(differs)
         if trial is None:
             return Verdict(
                 Outcome.UNCHECKED,

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.core.construct import derivative
+from workbench.core.construct import derivative, with_children
 from workbench.core.operations import PARTIALS
 from workbench.core.terms import Apply, Block, Derivative, Relation, Symbol, Term
 from workbench.core.types import SCALAR, Declaration
@@ -48,7 +48,7 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     law."""
     sides = (relation.left, relation.right)
     used = reached(definitions, *sides)
-    if relation.operator != "=" or any(map(_is_no_rate, used)):
+    if relation.operator != "=" or any(map(_is_no_rate, used)) or _is_of_known_rates(sides, definitions):
         return None
     found: dict[Symbol, list[_Occurrence]] = defaultdict(list)
     named: dict[Symbol, list[_Occurrence]] = defaultdict(list)
@@ -85,6 +85,41 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
                 whole = number_behind(whole)
                 return derivative(whole, said.order) if said.order else whole
     return None
+
+
+def _is_of_known_rates(sides: tuple[Term, Term], definitions: Lookup) -> bool:
+    """True if the sides differ by the orders of rates only, or if one is a symbol defined by a rate of the
+    other.
+
+    With v = ṙ, m v = m r̈ is no law, nor is M = b ẋ − c ẋ with M = b ẋ − c ẏ. ẍ = ẋ and m ẍ = m x may be
+    laws.
+    """
+    one, other = (_without_orders(side, definitions) for side in sides)
+    if one == other and isinstance(one, Apply) and one.head in ("mul", "neg", "dot", "cross"):
+        return True
+    return any(
+        not _rates_of(own, definitions).isdisjoint(_rates_of(value, definitions))
+        for own, value in (sides, sides[::-1])
+        if isinstance(own, Symbol) and definitions.lookup(own) is not None
+    )
+
+
+def _rates_of(term: Term, definitions: Lookup) -> set[tuple[Symbol, int]]:
+    """Returns the free symbols that a term or its definitions differentiate, with the orders."""
+    occurrences = _occurrences(term, definitions, 0, True)
+    return {(s, order) for s, order, _ in occurrences if order and definitions.lookup(s) is None}
+
+
+def _without_orders(term: Term, definitions: Lookup) -> Term:
+    """Returns the term with ẋ for each rate of a symbol x, and for each symbol that is defined as one."""
+    if isinstance(term, Derivative) and isinstance(term.body, Symbol):
+        inner = _without_orders(term.body, definitions)
+        return inner if isinstance(inner, Derivative) else derivative(inner, 1)
+    if isinstance(term, Symbol):
+        body = definitions.lookup(term)
+        is_rate = isinstance(body, Derivative) and isinstance(body.body, Symbol)
+        return _without_orders(body, definitions) if body is not None and is_rate else term
+    return with_children(term, lambda child: _without_orders(child, definitions))
 
 
 def _rates_a_definition(

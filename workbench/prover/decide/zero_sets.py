@@ -41,6 +41,9 @@ class Pivot(NamedTuple):
 #: Number of squarings of a polynomial that may vanish, and the largest number of terms of the square.
 _SQUARINGS, _LONGEST = 4, 400
 
+#: Products of terms in the squares of the components of a vector, which are added; more take long to divide.
+_LONGEST_SUM = 10_000
+
 
 class Equations:
     """The zeros of some polynomials at which others, `nonzero`, do not vanish.
@@ -123,7 +126,9 @@ class Equations:
         """True if all residuals vanish where the equations hold; components of a vector vanish where its
         square does."""
         left = [p for p in residuals if not self._vanishes(p)]
-        return not left or (len(left) > 1 and self._vanishes(sum((p * p for p in left), self._ring.zero)))
+        if len(left) < 2 or sum(len(p) ** 2 for p in left) > _LONGEST_SUM:
+            return not left
+        return self._vanishes(sum((p * p for p in left), self._ring.zero))
 
     def _excludes(self, p: Polynomial) -> bool:
         """True if p is nowhere 0 where the equations hold."""

@@ -39,8 +39,8 @@ from workbench.prover.explain.family_facts import for_members
 from workbench.prover.explain.field_alternatives import other_convention, with_other_gradient
 from workbench.prover.explain.guessed_kinds import on_guessed_kinds
 from workbench.prover.explain.known_members import for_known_members
-from workbench.prover.explain.laws_of_motion import is_all_given, is_law, rates_a_definition
-from workbench.prover.explain.near_identities import is_near_identity
+from workbench.prover.explain.laws_of_motion import is_all_assumed, is_law, rates_a_definition
+from workbench.prover.explain.near_identities import is_near_identity, is_without
 from workbench.prover.explain.other_readings import is_rounded, other_reading, without_free_pi
 from workbench.prover.explain.stated_properties import with_stated_properties
 from workbench.prover.explain.verdicts_under_facts import (
@@ -94,7 +94,7 @@ class Explainer:
         is_in_text, subject = claim.context.span is not None, subject_of(claim)
         act, own = claim.context.act if is_in_text else act_by_sign(claim.printed, claim.notation)
         is_assumed = act in GIVES and own is not None and own.declaration.name in subject.assumed
-        if is_assumed or is_all_given(claim):  # equations determine the symbol, or all symbols
+        if is_assumed or is_all_assumed(claim):  # equations determine the symbol, or all symbols
             act = Act.ASSERT
         if act is Act.ASSIGN:
             return only_said(base, act, own)
@@ -160,7 +160,9 @@ class _Explanation:
     def _is_no_condition(self) -> bool:
         """Returns whether nothing makes the equation true, or it is meant to hold for all its symbols."""
         own = self.own if self.act is Act.CONSTRAIN else None
-        return self.decider.is_impossible(()) or (own is not None and is_near_identity(self.claim, own))
+        if self.decider.is_impossible(()) or (own is not None and is_near_identity(self.claim, own)):
+            return True
+        return own is not None and is_without(self.claim, self.subject.constrained or [own])
 
     def _on_hints(self) -> Verdict | None:
         """Returns the verdict if hints decide it, as that a symbol rests if the text takes no rate of it."""

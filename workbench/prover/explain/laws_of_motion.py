@@ -9,7 +9,7 @@ from functools import lru_cache
 from workbench.context.claims import Claim, Formula
 from workbench.context.facts import Fact, Provider
 from workbench.context.formula_subject import derived
-from workbench.context.free_symbols import body_of, free_in, terms_of
+from workbench.context.free_symbols import body_of, equations_of, free_in, terms_of
 from workbench.core.integer_expressions import as_linear
 from workbench.core.terms import Apply, Derivative, IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.engines.inventory import NotExact
@@ -79,9 +79,23 @@ def is_law(claim: Claim) -> bool:
 
 def is_all_given(claim: Claim) -> bool:
     """True if the given formulas contain every free symbol of the claim, so that they determine it."""
-    definitions = claim.notation.definitions
     given = [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
-    return bool(given) and free_in(sides_of(claim.printed.parsed), definitions) <= free_in(given, definitions)
+    return _is_spoken_of(claim, given)
+
+
+def is_all_assumed(claim: Claim) -> bool:
+    """True if every free symbol of the claim stands in what is given or in what its model assumes."""
+    beside = {formula.latex for formula in claim.context.beside}
+    assumed = [f.statement for f in claim.assume if f.statement and f.latex not in beside]
+    sides = [side for said in assumed for each in equations_of(said) for side in sides_of(each)]
+    given = [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
+    return _is_spoken_of(claim, [*sides, *given])
+
+
+def _is_spoken_of(claim: Claim, said: Sequence[Term]) -> bool:
+    definitions = claim.notation.definitions
+    own = free_in(sides_of(claim.printed.parsed), definitions)
+    return bool(said) and {each for each in own if not definitions.is_pi(each)} <= free_in(said, definitions)
 
 
 def rates_a_definition(claim: Claim, known: Sequence[Fact]) -> list[Fact]:

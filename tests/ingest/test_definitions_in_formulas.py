@@ -43,3 +43,22 @@ def test_a_text_does_not_define_a_symbol(text: str, name: str, tmp_path: Path) -
     path = tmp_path / "text.md"
     path.write_text(text.replace("$$ ", "$$\n\n").replace(" $$", "\n\n$$"))
     assert name not in {each.name for each in ingest(path).definitions}
+
+
+COSINES = r"$$ A = \begin{bmatrix} c\theta & -s\theta \\ s\theta & c\theta \end{bmatrix} $$"
+
+
+@pytest.mark.parametrize(
+    ("more", "is_function"),
+    [
+        ("", True),
+        (r"$$ c\theta\,c\psi - s\theta\,s\psi = \cos(\theta + \psi) $$", True),
+        (r"$$ F = c \dot{x} $$", False),  # a coefficient
+        (r"$$ x = s / 2 $$", False),
+    ],
+)
+def test_letters_before_angles_are_functions(more: str, is_function: bool, tmp_path: Path) -> None:
+    path = tmp_path / "text.md"
+    path.write_text(f"{COSINES}\n\n{more}")
+    proposals = [each for each in ingest(path).proposals if "'c x'" in each.entries]
+    assert bool(proposals) == is_function

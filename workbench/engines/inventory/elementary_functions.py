@@ -281,7 +281,7 @@ class _Pass:
         if under is not None and size == 1:
             return under
         exponent = _exponent(factors, size)
-        own = self._own(apply("exp", exponent), ("exp", factors, size), constant=not factors)
+        own = self._own(apply("exp", exponent), ("exp", factors, size))
         laws: list[Statement] = [relation("≠", own, zero())]
         if under is not None:
             laws.append(relation("=", power(own, size), under))
@@ -293,14 +293,13 @@ class _Pass:
         value = self.values.get(factors[0]) if len(factors) == 1 and isinstance(factors[0], Symbol) else None
         return value.arguments[0] if value is not None and value.head == "log" else None
 
-    def _own(self, value: Term, key: object, constant: bool | None = None) -> Symbol:
+    def _own(self, value: Term, key: object) -> Symbol:
         assert isinstance(value, Apply), "a function"
         if key not in self.known:
             is_exponential = value.head == "exp"
             name = f"e^{{{to_latex(value.arguments[0])}}}" if is_exponential else to_latex(value)
             of = self._coordinates(value.arguments) if self.varied else ()
-            if constant is None:
-                constant = all(self._is_number(part) for part in value.symbols())
+            constant = all(map(self._is_number, value.symbols()))
             own = Declaration(Name(name, of=value.arguments), SCALAR, Linear(0), of=of).with_flags(
                 constant=constant
             )

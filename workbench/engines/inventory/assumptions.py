@@ -54,7 +54,7 @@ def derivatives_of(
     definitions of functions are exempt.
     """
     sides = list(sides_of(claim))
-    has_rates = any(_takes_rate(part) for part in reached(definitions, *sides))
+    has_rates = any(takes_rate(part) for part in reached(definitions, *sides))
     orders = take_inventory(sides, definitions).orders if has_rates else {}  # they count slopes, too
     found = []
     for relation in relations_of(premise):
@@ -92,12 +92,12 @@ def _says_what_a_function_is(relation: Relation) -> bool:
         if isinstance(own, Symbol) and own.declaration.of:
             parts = list(value.walk())
             moving = {p for p in parts if isinstance(p, Symbol) and not p.declaration.constant}
-            if moving and moving <= set(own.declaration.of) and not any(map(_takes_rate, parts)):
+            if moving and moving <= set(own.declaration.of) and not any(map(takes_rate, parts)):
                 return True
     return False
 
 
-def _takes_rate(part: Term) -> bool:
+def takes_rate(part: Term) -> bool:
     return isinstance(part, Derivative | TimeOperator)
 
 

@@ -13,8 +13,8 @@ from functools import partial
 
 from workbench.core.construct import derivative, relation
 from workbench.core.terms import Apply, Derivative, Relation, Statement, Symbol, Term, sides_of
-from workbench.engines.inventory import Lookup
-from workbench.engines.inventory.assumptions import each_side, relations_of, slopes_of
+from workbench.engines.inventory import Lookup, NotExact, reached
+from workbench.engines.inventory.assumptions import each_side, relations_of, slopes_of, takes_rate
 from workbench.engines.inventory.inventory import take_inventory
 
 #: What constrains the rate of a symbol.
@@ -86,8 +86,14 @@ def _bases(equation: Relation, sides: Sequence[Term], definitions: Lookup) -> It
         yield _Base(slope, _orders((slope.left, slope.right), definitions), (), 0)
 
 
-def _orders(terms: Iterable[Term], definitions: Lookup) -> _Orders:
-    orders = take_inventory(terms, definitions, slopes=False).orders
+def _orders(terms: Sequence[Term], definitions: Lookup) -> _Orders:
+    try:
+        orders = take_inventory(terms, definitions, slopes=False).orders
+    except NotExact:  # as for inverse functions
+        parts = list(reached(definitions, *terms))
+        if any(map(takes_rate, parts)):
+            raise
+        orders = dict.fromkeys((each for each in parts if isinstance(each, Symbol)), 0)
     return {own: k for own, k in orders.items() if not (own.declaration.constant or own.declaration.clock)}
 
 

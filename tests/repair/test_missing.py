@@ -105,7 +105,9 @@ def test_turns_back_and_forth_say_nothing() -> None:
     turn = symbol(Declaration(Name("R"), TENSOR).with_flags(rotation=True))
     back, vector = apply("transpose", turn), symbol(Declaration(Name("m"), VECTOR))
     there_and_back = relation("=", vector, apply("mul", apply("mul", turn, back), vector))
+    stiff = apply("mul", symbol(Declaration(Name("K"), TENSOR)), back)
     assert says_less(there_and_back, relation("=", vector, apply("mul", turn, vector)))
+    assert says_less(there_and_back, relation("=", vector, apply("mul", stiff, vector)))
     assert not says_less(
         there_and_back, relation("=", vector, apply("mul", apply("mul", turn, turn), vector))
     )

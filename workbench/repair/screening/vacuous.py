@@ -33,26 +33,25 @@ def is_vacuous(statement: Statement) -> bool:
 
 
 def says_less(statement: Statement, printed: Statement) -> bool:
-    """True if the statement is about numbers only and the print is not, or if a further factor turns back
-    what stands beside it."""
+    """True if the statement is about numbers only and the print is not, or if a rotation that is printed less
+    often stands beside its transpose."""
     ours, theirs = _symbols(statement), _symbols(printed)
-    return ours == 0 < theirs or (ours > theirs and _turns_back(statement) > _turns_back(printed))
+    return (bool(theirs) and not ours) or any(ours[turn] > theirs[turn] for turn in _turned_back(statement))
 
 
-def _symbols(statement: Statement) -> int:
-    return sum(isinstance(part, Symbol) for _, side in sides(statement) for part in side.walk())
+def _symbols(statement: Statement) -> Counter[Symbol]:
+    parts = (part for _, side in sides(statement) for part in side.walk())
+    return Counter(part for part in parts if isinstance(part, Symbol))
 
 
-def _turns_back(statement: Statement) -> int:
-    """Returns how often R R^T stands beside other factors."""
+def _turned_back(statement: Statement) -> Iterator[Symbol]:
+    """Yields the rotations R of which R R^T stands beside other factors."""
     products = (t for _, t in places(statement) if isinstance(t, Apply) and t.head == "mul")
     factors = (others for product in products if len(others := _commuting(product)[1]) > 2)
-    return sum(_is_turned_back(*pair) for others in factors for pair in pairwise(others))
-
-
-def _is_turned_back(left: Term, right: Term) -> bool:
-    turn, other = (right, left) if _undone("transpose", left) else (left, right)
-    return isinstance(turn, Symbol) and turn.declaration.rotation and _undone("transpose", other) == turn
+    for left, right in (pair for others in factors for pair in pairwise(others)):
+        turn, other = (right, left) if _undone("transpose", left) else (left, right)
+        if isinstance(turn, Symbol) and turn.declaration.rotation and _undone("transpose", other) == turn:
+            yield turn
 
 
 def has_cancelling_addends(statement: Statement) -> bool:

@@ -46,7 +46,7 @@ def test_consequences_of_derivatives_are_not_refuted(
     assert check(false, symbols=SYMBOLS, assume=premises).outcome == Outcome.REFUTED
 
 
-def test_laws_of_each_other_are_differentiated_as_the_claim_needs() -> None:
+def test_laws_of_each_other_are_differentiated_as_needed() -> None:
     laws = (r"\dot{x} = \omega \times X", r"\dot{X} = x \times \omega", r"x \cdot x + X \cdot X = 1")
     table = SymbolTable.build({name: {"kind": "vector"} for name in ("x", "X", "r", r"\omega")})
     claim, *premises = (reader.read(latex, table)[0] for latex in (r"\ddot{x} = r", *laws))

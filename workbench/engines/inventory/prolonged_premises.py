@@ -86,11 +86,12 @@ def _bases(equation: Relation, sides: Sequence[Term], definitions: Lookup) -> It
         yield _Base(slope, _orders((slope.left, slope.right), definitions), (), 0)
 
 
-def _orders(terms: Sequence[Term], definitions: Lookup) -> _Orders:
+def _orders(terms: Iterable[Term], definitions: Lookup) -> _Orders:
+    known = list(terms)
     try:
-        orders = take_inventory(terms, definitions, slopes=False).orders
+        orders = take_inventory(known, definitions, slopes=False).orders
     except NotExact:  # as for inverse functions
-        parts = list(reached(definitions, *terms))
+        parts = list(reached(definitions, *known))
         if any(map(takes_rate, parts)):
             raise
         orders = dict.fromkeys((each for each in parts if isinstance(each, Symbol)), 0)

@@ -40,7 +40,6 @@ from workbench.prover.decide.families.families import WORST_FIRST, InstanceJudge
 from workbench.prover.decide.families.orders_past_literals import OrderRanges
 from workbench.prover.decide.inference import conclusion, generalization
 from workbench.prover.decide.inverse_trigonometry import holds_arc, judge_branch
-from workbench.prover.decide.lasting_premises import unless_lasting
 from workbench.prover.decide.linear_integrals import holds_integral, judge_integrals
 from workbench.prover.decide.logarithms import holds_logarithm, judge_logarithm, law_of_logarithm
 from workbench.prover.decide.matrix_exponentials import judge_matrix_exponentials
@@ -48,6 +47,7 @@ from workbench.prover.decide.premise_consequences import (
     ByPremise,
     judge_by_inverse,
     judge_by_premise,
+    unless_lasting,
 )
 
 

@@ -3,7 +3,7 @@
     x = t ⇒ P(x)    is equivalent to    P(t)
 
 for an x that does not occur in t and is not differentiated: x = t may be a definition of x. A matrix X with
-A X B = c I is c A⁻¹ B⁻¹, where det A and det B are not 0. Also, equal angles have equal sines and cosines.
+A X B = c I is c A⁻¹ B⁻¹, where det A and det B are not 0. Also, equal angles have equal sines and cosines, and what lasts has derivatives.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import product
 
+from workbench.core.codes.verdict_codes import VerdictCode
 from workbench.core.construct import apply, identity, number, power, relation, symbol, with_children, zero
 from workbench.core.names import Name
 from workbench.core.terms import (
@@ -28,13 +29,15 @@ from workbench.core.terms import (
     Symbol,
     Term,
     TimeOperator,
+    sides_of,
 )
 from workbench.core.types import SCALAR, VECTOR, Declaration
 from workbench.core.verdict import Evidence, Outcome, Verdict
 from workbench.engines.inventory import Lookup, NotExact, WithDefinitions, reached
 from workbench.engines.inventory.assumptions import Assumptions, Unsatisfiable
 from workbench.engines.inventory.divisions import never_divides
-from workbench.engines.inventory.inventory import take_inventory
+from workbench.engines.inventory.inventory import has_gradient, take_inventory
+from workbench.engines.inventory.prolonged_premises import prolonged
 from workbench.language.definitions import expand
 from workbench.language.printing.printer import to_latex
 
@@ -340,3 +343,30 @@ def _is_total(value: Term, definitions: Lookup) -> bool:
     parts = list(reached(definitions, value))
     is_still = not any(isinstance(part, Derivative | TimeOperator) for part in parts)
     return all(never_divides(p) or (is_still and isinstance(p, Apply) and p.head == "norm") for p in parts)
+
+
+def unless_lasting(
+    refuted: Verdict,
+    claim: Statement,
+    premises: Sequence[Statement],
+    definitions: Lookup,
+    judge: Callable[[Statement, tuple[Statement, ...]], Verdict],
+) -> Verdict:
+    """Returns the verdict on a claim that is refuted under premises at the instant.
+
+    It stays refuted only if it is refuted under their derivatives, too: else its author has to state which is
+    meant. judge: of the claim, under the premises with more of them.
+    """
+    moving = [p for p in premises if not all(is_constant(side, definitions) for side in sides_of(p))]
+    try:
+        if not (further := prolonged(moving, claim, definitions)):
+            return refuted
+        again = judge(claim, (*premises, *further))
+        if again.outcome is Outcome.REFUTED:
+            return again
+    except Unsatisfiable:
+        return refuted  # t = 0 holds at one instant
+    except (NotExact, IllFormed):
+        pass
+    code = VerdictCode.AT_ONE_PLACE if has_gradient(sides_of(claim)) else VerdictCode.AT_ONE_INSTANT
+    return Verdict(Outcome.UNCHECKED, reason=code())

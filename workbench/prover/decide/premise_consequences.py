@@ -3,7 +3,8 @@
     x = t ⇒ P(x)    is equivalent to    P(t)
 
 for an x that does not occur in t and is not differentiated: x = t may be a definition of x. A matrix X with
-A X B = c I is c A⁻¹ B⁻¹, where det A and det B are not 0. Equal angles have equal sines and cosines. What lasts has derivatives.
+A X B = c I is c A⁻¹ B⁻¹, where det A and det B are not 0. Equal angles have equal sines and
+cosines. What lasts has derivatives.
 """
 
 from __future__ import annotations

@@ -44,14 +44,11 @@ class Assumptions:
         self.equations = [r for r in self.relations if r.operator == "="]
 
 
-def derivatives_of(
-    premise: Statement, claim: Statement, definitions: Lookup, along_motion: bool = False
-) -> tuple[Relation, ...]:
+def _derivatives_of(premise: Statement, claim: Statement, definitions: Lookup) -> tuple[Relation, ...]:
     """Returns the derivatives of the premise's equations, up to the orders that the claim needs.
 
-    f = 1 at one instant does not constrain ḟ; if it lasts, ḟ = 0. The same holds for ∂f/∂q at one position
-    and everywhere. along_motion: the premise holds at the positions of one motion, as f = 0 does there;
-    definitions of functions are exempt.
+    f = 1 at one instant does not constrain ḟ; if it lasts, ḟ = 0. The premise holds at the positions of one
+    motion, as f = 0 does there, so that only a definition of a function gives ∂f/∂q.
     """
     sides = list(sides_of(claim))
     has_rates = any(takes_rate(part) for part in reached(definitions, *sides))
@@ -62,9 +59,8 @@ def derivatives_of(
             continue
         own = take_inventory((relation.left, relation.right), definitions).orders
         more = max((orders.get(symbol, 0) - order for symbol, order in own.items()), default=0)
-        is_everywhere = not along_motion or _says_what_a_function_is(relation)
-        has_functions = any(each.declaration.of for each in own)
-        slopes = slopes_of(relation, sides, definitions) if has_functions and is_everywhere else []
+        has_functions = any(each.declaration.of for each in own) and _says_what_a_function_is(relation)
+        slopes = slopes_of(relation, sides, definitions) if has_functions else []
         found += slopes
         for k in range(1, more + 1):
             found += [each_side(each, partial(derivative, order=k)) for each in (relation, *slopes)]
@@ -77,9 +73,7 @@ def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup
     with suppress(NotExact, IllFormed):
         for _ in premises:
             together = Conjunction((claim, *premises, *found))
-            found = [
-                each for premise in premises for each in derivatives_of(premise, together, definitions, True)
-            ]
+            found = [each for premise in premises for each in _derivatives_of(premise, together, definitions)]
     return [*premises, *found]
 
 

@@ -23,10 +23,10 @@ _BEFORE_ANGLE = re.compile(
 )
 #: The letters alone, but for c\,\cdot = \cos\cdot.
 _ALONE = re.compile(r"(?:\\math(?:rm|sf)|(?<![A-Za-z\\_{]))[cs](?![A-Za-z]|(?:\\,)?\\cdot=)")
-#: What letters abbreviate.
-_FUNCTIONS = {"c": "cos", "s": "sin"}
 #: Letters of an index.
 _INDICES = frozenset("ijk")
+#: What letters abbreviate before an angle, and with one as a subscript.
+_FUNCTIONS = {"c": "cos", "s": "sin"}
 USUAL = {**_FUNCTIONS, **{letter.upper(): head for letter, head in _FUNCTIONS.items()}}
 #: Letters of joint angles, the usual ones first.
 _ANGLES = ("\\theta", "q", "\\vartheta", "\\varphi", "\\phi", "\\alpha", "\\beta")

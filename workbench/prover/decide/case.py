@@ -175,8 +175,9 @@ class Case:
             isinstance(each, Fraction | int) for each in point.values()
         ):
             return True
+        rational = dict(point)
         with suppress(NotExact):
-            return not any(self.exact.at(p, dict(point)) for p in self.solved.rest)
+            return not any(self.exact.at(p, rational) for p in self.solved.rest)
         return True
 
     def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
@@ -195,7 +196,7 @@ class Case:
         point."""
         return [a for a in self.inventory.angles if self._uses(a, "value", 1) and self._uses(a, "circle", 2)]
 
-    @property
+    @cached_property
     def has_pi(self) -> bool:
         """Whether π occurs outside of sines, where a rational value of it says nothing."""
         return any(is_pi(each) and self._uses(each, "value", 1) for each in self.inventory.orders)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from math import lcm
-from operator import le
 from typing import Any
 
 from flint import Ordering, fmpq_mpoly_ctx, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_mpoly_vec
@@ -55,17 +54,14 @@ class Ideal:
         found = _basis([_integral(p, context) for p in generators], context)
         self._context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         self._basis = [self._context.from_dict(dict(p.terms())) for p in found]
-        self._leading = [next(iter(p.monoms()), None) for p in self._basis]
 
     def holds(self, p: Polynomial) -> bool:
         """True if division by the basis shows that p is in the ideal."""
         rest, before = self._context.from_dict(dict(p.terms())), None
-        while rest and rest != before:
-            before, monomials = rest, rest.monoms()
-            for divisor, leading in zip(self._basis, self._leading, strict=True):
-                if leading is not None and any(all(map(le, leading, each)) for each in monomials):
-                    rest = divmod(rest, divisor)[1]
-                    monomials = rest.monoms()
+        while rest != before:
+            before = rest
+            for divisor in self._basis:
+                rest = divmod(rest, divisor)[1]
         return not rest
 
 

@@ -79,8 +79,7 @@ def is_law(claim: Claim) -> bool:
 
 def is_all_given(claim: Claim) -> bool:
     """True if the given formulas contain every free symbol of the claim, so that they determine it."""
-    given = [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
-    return _is_spoken_of(claim, given)
+    return _is_spoken_of(claim, _given_terms(claim))
 
 
 def is_all_assumed(claim: Claim) -> bool:
@@ -88,8 +87,11 @@ def is_all_assumed(claim: Claim) -> bool:
     beside = {formula.latex for formula in claim.context.beside}
     assumed = [f.statement for f in claim.assume if f.statement and f.latex not in beside]
     sides = [side for said in assumed for each in equations_of(said) for side in sides_of(each)]
-    given = [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
-    return _is_spoken_of(claim, [*sides, *given])
+    return _is_spoken_of(claim, [*sides, *_given_terms(claim)])
+
+
+def _given_terms(claim: Claim) -> list[Term]:
+    return [term for law in claim.context.given if law.statement for term in terms_of(law.statement)]
 
 
 def _is_spoken_of(claim: Claim, said: Sequence[Term]) -> bool:
